@@ -1,0 +1,107 @@
+//! What is not a reversible chain, or not a refinement of one.
+
+use crate::scene::SceneError;
+
+/// A chain or a refinement was refused; the message names the entry.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ChainError {
+    /// The matrix has no entries.
+    #[error("a chain needs at least one state")]
+    Empty,
+    /// The matrix is not square.
+    #[error("the matrix has {rows} rows and {columns} columns: it must be square")]
+    NotSquare {
+        /// Rows given.
+        rows: usize,
+        /// Columns given.
+        columns: usize,
+    },
+    /// An entry is NaN, infinite or negative.
+    #[error("entry ({row}, {column}) is {value}: it must be finite and ≥ 0")]
+    InvalidEntry {
+        /// Row, from 0.
+        row: usize,
+        /// Column, from 0.
+        column: usize,
+        /// As given.
+        value: f64,
+    },
+    /// Two entries that must be equal are not: the chain is not reversible.
+    #[error(
+        "entry ({row}, {column}) is {value:e} and ({column}, {row}) is {mirrored:e}: \
+         reciprocity w_i P_ij = w_j P_ji needs them equal"
+    )]
+    NotReciprocal {
+        /// Row, from 0.
+        row: usize,
+        /// Column, from 0.
+        column: usize,
+        /// Entry above.
+        value: f64,
+        /// Entry below.
+        mirrored: f64,
+    },
+    /// All entries are zero, or their sum overflows.
+    #[error("the entries sum to {total}: the total must be finite and > 0")]
+    NoMass {
+        /// Sum of all entries.
+        total: f64,
+    },
+    /// A row of transition probabilities does not sum to one.
+    #[error("row {row} of the transition probabilities sums to {sum}, off by more than {tolerance:e}")]
+    RowSumNotOne {
+        /// Row, from 0.
+        row: usize,
+        /// What it sums to.
+        sum: f64,
+        /// What is accepted.
+        tolerance: f64,
+    },
+    /// A state index is out of range.
+    #[error("there is no state {state}: the chain has states 0 to {last}")]
+    NoSuchState {
+        /// As given.
+        state: usize,
+        /// Largest index.
+        last: usize,
+    },
+    /// Matrices of a refinement have the wrong shape.
+    #[error("{what} has {found} entries, {expected} are needed")]
+    WrongShape {
+        /// Which matrix.
+        what: &'static str,
+        /// Entries found.
+        found: usize,
+        /// Entries needed.
+        expected: usize,
+    },
+    /// Hypothesis (b) of Theorem 1 fails: the sub-states do not add up to the state.
+    #[error(
+        "the sub-states do not cover state {state}: towards state {other} they carry \
+         {parts:e}, the state itself {whole:e} (hypothesis (b))"
+    )]
+    NotCovering {
+        /// The refined state.
+        state: usize,
+        /// The state towards which the sums differ.
+        other: usize,
+        /// Sum over the sub-states.
+        parts: f64,
+        /// Entry of the state.
+        whole: f64,
+    },
+    /// The patches do not enclose their surroundings.
+    #[error("the scene is open: row {row} of the form factors sums to {sum}, 1 ± {tolerance:e} is closed")]
+    OpenScene {
+        /// The row farthest from 1.
+        row: usize,
+        /// Its sum.
+        sum: f64,
+        /// What would count as closed.
+        tolerance: f64,
+    },
+    /// The scene's form factors were refused.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+}

@@ -1,0 +1,50 @@
+//! Why a cut could not be found.
+
+use crate::chain::ChainError;
+use crate::form_factor::FormFactorError;
+use crate::geometry::GeometryError;
+use crate::numeric::NumericError;
+use crate::scene::SceneError;
+
+/// A discretization was refused or not found.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum DiscretizeError {
+    /// A parameter is outside its range.
+    #[error("{parameter} is {value}: it must be {condition}")]
+    OutOfRange {
+        /// Which parameter.
+        parameter: &'static str,
+        /// As given.
+        value: f64,
+        /// What is needed.
+        condition: &'static str,
+    },
+    /// The named patches exchange nothing with the one to be cut.
+    #[error("patch {patch} exchanges nothing with the patches named: every cut gains 0")]
+    NothingToGain {
+        /// The patch that was to be cut.
+        patch: usize,
+    },
+    /// A patch was to be cut against itself.
+    #[error("patch {patch} cannot be cut against itself: it is planar and exchanges nothing with itself")]
+    AgainstItself {
+        /// The patch.
+        patch: usize,
+    },
+    /// An optimiser refused.
+    #[error(transparent)]
+    Numeric(#[from] NumericError),
+    /// A shape was refused.
+    #[error(transparent)]
+    Geometry(#[from] GeometryError),
+    /// A form factor was refused.
+    #[error(transparent)]
+    FormFactor(#[from] FormFactorError),
+    /// A scene was refused.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A chain was refused.
+    #[error(transparent)]
+    Chain(#[from] ChainError),
+}

@@ -1,0 +1,32 @@
+//! What a form factor cannot be computed for.
+
+use crate::geometry::GeometryError;
+
+/// A pair of patches was refused.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum FormFactorError {
+    /// A shape, or the placement of two, was refused.
+    #[error(transparent)]
+    Geometry(#[from] GeometryError),
+    /// A length that must be positive is not.
+    #[error("{quantity} is {value}: it must be finite and > 0")]
+    NonPositiveLength {
+        /// Which length.
+        quantity: &'static str,
+        /// As given.
+        value: f64,
+    },
+    /// A plate reaches behind the plane of the other.
+    #[error("a depth starts at {lower}: the part behind the other plate's plane must be clipped first")]
+    BehindPlane {
+        /// Where the depth starts, < 0.
+        lower: f64,
+    },
+    /// The value over- or underflows `f64`.
+    #[error("the exchange area leaves the range of f64: {value:e}")]
+    OutOfRange {
+        /// What came out.
+        value: f64,
+    },
+}

@@ -1,0 +1,86 @@
+//! Sums of signed terms that know how large their terms were.
+//!
+//! The closed forms are alternating sums. Each term is written so that its own relative error is a
+//! few ε; then the error of the sum is a few ε times the sum of the terms' magnitudes, which is
+//! carried along.
+//!
+//! Three building blocks keep the relative accuracy of a *difference* between two nearby corners
+//! (Δ = b − a is known exactly, as a side length):
+//!
+//! ```text
+//!   atan(b/p) − atan(a/p) = atan2(Δ p, p² + a b)
+//!   ln r_b² − ln r_a²     = ± ln1p(|r_b² − r_a²| / min(r_a², r_b²))
+//!   √(b²+c²) − √(a²+c²)   = Δ (a + b) / (√(b²+c²) + √(a²+c²))
+//! ```
+//!
+//! The first is perfectly conditioned: with M² = (p²+a²)(p²+b²) the argument's rounding is at most
+//! ε M, which moves the angle by ε sin(angle).
+
+use crate::numeric::Scalar;
+
+/// A sum, and the sum of its terms' magnitudes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Exchange<S> {
+    /// The sum: an exchange area, or its derivative.
+    pub value: S,
+    /// Σ |term|, what rounding errors are relative to.
+    pub magnitude: S,
+}
+
+impl<S: Scalar> Exchange<S> {
+    pub(super) fn new(like: &S) -> Self {
+        Self { value: like.zero(), magnitude: like.zero() }
+    }
+
+    /// Adds a term that is accurate relative to itself.
+    pub(super) fn add(&mut self, term: S) {
+        self.magnitude = self.magnitude.clone() + &term.abs();
+        self.value = self.value.clone() + &term;
+    }
+
+    /// Adds a term that is accurate relative to `magnitude` ≥ |term|.
+    pub(super) fn add_uncertain(&mut self, term: S, magnitude: &S) {
+        self.magnitude = self.magnitude.clone() + &magnitude.abs();
+        self.value = self.value.clone() + &term;
+    }
+
+    pub(super) fn add_signed(&mut self, sign: Sign, other: &Self) {
+        self.magnitude = self.magnitude.clone() + &other.magnitude;
+        self.value = match sign {
+            Sign::Plus => self.value.clone() + &other.value,
+            Sign::Minus => self.value.clone() - &other.value,
+        };
+    }
+
+    /// Divided by 2π and signed, as the last step of a form.
+    pub(super) fn over_two_pi(self, sign: Sign) -> Self {
+        let two_pi = self.value.pi() * &self.value.constant(2.0);
+        let value = match sign {
+            Sign::Plus => self.value,
+            Sign::Minus => -self.value,
+        };
+        Self { value: value / &two_pi, magnitude: self.magnitude / &two_pi }
+    }
+}
+
+/// The sign of a corner.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Sign {
+    Plus,
+    Minus,
+}
+
+/// `ln r_b² − ln r_a²` from the difference of squares, with the size of its uncertainty over ε.
+///
+/// `uncertainty` is the magnitude that `difference` was computed from (≥ |difference|).
+pub(super) fn log_ratio<S: Scalar>(
+    difference: &S,
+    uncertainty: &S,
+    r2_a: &S,
+    r2_b: &S,
+) -> (S, S) {
+    let (smaller, larger) = if r2_a < r2_b { (r2_a, r2_b) } else { (r2_b, r2_a) };
+    let size = (difference.abs() / smaller).ln_1p();
+    let log = if *difference < difference.zero() { -size.clone() } else { size.clone() };
+    (log, size + &(uncertainty.clone() / larger))
+}

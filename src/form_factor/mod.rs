@@ -1,0 +1,25 @@
+//! Unoccluded form factors: the fraction of the power leaving one patch that reaches another.
+//!
+//! ```text
+//!   A_i F_ij = ∫∫ cos θ_x cos θ_y / (π r²) dy dx        (direct exchange area, symmetric in i, j)
+//! ```
+//!
+//! Everything is computed as an exchange area, once per pair, so reciprocity
+//! `A_i F_ij = A_j F_ji` holds exactly. One file per route: [`parallel`] and [`perpendicular`]
+//! rectangles in closed form, at any offset; [`RectanglePair`] recognises which of them a pair is,
+//! clips what lies behind either plane, and reports a value with its error bound.
+//!
+//! **Not covered**: other polygons, and occlusion: every value is the unoccluded one.
+//!
+//! References: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-11 to C-15;
+//! Cohen and Wallace, *Radiosity and Realistic Image Synthesis*, 1993, ch. 4.
+
+mod error;
+mod exchange;
+pub mod parallel;
+pub mod perpendicular;
+mod rectangle_pair;
+
+pub use error::FormFactorError;
+pub use exchange::Exchange;
+pub use rectangle_pair::{ExchangeArea, RectanglePair};

@@ -1,0 +1,238 @@
+//! Two rectangles in perpendicular planes, edges along common axes, at any offset.
+//!
+//! ```text
+//!   first  depth [x0,x1], width [y0,y1];  second depth [z0,z1], width [η0,η1]
+//!   (depth: distance from the line where the planes meet, ≥ 0; width: along that line)
+//!   v = y − η,  s² = x² + z²,  r² = s² + v²
+//!   2π A F = −Σ ± G,     G = v s atan(v/s) − ¼ (s² − v²) ln r²
+//!   ∂G/∂x = x [ (v/s) atan(v/s) − ½ ln r² ]       ∂G/∂v = s atan(v/s) + ½ v ln r²
+//! ```
+//!
+//! (the derivatives up to functions that the remaining differences cancel.) One of the four
+//! differences is taken in closed form, along the shortest side, so that slivers keep their digits.
+//! What remains is the cancellation of distance, about `(distance/size)³` in relative error.
+//!
+//! Source: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-15.
+
+use super::FormFactorError;
+use super::exchange::{Exchange, Sign, log_ratio};
+use super::parallel::second_difference;
+use crate::geometry::Span;
+use crate::numeric::Scalar;
+
+/// A rectangle seen from the line in which its plane meets the other one's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Plate<S = f64> {
+    depth: Span<S>,
+    width: Span<S>,
+}
+
+impl<S: Scalar> Plate<S> {
+    /// The plate between two distances from the line and two positions along it.
+    ///
+    /// # Errors
+    /// [`FormFactorError::BehindPlane`] if the depth starts below 0.
+    pub fn try_new(depth: Span<S>, width: Span<S>) -> Result<Self, FormFactorError> {
+        if *depth.lower() < depth.lower().zero() {
+            return Err(FormFactorError::BehindPlane { lower: depth.lower().to_f64() });
+        }
+        Ok(Self { depth, width })
+    }
+}
+
+/// Exchange area of two perpendicular rectangles.
+///
+/// **Arguments** both plates, in any one unit, widths measured on the same axis.
+/// **Returns** `A_1 F_12 = A_2 F_21`, in squared units, and the magnitude its error is relative to.
+/// **Accuracy** `f64`: within [`RECTANGLE_TERMS`]·ε·magnitude, held by
+/// `rectangle_bound_is_never_below_the_error`. Logarithms are taken of lengths in the given
+/// unit: a unit near the largest length is best.
+///
+/// [`RECTANGLE_TERMS`]: crate::numeric::tolerance::RECTANGLE_TERMS
+///
+/// # Examples
+/// ```
+/// use infoscene::{form_factor::perpendicular::{Plate, exchange_area}, geometry::Span};
+/// let unit = Span::try_new(0.0, 1.0)?;
+/// let square = Plate::try_new(unit, unit)?;
+/// // Unit squares with a common edge, from a 60-digit evaluation.
+/// let exchange = exchange_area(&square, &square);
+/// assert!((exchange.value - 0.200_043_776_075_403_15).abs() < 1e-15);
+/// # Ok::<(), infoscene::form_factor::FormFactorError>(())
+/// ```
+#[must_use]
+pub fn exchange_area<S: Scalar>(first: &Plate<S>, second: &Plate<S>) -> Exchange<S> {
+    let lengths = [&first.depth, &second.depth, &first.width, &second.width].map(Span::length);
+    let shortest = (0..4).fold(0, |best, k| if lengths[k] < lengths[best] { k } else { best });
+    // exchanging the plates turns z into x and mirrors v, in which G is even
+    let (thin, other) = if shortest % 2 == 0 { (first, second) } else { (second, first) };
+    let mut sum = Exchange::new(thin.depth.lower());
+    if shortest < 2 {
+        for (z, sign_z) in ends(&other.depth) {
+            for (v, sign_v) in second_difference(&thin.width, &other.width) {
+                let sign = if sign_z == sign_v { Sign::Plus } else { Sign::Minus };
+                sum.add_signed(sign, &difference_in_depth(&thin.depth, z, &v));
+            }
+        }
+    } else {
+        for (x, sign_x) in ends(&thin.depth) {
+            for (z, sign_z) in ends(&other.depth) {
+                for (eta, sign_eta) in ends(&other.width) {
+                    // in v the lower end of η is the plus
+                    let plus = (sign_x == sign_z) != (sign_eta == Sign::Plus);
+                    let sign = if plus { Sign::Plus } else { Sign::Minus };
+                    sum.add_signed(sign, &difference_in_width(x, z, &thin.width, eta));
+                }
+            }
+        }
+    }
+    sum.over_two_pi(Sign::Minus)
+}
+
+/// `∂(A F)/∂x` as the first plate's edge at depth `x` moves away from the line: the exchange per
+/// unit depth of the strip `{x} × width` with the whole second plate.
+///
+/// **Arguments** `depth` ≥ 0; `width` and `second` as for [`exchange_area`].
+#[must_use]
+pub fn strip_exchange_at_depth<S: Scalar>(
+    depth: &S,
+    width: &Span<S>,
+    second: &Plate<S>,
+) -> Exchange<S> {
+    let half = depth.constant(0.5);
+    let mut sum = Exchange::new(depth);
+    for (z, sign_z) in ends(&second.depth) {
+        for (v, sign_v) in second_difference(width, &second.width) {
+            let s2 = depth.square() + &z.square();
+            let s = s2.sqrt();
+            let r2 = s2 + &v.square();
+            let mut corner = Exchange::new(depth);
+            // x/s is a cosine; where both vanish the limit x → 0 at z = 0 makes it 1
+            let cosine = if s.is_zero() { depth.constant(1.0) } else { depth.clone() / &s };
+            corner.add(v.atan2(&s) * &v * &cosine);
+            if !r2.is_zero() {
+                let coefficient = depth.clone() * &half;
+                corner.add_uncertain(-(r2.ln() * &coefficient), &log_size(&coefficient, &r2));
+            }
+            let sign = if sign_z == sign_v { Sign::Plus } else { Sign::Minus };
+            sum.add_signed(sign, &corner);
+        }
+    }
+    sum.over_two_pi(Sign::Minus)
+}
+
+/// `∂(A F)/∂y` as the first plate's edge at `y` along the line moves outwards: the exchange per
+/// unit width of the strip `depth × {y}` with the whole second plate.
+///
+/// **Arguments** `depth` from 0 up; `y` and `second` as for [`exchange_area`].
+#[must_use]
+pub fn strip_exchange_at_width<S: Scalar>(
+    depth: &Span<S>,
+    y: &S,
+    second: &Plate<S>,
+) -> Exchange<S> {
+    let half = y.constant(0.5);
+    let mut sum = Exchange::new(y);
+    for (x, sign_x) in ends(depth) {
+        for (z, sign_z) in ends(&second.depth) {
+            for (eta, sign_eta) in ends(&second.width) {
+                let v = y.clone() - eta;
+                let s2 = x.square() + &z.square();
+                let s = s2.sqrt();
+                let r2 = s2 + &v.square();
+                let mut corner = Exchange::new(y);
+                corner.add(v.atan2(&s) * &s);
+                if !r2.is_zero() {
+                    let coefficient = v * &half;
+                    corner.add_uncertain(r2.ln() * &coefficient, &log_size(&coefficient, &r2));
+                }
+                let plus = (sign_x == sign_z) != (sign_eta == Sign::Plus);
+                sum.add_signed(if plus { Sign::Plus } else { Sign::Minus }, &corner);
+            }
+        }
+    }
+    sum.over_two_pi(Sign::Minus)
+}
+
+fn ends<S: Scalar>(span: &Span<S>) -> [(&S, Sign); 2] {
+    [(span.upper(), Sign::Plus), (span.lower(), Sign::Minus)]
+}
+
+/// What the rounding of `coefficient · ln r²` is relative to: near r² = 1 the logarithm is small
+/// but its error is not.
+fn log_size<S: Scalar>(coefficient: &S, r2: &S) -> S {
+    (r2.ln().abs() + &r2.constant(1.0)) * &coefficient.abs()
+}
+
+/// `G(x1, z, v) − G(x0, z, v)`, each term to its own relative precision.
+fn difference_in_depth<S: Scalar>(x: &Span<S>, z: &S, v: &S) -> Exchange<S> {
+    let quarter = v.constant(0.25);
+    let delta = x.length();
+    let (z2, v2) = (z.square(), v.square());
+    let (s2_0, s2_1) = (x.lower().square() + &z2, x.upper().square() + &z2);
+    let (s0, s1) = (s2_0.sqrt(), s2_1.sqrt());
+    let (r2_0, r2_1) = (s2_0.clone() + &v2, s2_1.clone() + &v2);
+    let squares = delta * &(x.upper().clone() + x.lower());
+
+    let mut sum = Exchange::new(v);
+    if r2_0.is_zero() {
+        // one corner lies on the other plate: G there is 0
+        let coefficient = s2_1 * &quarter;
+        sum.add_uncertain(-(r2_1.ln() * &coefficient), &log_size(&coefficient, &r2_1));
+        return sum;
+    }
+    // v s atan(v/s)
+    if !v.is_zero() {
+        let s_step = squares.clone() / &(s1.clone() + &s0);
+        sum.add(v.atan2(&s1) * v * &s_step);
+        let denominator = s0.clone() * &s1 + &v2;
+        sum.add(-((v.clone() * &s_step).atan2(&denominator) * v * &s0));
+    }
+    // −¼ (s² − v²) ln r²
+    let (log, log_ratio_size) = log_ratio(&squares, &squares, &r2_0, &r2_1);
+    let difference = (s2_1.clone() - &v2) * &quarter;
+    sum.add_uncertain(-(log * &difference), &(log_ratio_size * &((s2_1 + &v2) * &quarter)));
+    let coefficient = squares * &quarter;
+    sum.add_uncertain(-(r2_0.ln() * &coefficient), &log_size(&coefficient, &r2_0));
+    sum
+}
+
+/// `G(x, z, y1 − η) − G(x, z, y0 − η)`, each term to its own relative precision.
+fn difference_in_width<S: Scalar>(x: &S, z: &S, y: &Span<S>, eta: &S) -> Exchange<S> {
+    let quarter = x.constant(0.25);
+    let delta = y.length();
+    let v0 = y.lower().clone() - eta;
+    let v1 = y.upper().clone() - eta;
+    let s2 = x.square() + &z.square();
+    let s = s2.sqrt();
+    let (v2_0, v2_1) = (v0.square(), v1.square());
+    let (r2_0, r2_1) = (s2.clone() + &v2_0, s2.clone() + &v2_1);
+
+    let mut sum = Exchange::new(x);
+    // v s atan(v/s)
+    if !s.is_zero() {
+        sum.add(v1.atan2(&s) * &s * &delta);
+        let angle = (delta.clone() * &s).atan2(&(s2.clone() + &(v0.clone() * &v1)));
+        sum.add(angle * &v0 * &s);
+    }
+    // −¼ (s² − v²) ln r²; at r = 0 the corner contributes 0
+    if r2_0.is_zero() || r2_1.is_zero() {
+        for (v2, r2, sign) in [(&v2_1, &r2_1, Sign::Plus), (&v2_0, &r2_0, Sign::Minus)] {
+            if !r2.is_zero() {
+                let coefficient = v2.clone() * &quarter;
+                let term = r2.ln() * &coefficient;
+                let term = if sign == Sign::Plus { term } else { -term };
+                sum.add_uncertain(term, &log_size(&coefficient, r2));
+            }
+        }
+        return sum;
+    }
+    let squares = delta.clone() * &(v1.clone() + &v0);
+    let squares_size = delta * &(v1.abs() + &v0.abs());
+    let (log, log_ratio_size) = log_ratio(&squares, &squares_size, &r2_0, &r2_1);
+    let difference = (s2.clone() - &v2_1) * &quarter;
+    sum.add_uncertain(-(log * &difference), &(log_ratio_size * &((s2 + &v2_1) * &quarter)));
+    let coefficient = squares_size * &quarter;
+    sum.add_uncertain(r2_0.ln() * &squares * &quarter, &log_size(&coefficient, &r2_0));
+    sum
+}

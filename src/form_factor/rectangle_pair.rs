@@ -1,0 +1,182 @@
+//! Which closed form two rectangles need, and what of them is not needed at all.
+//!
+//! Coplanar and back-facing rectangles exchange nothing; a rectangle that reaches behind the
+//! other's plane is clipped there, which for edges along common axes shortens one side.
+//!
+//! **Not covered**: rectangles turned against each other; occlusion.
+
+use super::parallel::{self, strip_exchange};
+use super::perpendicular::{self, Plate, strip_exchange_at_depth, strip_exchange_at_width};
+use super::{Exchange, FormFactorError};
+use crate::geometry::{FrameAxis, Placement, Rectangle, Span, SplitAxis};
+use crate::numeric::tolerance;
+
+/// An exchange area with a bound on its error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ExchangeArea {
+    /// `A_1 F_12 = A_2 F_21`, in squared units of length, ≥ 0.
+    pub value: f64,
+    /// Bound on the absolute error, for the lengths as given, if the standard library's `ln` and
+    /// `atan2` are within one unit in the last place.
+    pub error_bound: f64,
+}
+
+/// Two rectangles with edges along three common axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RectanglePair {
+    first: [Span; 2],
+    second: Second,
+    unit: f64,
+}
+
+/// The second rectangle in the first one's frame, already clipped to its front.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Second {
+    /// Nothing of it is visible from anywhere on the first one's plane.
+    Dark,
+    /// In a parallel plane.
+    Parallel { spans: [Span; 2], distance: f64 },
+    /// In the plane where the coordinate along `across` is `plane`; its front is where that
+    /// coordinate is larger (`faces_along`) or smaller. Its width runs along the other axis.
+    Perpendicular { across: SplitAxis, plane: f64, faces_along: bool, plate: Plate },
+}
+
+impl RectanglePair {
+    /// Recognises the configuration.
+    ///
+    /// # Errors
+    /// [`FormFactorError::Geometry`] if the edges do not run along three common axes.
+    pub fn try_new(first: &Rectangle, second: &Rectangle) -> Result<Self, FormFactorError> {
+        let placement = Placement::try_new(first, second)?;
+        Ok(Self {
+            first: placement.first,
+            second: Second::try_from(&placement)?,
+            unit: placement.unit,
+        })
+    }
+
+    /// The exchange area, with a bound on its error.
+    ///
+    /// # Errors
+    /// [`FormFactorError::OutOfRange`] if the value leaves the range of `f64`.
+    pub fn exchange_area(&self) -> Result<ExchangeArea, FormFactorError> {
+        let exchange = match &self.second {
+            Second::Dark => return Ok(ExchangeArea { value: 0.0, error_bound: 0.0 }),
+            Second::Parallel { spans, distance } => {
+                parallel::exchange_area(&self.first, spans, distance)?
+            }
+            Second::Perpendicular { across, plane, faces_along, plate } => {
+                let depth = self.depth(*across, *plane, *faces_along);
+                let Some(depth) = depth.above(&0.0) else {
+                    return Ok(ExchangeArea { value: 0.0, error_bound: 0.0 });
+                };
+                let width = self.first[other(*across) as usize];
+                perpendicular::exchange_area(&Plate::try_new(depth, width)?, plate)
+            }
+        };
+        let area = self.unit * self.unit;
+        in_range(&exchange, area)
+    }
+
+    /// The pair in which the first rectangle is only its part between two relative positions.
+    ///
+    /// # Errors
+    /// [`FormFactorError::Geometry`] unless `from < to`.
+    pub fn part(&self, axis: SplitAxis, from: f64, to: f64) -> Result<Self, FormFactorError> {
+        let mut part = *self;
+        part.first[axis as usize] = self.first[axis as usize].part(&from, &to)?;
+        Ok(part)
+    }
+
+    /// The derivative of the exchange area of the part `[0, position]` by `position`: what a strip
+    /// across `axis` exchanges, per relative width.
+    ///
+    /// **Arguments** `position` in `[0, 1]`.
+    ///
+    /// # Errors
+    /// [`FormFactorError::OutOfRange`] if the value leaves the range of `f64`.
+    pub fn strip_exchange(&self, axis: SplitAxis, position: f64) -> Result<f64, FormFactorError> {
+        let along = self.first[axis as usize];
+        let at = along.lower() + position * along.length();
+        let across = self.first[other(axis) as usize];
+        let exchange = match &self.second {
+            Second::Dark => return Ok(0.0),
+            Second::Parallel { spans, distance } => {
+                let [u, v] = *spans;
+                let spans = if axis == SplitAxis::U { [u, v] } else { [v, u] };
+                strip_exchange(&at, &across, &spans, distance)?
+            }
+            Second::Perpendicular { across: normal, plane, faces_along, plate } => {
+                if axis == *normal {
+                    let depth = if *faces_along { at - plane } else { plane - at };
+                    if depth < 0.0 {
+                        return Ok(0.0);
+                    }
+                    strip_exchange_at_depth(&depth, &across, plate)
+                } else {
+                    let depth = self.depth(*normal, *plane, *faces_along);
+                    let Some(depth) = depth.above(&0.0) else { return Ok(0.0) };
+                    strip_exchange_at_width(&depth, &at, plate)
+                }
+            }
+        };
+        let area = self.unit * self.unit;
+        Ok(in_range(&exchange, area)?.value * along.length())
+    }
+
+    /// The first rectangle's extent as a distance in front of the second one's plane.
+    fn depth(&self, across: SplitAxis, plane: f64, faces_along: bool) -> Span {
+        let extent = self.first[across as usize];
+        if faces_along {
+            // mirrored twice: extent − plane
+            extent.mirrored(&plane).mirrored(&0.0)
+        } else {
+            extent.mirrored(&plane)
+        }
+    }
+}
+
+impl TryFrom<&Placement> for Second {
+    type Error = FormFactorError;
+
+    fn try_from(placement: &Placement) -> Result<Self, FormFactorError> {
+        let [u, v, height] = placement.second;
+        Ok(match placement.flat {
+            FrameAxis::Normal if height.0 > 0.0 && !placement.faces_along => Self::Parallel {
+                spans: [Span::try_new(u.0, u.1)?, Span::try_new(v.0, v.1)?],
+                distance: height.0,
+            },
+            FrameAxis::Normal => Self::Dark, // coplanar, behind, or turned away
+            FrameAxis::Edge(across) => {
+                let height = Span::try_new(height.0, height.1)?;
+                let (plane, width) = if across == SplitAxis::U { (u.0, v) } else { (v.0, u) };
+                match height.above(&0.0) {
+                    None => Self::Dark,
+                    Some(depth) => Self::Perpendicular {
+                        across,
+                        plane,
+                        faces_along: placement.faces_along,
+                        plate: Plate::try_new(depth, Span::try_new(width.0, width.1)?)?,
+                    },
+                }
+            }
+        })
+    }
+}
+
+const fn other(axis: SplitAxis) -> SplitAxis {
+    match axis {
+        SplitAxis::U => SplitAxis::V,
+        SplitAxis::V => SplitAxis::U,
+    }
+}
+
+fn in_range(exchange: &Exchange<f64>, area: f64) -> Result<ExchangeArea, FormFactorError> {
+    let value = exchange.value * area;
+    let error_bound = tolerance::RECTANGLE_TERMS * f64::EPSILON * exchange.magnitude * area;
+    if value.is_finite() && error_bound.is_finite() {
+        Ok(ExchangeArea { value, error_bound })
+    } else {
+        Err(FormFactorError::OutOfRange { value })
+    }
+}

@@ -1,0 +1,18 @@
+//! Flat pieces of surface and how they lie to each other.
+//!
+//! A [`Patch`] is a planar simple polygon; a [`Rectangle`] is recognised from one, cut into
+//! parts, and placed beside another by [`Placement`]. Lengths are in any one unit.
+//!
+//! **Not here**: anything radiometric.
+
+mod error;
+mod patch;
+mod placement;
+mod rectangle;
+mod span;
+
+pub use error::GeometryError;
+pub use patch::Patch;
+pub use placement::{FrameAxis, Placement};
+pub use rectangle::{Rectangle, SplitAxis};
+pub use span::Span;

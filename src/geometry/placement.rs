@@ -1,0 +1,115 @@
+//! Where a second rectangle lies in the frame of the first.
+//!
+//! The frame has its origin at the first rectangle's `v0`, axes along its edges u and v, and the
+//! third along its normal. If the edges of both run along these axes, the second rectangle is a
+//! box that is flat in one of the three directions.
+//!
+//! All lengths are divided by a power of two near the largest of them, so that squares neither
+//! overflow nor underflow; [`Placement::unit`] undoes it exactly.
+
+use super::{GeometryError, Rectangle, Span, SplitAxis};
+use crate::numeric::tolerance;
+
+/// A direction of the first rectangle's frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FrameAxis {
+    /// Along the first rectangle's edge u or v.
+    Edge(SplitAxis),
+    /// Along its normal.
+    Normal,
+}
+
+/// The second rectangle in the first one's frame, in units of [`unit`](Self::unit).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Placement {
+    /// The first rectangle: its extent along u and v.
+    pub first: [Span; 2],
+    /// The second rectangle: lower and upper coordinate along u, v and the normal.
+    pub second: [(f64, f64); 3],
+    /// The direction in which the second rectangle is flat.
+    pub flat: FrameAxis,
+    /// Does the second rectangle's normal point along `flat` (else against it)?
+    pub faces_along: bool,
+    /// Length of one unit of the spans: a power of two.
+    pub unit: f64,
+}
+
+impl Placement {
+    /// Places `second` in the frame of `first`.
+    ///
+    /// Coordinates within [`tolerance::ALIGNMENT`] of a plane of the frame are put on it.
+    ///
+    /// # Errors
+    /// [`GeometryError::NotAligned`] if the edges do not run along three common axes;
+    /// [`GeometryError::EmptySpan`] if the sizes differ by more than `f64` can hold.
+    pub fn try_new(first: &Rectangle, second: &Rectangle) -> Result<Self, GeometryError> {
+        let lengths = SplitAxis::ALL.map(|axis| first.edge(axis).length());
+        let axes = [
+            first.edge(SplitAxis::U) / lengths[0],
+            first.edge(SplitAxis::V) / lengths[1],
+            first.normal(),
+        ];
+        let seen = second.corners().map(|corner| {
+            let from_origin = corner - first.origin();
+            axes.map(|axis| from_origin.dot(axis))
+        });
+        let corners = || first.corners().into_iter().chain(second.corners());
+        let largest = corners().map(|c| c.abs().max_element()).fold(0.0, f64::max);
+        let allowed = tolerance::ALIGNMENT * largest;
+
+        let normal = second.normal();
+        let turned = axes.map(|axis| normal.dot(axis));
+        let flat = (0..3).fold(0, |best, k| if turned[k].abs() > turned[best].abs() { k } else { best });
+        let ranges = [0, 1, 2].map(|k| {
+            let coordinates = seen.map(|corner| corner[k]);
+            let lower = coordinates.into_iter().fold(f64::INFINITY, f64::min);
+            let upper = coordinates.into_iter().fold(f64::NEG_INFINITY, f64::max);
+            (lower, upper)
+        });
+        // every corner must lie at an end of every range, and the flat range must be flat
+        let off = |corner: &[f64; 3], k: usize| {
+            let to_ends = (corner[k] - ranges[k].0).min(ranges[k].1 - corner[k]);
+            if k == flat { ranges[k].1 - ranges[k].0 } else { to_ends }
+        };
+        let deviation = seen
+            .iter()
+            .flat_map(|corner| (0..3).map(move |k| off(corner, k)))
+            .fold(0.0, f64::max);
+        if deviation > allowed || deviation.is_nan() {
+            return Err(GeometryError::NotAligned { deviation, allowed });
+        }
+        let planes = |k: usize| [0.0, lengths.get(k).copied().unwrap_or(0.0)];
+        let snap = |k: usize, value: f64| {
+            planes(k).into_iter().find(|plane| (value - plane).abs() <= allowed).unwrap_or(value)
+        };
+        let extent = ranges
+            .iter()
+            .flat_map(|(lower, upper)| [lower.abs(), upper.abs()])
+            .chain(lengths)
+            .fold(0.0, f64::max);
+        let unit = extent.log2().round().exp2();
+        let second = [0, 1, 2].map(|k| {
+            let (lower, upper) = if k == flat {
+                let middle = if ranges[k].0 < ranges[k].1 {
+                    0.5 * (ranges[k].0 + ranges[k].1)
+                } else {
+                    ranges[k].0
+                };
+                (middle, middle)
+            } else {
+                ranges[k]
+            };
+            (snap(k, lower) / unit, snap(k, upper) / unit)
+        });
+        let [length_u, length_v] = lengths;
+        Ok(Self {
+            first: [Span::try_new(0.0, length_u / unit)?, Span::try_new(0.0, length_v / unit)?],
+            second,
+            flat: [FrameAxis::Edge(SplitAxis::U), FrameAxis::Edge(SplitAxis::V), FrameAxis::Normal]
+                [flat],
+            faces_along: turned[flat] > 0.0,
+            unit,
+        })
+    }
+}
+

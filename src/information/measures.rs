@@ -1,0 +1,61 @@
+//! Positional entropy (1), entropy rate (2) and mutual information (3) of a chain, in bits.
+//!
+//! ```text
+//!   H_p = −Σ w_i log2 w_i            H_s = −Σ_ij w_i P_ij log2 P_ij
+//!   I   = H_p − H_s = Σ_ij J_ij log2( J_ij / (w_i w_j) ) = Σ_ij w_i w_j φ(x_ij) / ln 2,
+//!   x_ij = J_ij/(w_i w_j) − 1        (total mass 1)
+//! ```
+
+use crate::chain::ReversibleChain;
+use crate::numeric::{compensated_sum, divergence_kernel, x_log2_ratio, x_log2_x};
+use std::f64::consts::LN_2;
+
+/// Positional entropy `H_p` of the stationary distribution, eq. (1).
+///
+/// **Returns** bits, from 0 (one state) to log2 n (equal weights).
+#[must_use]
+pub fn positional_entropy(chain: &ReversibleChain) -> f64 {
+    -compensated_sum((0..chain.states()).map(|i| x_log2_x(chain.stationary_probability(i))))
+}
+
+/// Entropy rate `H_s`: the uncertainty about the next state, given this one, eq. (2).
+///
+/// **Returns** bits, from 0 to `H_p`.
+#[must_use]
+pub fn entropy_rate(chain: &ReversibleChain) -> f64 {
+    let sum = (0..chain.states()).map(|j| {
+        let column = chain.joint().column(j);
+        compensated_sum(column.iter().map(|joint| x_log2_ratio(*joint, chain.weights()[j])))
+    });
+    -compensated_sum(sum) / chain.total()
+}
+
+/// Mutual information `I = H_p − H_s` between two successive states, eq. (3).
+///
+/// **Returns** bits, ≥ 0 by construction, at most `H_p`.
+/// **Accuracy** each term is non-negative and computed to a few ε of itself plus 2 ε of `w_i w_j`.
+///
+/// # Examples
+/// ```
+/// use infoscene::{chain::visibility_chain, information::mutual_information, scene::Scene};
+/// let cube = visibility_chain(&Scene::built_in("cube:1")?)?;
+/// // One patch per face, from a 50-digit evaluation.
+/// assert!((mutual_information(&cube) - 0.263_034_544_099_120_5).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn mutual_information(chain: &ReversibleChain) -> f64 {
+    let (weights, total) = (chain.weights(), chain.total());
+    let sum = (0..chain.states()).filter(|j| weights[*j] > 0.0).map(|j| {
+        let column = chain.joint().column(j);
+        let scale = weights[j] / total;
+        // the upper triangle twice, the diagonal once
+        let above = (0..j).filter(|i| weights[*i] > 0.0);
+        let term = |i: usize| {
+            let independent = weights[i] * scale;
+            independent * divergence_kernel((column[i] - independent) / independent)
+        };
+        2.0 * compensated_sum(above.map(term)) + term(j)
+    });
+    compensated_sum(sum) / (total * LN_2)
+}

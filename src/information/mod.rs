@@ -1,0 +1,12 @@
+//! Entropies, mutual information, and what a refinement gains, in bits.
+//!
+//! Equations (1)–(3) and (5)–(7) of the paper. Information is never a difference of two large
+//! numbers here: mutual information and its gain are sums of non-negative terms.
+//!
+//! **Not covered**: continuous mutual information (4); estimates from samples.
+
+mod gain;
+mod measures;
+
+pub use gain::{divergence, refinement_gain, self_divergence, subdivision_bound};
+pub use measures::{entropy_rate, mutual_information, positional_entropy};

@@ -1,0 +1,223 @@
+//! 256-bit arithmetic, rounded to nearest: reference values, never enclosures.
+//!
+//! A thin dress around `astro-float`, so that a closed form can be evaluated
+//! with some 75 digits and its `f64` value judged.
+//!
+//! **Not covered**: directed rounding; nothing here may be called a bound.
+
+use super::Scalar;
+use astro_float::{BigFloat, Consts, Radix, RoundingMode, Sign};
+use std::cell::RefCell;
+use std::cmp::Ordering;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Bits of the significand.
+const PRECISION: usize = 256;
+const NEAREST: RoundingMode = RoundingMode::ToEven;
+
+thread_local! {
+    /// The cache of π and ln 2 that `astro-float` asks for; `None` only if memory ran out.
+    static CONSTANTS: RefCell<Option<Consts>> = RefCell::new(Consts::new().ok());
+}
+
+/// A real number with a 256-bit significand and a 32-bit exponent.
+///
+/// An operation without a result (0/0, ln of a negative number) gives NaN, as in `f64`.
+#[derive(Debug, Clone)]
+pub struct HighPrecision(BigFloat);
+
+impl HighPrecision {
+    /// The number `value`, exactly.
+    #[must_use]
+    pub fn new(value: f64) -> Self {
+        Self(BigFloat::from_f64(value, PRECISION))
+    }
+
+    /// The decimal `text`, rounded to 256 bits; `None` if it is not a finite number.
+    #[must_use]
+    pub fn parse(text: &str) -> Option<Self> {
+        let value = with_constants(|constants| {
+            BigFloat::parse(text.trim(), Radix::Dec, PRECISION, NEAREST, constants)
+        });
+        (!value.is_nan() && !value.is_inf()).then_some(Self(value))
+    }
+
+    fn is_small(&self) -> bool {
+        // below 2⁻⁸ the logarithm and exponential forms lose bits and the series converge fast
+        self.0.is_zero() || self.0.exponent().is_some_and(|e| e < -7)
+    }
+
+    fn power_series(&self, coefficient: impl Fn(u32) -> f64, start: u32) -> Self {
+        // Σ_{k ≥ start} x^k / coefficient(k): the denominators are integers, exact in f64
+        let mut power = Self::new(1.0);
+        for _ in 0..start {
+            power = power * self;
+        }
+        let mut sum = self.zero();
+        for k in start.. {
+            let term = power.clone() / Self::new(coefficient(k));
+            let done = term.is_negligible_beside(&sum) || k > 400;
+            sum = sum + term;
+            if done {
+                break;
+            }
+            power = power * self;
+        }
+        sum
+    }
+
+    fn is_negligible_beside(&self, sum: &Self) -> bool {
+        match (self.0.exponent(), sum.0.exponent()) {
+            _ if self.0.is_zero() => true,
+            (Some(term), Some(total)) if !sum.0.is_zero() => {
+                i64::from(term) < i64::from(total) - 270
+            }
+            _ => false,
+        }
+    }
+}
+
+fn with_constants(compute: impl FnOnce(&mut Consts) -> BigFloat) -> BigFloat {
+    CONSTANTS.with_borrow_mut(|constants| match constants {
+        Some(constants) => compute(constants),
+        None => astro_float::NAN,
+    })
+}
+
+macro_rules! operator {
+    ($trait:ident, $method:ident) => {
+        impl $trait for HighPrecision {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                Self(self.0.$method(&other.0, PRECISION, NEAREST))
+            }
+        }
+        impl $trait<&HighPrecision> for HighPrecision {
+            type Output = Self;
+            fn $method(self, other: &Self) -> Self {
+                Self(self.0.$method(&other.0, PRECISION, NEAREST))
+            }
+        }
+    };
+}
+operator!(Add, add);
+operator!(Sub, sub);
+operator!(Mul, mul);
+operator!(Div, div);
+
+impl Neg for HighPrecision {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(self.0.neg())
+    }
+}
+
+impl PartialEq for HighPrecision {
+    fn eq(&self, other: &Self) -> bool {
+        self.partial_cmp(other) == Some(Ordering::Equal)
+    }
+}
+
+impl PartialOrd for HighPrecision {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        self.0.cmp(&other.0).map(|sign| sign.cmp(&0))
+    }
+}
+
+impl Scalar for HighPrecision {
+    fn constant(&self, value: f64) -> Self {
+        Self::new(value)
+    }
+    fn pi(&self) -> Self {
+        Self(with_constants(|constants| constants.pi(PRECISION, NEAREST)))
+    }
+    fn to_f64(&self) -> f64 {
+        if self.0.is_nan() {
+            return f64::NAN;
+        }
+        // Three pieces of at most 53 bits, largest first: their sum rounds correctly enough
+        // for a comparison, to within one unit in the last place.
+        let Some((words, _, sign, exponent, _)) = self.0.as_raw_parts() else {
+            return if self.0.is_negative() { f64::NEG_INFINITY } else { f64::INFINITY };
+        };
+        let mut magnitude = 0.0;
+        for word in words.iter().rev().take(2) {
+            #[allow(clippy::cast_precision_loss, reason = "the low bits of a 64-bit word round away")]
+            let piece = *word as f64;
+            magnitude = if magnitude > 0.0 { magnitude + piece / 2f64.powi(64) } else { piece };
+        }
+        // the significand is a fraction in [1/2, 1), its leading word has weight 2⁻⁶⁴
+        let scale = exponent.clamp(-4000, 4000) - 64;
+        let half = scale / 2;
+        magnitude = magnitude * 2f64.powi(half) * 2f64.powi(scale - half);
+        if sign == Sign::Neg { -magnitude } else { magnitude }
+    }
+    fn sqrt(&self) -> Self {
+        Self(self.0.sqrt(PRECISION, NEAREST))
+    }
+    fn ln(&self) -> Self {
+        Self(with_constants(|constants| self.0.ln(PRECISION, NEAREST, constants)))
+    }
+    fn ln_1p(&self) -> Self {
+        if self.is_small() {
+            // ln(1+x) = Σ (−1)^{k+1} x^k / k
+            self.power_series(|k| f64::from(k) * if k % 2 == 1 { 1.0 } else { -1.0 }, 1)
+        } else {
+            (Self::new(1.0) + self).ln()
+        }
+    }
+    fn exp(&self) -> Self {
+        Self(with_constants(|constants| self.0.exp(PRECISION, NEAREST, constants)))
+    }
+    fn exp_m1(&self) -> Self {
+        if self.is_small() {
+            // Σ x^k/k!; the factorials leave f64's integers at 18!, so the sum runs on the ratio
+            let mut term = self.clone();
+            let mut sum = self.zero();
+            for k in 2..200 {
+                let done = term.is_negligible_beside(&sum);
+                sum = sum + &term;
+                if done {
+                    break;
+                }
+                term = term * self / Self::new(f64::from(k));
+            }
+            sum
+        } else {
+            self.exp() - Self::new(1.0)
+        }
+    }
+    fn atan2(&self, x: &Self) -> Self {
+        let zero = self.zero();
+        if *x > zero {
+            return Self(with_constants(|constants| {
+                (self.clone() / x).0.atan(PRECISION, NEAREST, constants)
+            }));
+        }
+        let half_pi = self.pi() / Self::new(2.0);
+        let complement = |y: &Self| {
+            Self(with_constants(|constants| (x.clone() / y).0.atan(PRECISION, NEAREST, constants)))
+        };
+        if *self > zero {
+            half_pi - complement(self)
+        } else if *self < zero {
+            -half_pi - complement(self)
+        } else if *x < zero {
+            self.pi()
+        } else {
+            zero
+        }
+    }
+    fn divergence_kernel(&self) -> Self {
+        if self.is_small() {
+            // φ(x) = Σ_{k≥2} (−1)^k x^k / (k(k−1))
+            self.power_series(
+                |k| f64::from(k) * f64::from(k - 1) * if k % 2 == 0 { 1.0 } else { -1.0 },
+                2,
+            )
+        } else {
+            let one_plus = Self::new(1.0) + self;
+            if one_plus.is_zero() { -self.clone() } else { one_plus.ln() * &one_plus - self }
+        }
+    }
+}

@@ -1,0 +1,30 @@
+//! The numbers everything else is written in.
+//!
+//! Each formula of this crate is written once, over [`Scalar`]: `f64` gives the
+//! fast value, [`HighPrecision`] the same formula with 256 bits. Beside it stand
+//! the entropy kernels (`0·log 0 = 0` lives there and nowhere else), guarded
+//! one-dimensional root finding and maximisation, guarded quadrature, and the
+//! one table of tolerances.
+//!
+//! **Not here**: geometry, and anything that knows what a form factor is.
+
+mod compensated_sum;
+mod entropy_kernel;
+mod error;
+mod expansion;
+mod high_precision;
+mod maximum;
+mod quadrature;
+mod root;
+mod scalar;
+pub mod tolerance;
+
+pub use compensated_sum::compensated_sum;
+pub use entropy_kernel::{divergence_kernel, x_log2_ratio, x_log2_x};
+pub use error::NumericError;
+pub use expansion::Expansion;
+pub use high_precision::HighPrecision;
+pub use maximum::{Maximum, coordinate_maximum, maximum};
+pub use quadrature::{Integral, integral};
+pub use root::{Root, root};
+pub use scalar::Scalar;

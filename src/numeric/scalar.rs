@@ -1,0 +1,123 @@
+//! The number type a closed form is written over.
+//!
+//! A formula takes `S: Scalar` and builds its constants from its arguments
+//! (`x.constant(0.5)`), so that a type may carry its own precision.
+//!
+//! **Not covered**: complex numbers; trigonometric functions other than `atan2`.
+
+use std::fmt::Debug;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A real number type: `f64`, [`HighPrecision`](super::HighPrecision).
+///
+/// The right-hand side of an operator may be borrowed, so that types without
+/// `Copy` do not drown a formula in `clone`.
+pub trait Scalar:
+    Clone
+    + Debug
+    + PartialOrd
+    + Neg<Output = Self>
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + for<'a> Add<&'a Self, Output = Self>
+    + for<'a> Sub<&'a Self, Output = Self>
+    + for<'a> Mul<&'a Self, Output = Self>
+    + for<'a> Div<&'a Self, Output = Self>
+{
+    /// The number `value`, exactly, at the precision of `self`.
+    #[must_use]
+    fn constant(&self, value: f64) -> Self;
+    /// π at the precision of `self`.
+    #[must_use]
+    fn pi(&self) -> Self;
+    /// The nearest `f64`.
+    #[must_use]
+    fn to_f64(&self) -> f64;
+    /// Square root of a number ≥ 0.
+    #[must_use]
+    fn sqrt(&self) -> Self;
+    /// Natural logarithm of a number > 0.
+    #[must_use]
+    fn ln(&self) -> Self;
+    /// `ln(1 + x)` for `x > −1`, without forming the sum.
+    #[must_use]
+    fn ln_1p(&self) -> Self;
+    /// `eˣ`.
+    #[must_use]
+    fn exp(&self) -> Self;
+    /// `eˣ − 1`, without forming the difference.
+    #[must_use]
+    fn exp_m1(&self) -> Self;
+    /// Angle of the point `(x, self)` from the positive x axis, in `(−π, π]`.
+    #[must_use]
+    fn atan2(&self, x: &Self) -> Self;
+    /// `(1+x)·ln(1+x) − x` for `x ≥ −1`, to full relative precision.
+    ///
+    /// The value is 1 at `x = −1` and never negative; near 0 it is `x²/2`, which the
+    /// plain difference loses.
+    #[must_use]
+    fn divergence_kernel(&self) -> Self;
+
+    /// Zero.
+    #[must_use]
+    fn zero(&self) -> Self {
+        self.constant(0.0)
+    }
+    /// Is this exactly zero?
+    #[must_use]
+    fn is_zero(&self) -> bool {
+        *self == self.zero()
+    }
+    /// Absolute value.
+    #[must_use]
+    fn abs(&self) -> Self {
+        if *self < self.zero() {
+            -self.clone()
+        } else {
+            self.clone()
+        }
+    }
+    /// `x²`.
+    #[must_use]
+    fn square(&self) -> Self {
+        self.clone() * self
+    }
+}
+
+impl Scalar for f64 {
+    fn constant(&self, value: f64) -> Self {
+        value
+    }
+    fn pi(&self) -> Self {
+        std::f64::consts::PI
+    }
+    fn to_f64(&self) -> f64 {
+        *self
+    }
+    fn sqrt(&self) -> Self {
+        f64::sqrt(*self)
+    }
+    fn ln(&self) -> Self {
+        f64::ln(*self)
+    }
+    fn ln_1p(&self) -> Self {
+        f64::ln_1p(*self)
+    }
+    fn exp(&self) -> Self {
+        f64::exp(*self)
+    }
+    fn exp_m1(&self) -> Self {
+        f64::exp_m1(*self)
+    }
+    fn atan2(&self, x: &Self) -> Self {
+        f64::atan2(*self, *x)
+    }
+    fn divergence_kernel(&self) -> Self {
+        super::divergence_kernel(*self)
+    }
+    fn abs(&self) -> Self {
+        f64::abs(*self)
+    }
+}

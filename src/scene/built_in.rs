@@ -1,0 +1,130 @@
+//! The paper's own scenes.
+//!
+//! ```text
+//!   two-squares     fig. 2   unit squares at 90° with a common edge
+//!   three-squares   fig. 3   three unit squares in a corner
+//!   cube:N          figs. 4, 5   the inside of the unit cube, N × N patches on a face
+//! ```
+
+use super::{NamedPatch, Scene, SceneError};
+use crate::geometry::{Patch, Rectangle, SplitAxis};
+use glam::DVec3;
+
+/// Largest N of `cube:N`: 6 N² patches, and the matrix of their pairs must fit in memory.
+const LARGEST_CUBE: usize = 32;
+
+impl Scene {
+    /// A built-in scene: `two-squares`, `three-squares` or `cube:N`.
+    ///
+    /// In the first two, patch 0 is the one that the paper cuts; its axis u runs away from the
+    /// edge it shares with patch 1.
+    ///
+    /// # Errors
+    /// [`SceneError::UnknownName`].
+    ///
+    /// # Examples
+    /// ```
+    /// use infoscene::scene::Scene;
+    /// assert_eq!(Scene::built_in("cube:3")?.patches().len(), 54);
+    /// # Ok::<(), infoscene::scene::SceneError>(())
+    /// ```
+    pub fn built_in(name: &str) -> Result<Self, SceneError> {
+        match name {
+            "two-squares" => corner(&["floor", "wall"], 2),
+            "three-squares" => corner(&["floor", "wall", "side wall"], 3),
+            _ => {
+                let size = name.strip_prefix("cube:").and_then(|n| n.parse().ok());
+                match size.filter(|n| (1..=LARGEST_CUBE).contains(n)) {
+                    Some(n) => cube(n),
+                    None => Err(SceneError::UnknownName {
+                        name: name.to_owned(),
+                        largest: LARGEST_CUBE,
+                    }),
+                }
+            }
+        }
+    }
+}
+
+/// Squares in the planes z = 0, x = 0 and y = 0, fronts towards the positive octant.
+fn corner(names: &[&str], count: usize) -> Result<Scene, SceneError> {
+    let edges = [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z), (DVec3::Z, DVec3::X)];
+    let patches = names
+        .iter()
+        .zip(edges)
+        .take(count)
+        .enumerate()
+        .map(|(index, (name, (u, v)))| rectangle_patch(index, name, DVec3::ZERO, u, v))
+        .collect::<Result<_, _>>()?;
+    Scene::try_new(patches)
+}
+
+/// The six faces of the unit cube, fronts inward, each cut into n × n squares.
+fn cube(n: usize) -> Result<Scene, SceneError> {
+    let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
+    let faces = [
+        ("floor", DVec3::ZERO, x, y),
+        ("ceiling", z, y, x),
+        ("left", DVec3::ZERO, y, z),
+        ("right", x, z, y),
+        ("front", DVec3::ZERO, z, x),
+        ("back", y, x, z),
+    ];
+    #[allow(clippy::cast_precision_loss, reason = "n is at most LARGEST_CUBE")]
+    let line = |k: usize| k as f64 / n as f64;
+    let mut patches = Vec::with_capacity(6 * n * n);
+    for (name, origin, u, v) in faces {
+        for row in 0..n {
+            for column in 0..n {
+                let index = patches.len();
+                // corners from the grid lines themselves, so that neighbours share them exactly
+                let corner = origin + u * line(column) + v * line(row);
+                let (du, dv) = (line(column + 1) - line(column), line(row + 1) - line(row));
+                let name = format!("{name} {row},{column}");
+                patches.push(rectangle_patch(index, &name, corner, u * du, v * dv)?);
+            }
+        }
+    }
+    Scene::try_new(patches)
+}
+
+fn rectangle_patch(
+    index: usize,
+    name: &str,
+    origin: DVec3,
+    u: DVec3,
+    v: DVec3,
+) -> Result<NamedPatch, SceneError> {
+    let shape = Rectangle::try_new(origin, u, v).and_then(|rectangle| Patch::try_from(&rectangle));
+    match shape {
+        Ok(shape) => Ok(NamedPatch::new(name.to_owned(), shape)),
+        Err(source) => Err(SceneError::Patch { index, name: name.to_owned(), source }),
+    }
+}
+
+impl Scene {
+    /// The scene in which patch `index` is cut across an axis; the part at `v0` takes its place,
+    /// the other one follows at the end.
+    ///
+    /// # Errors
+    /// [`SceneError::NoSuchPatch`], [`SceneError::Patch`] if the patch is not a rectangle or the
+    /// position is not inside it.
+    pub fn with_patch_split(
+        &self,
+        index: usize,
+        axis: SplitAxis,
+        position: f64,
+    ) -> Result<Self, SceneError> {
+        let rectangle = self.rectangle(index)?;
+        let name = self.patches[index].name.clone();
+        let parts = rectangle
+            .split(axis, position)
+            .and_then(|[near, far]| Ok([Patch::try_from(&near)?, Patch::try_from(&far)?]))
+            .map_err(|source| SceneError::Patch { index, name: name.clone(), source })?;
+        let [near, far] = parts;
+        let mut patches = self.patches.clone();
+        patches[index] = NamedPatch::new(format!("{name} (near)"), near);
+        patches.push(NamedPatch::new(format!("{name} (far)"), far));
+        Self::try_new(patches)
+    }
+}

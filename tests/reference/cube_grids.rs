@@ -1,0 +1,66 @@
+//! Mutual information of grids on a cube against 13- to 29-digit values.
+
+use crate::support::references::{rows, value};
+use infoscene::chain::visibility_chain;
+use infoscene::discretize::CubeGrid;
+use infoscene::information::mutual_information;
+use infoscene::scene::Scene;
+
+const INFORMATION: f64 = 1e-13;
+
+fn grids(id: &str) -> f64 {
+    value("cube_grids.csv", id)
+}
+
+/// Regular grids of 1, 2, 3, 4, 6 cells a side, from the shared face pairs.
+#[test]
+fn regular_grids_agree_with_29_digits() {
+    for cells in [1, 2, 3, 4, 6] {
+        let information = CubeGrid::regular(cells).unwrap().mutual_information().unwrap();
+        let exact = grids(&format!("cube_regular_{cells}"));
+        assert!((information / exact - 1.0).abs() <= INFORMATION, "{cells}: {information} {exact}");
+    }
+}
+
+/// The same from the scene's patches, one form factor after the other.
+#[test]
+fn chains_of_cube_scenes_agree_with_29_digits() {
+    for cells in [1, 2, 3, 4] {
+        let chain = visibility_chain(&Scene::built_in(&format!("cube:{cells}")).unwrap()).unwrap();
+        let exact = grids(&format!("cube_regular_{cells}"));
+        assert!((mutual_information(&chain) / exact - 1.0).abs() <= INFORMATION, "{cells}");
+    }
+}
+
+/// The best symmetric grids of 3, 4 and 6 cells: their value, and a vanishing derivative.
+#[test]
+fn best_grids_agree_with_20_digits() {
+    let rows = rows("cube_grids.csv");
+    let lines = |id: &str| -> Vec<f64> {
+        let ids = [format!("{id}_line1"), format!("{id}_line2")];
+        rows.iter().filter(|row| ids.contains(&row.id)).map(|row| row.number("value")).collect()
+    };
+    for (cells, has_middle) in [(3, false), (4, true), (6, true)] {
+        let id = format!("cube_optimal_{cells}");
+        let half = lines(&id);
+        let mirrored = half.iter().rev().map(|line| 1.0 - line);
+        let all: Vec<f64> = half.iter().copied().chain(has_middle.then_some(0.5)).chain(mirrored).collect();
+        let grid = CubeGrid::try_new(&all).unwrap();
+        let information = grid.mutual_information().unwrap();
+        assert!((information / grids(&id) - 1.0).abs() <= INFORMATION, "{cells}: {information}");
+        for k in 0..half.len() {
+            let slope = grid.derivative(k).unwrap();
+            assert!(slope.abs() < 1e-12, "{cells}: slope {slope:e} in line {k}");
+        }
+    }
+}
+
+/// Fig. 4: lines t and 1 − t with t = x/20.
+#[test]
+fn figure_4_agrees_with_13_digits() {
+    for (x, id) in [(2.0, "fig4_x2"), (6.0, "fig4_x6"), (20.0 / 3.0, "fig4_x6.666667 (regular)")] {
+        let t = x / 20.0;
+        let information = CubeGrid::try_new(&[t, 1.0 - t]).unwrap().mutual_information().unwrap();
+        assert!((information / grids(id) - 1.0).abs() <= INFORMATION, "{id}: {information}");
+    }
+}

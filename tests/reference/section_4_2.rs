@@ -1,0 +1,91 @@
+//! The cuts of §4.2 against 28-digit values, and against 256-bit roots for other exponents.
+
+use crate::support::references::{rows, value};
+use infoscene::discretize::GradientCut;
+use infoscene::numeric::{HighPrecision, Scalar};
+
+const POSITION: f64 = 1e-14;
+const COMPLEMENT: f64 = 1e-12;
+const VALUE: f64 = 1e-13;
+
+fn row(n: u32, quantity: &str) -> f64 {
+    let prefix = if quantity.starts_with("mse") { "mse42" } else { "mi42" };
+    let suffix = quantity.rsplit(' ').next().unwrap();
+    value("section_4_2.csv", &format!("{prefix}_n{n}_{suffix}"))
+}
+
+/// n = 1, 2, 3, 4, 8, 64: the printed reading, m = 1.
+#[test]
+fn printed_cuts_agree_with_28_digits() {
+    assert_eq!(rows("section_4_2.csv").len(), 36);
+    for n in [1, 2, 3, 4, 8, 64] {
+        let cut = GradientCut::try_new(n.into(), 1.0).unwrap();
+        let information = cut.mutual_information_cut().unwrap();
+        let square = cut.mean_square_cut().unwrap();
+        assert!((information.position - row(n, "mi l")).abs() <= POSITION);
+        assert!((information.complement / row(n, "mi 1ml") - 1.0).abs() <= COMPLEMENT);
+        assert!((information.value / row(n, "mi f_bits") - 1.0).abs() <= VALUE);
+        assert!((square.position - row(n, "mse l")).abs() <= POSITION);
+        assert!((square.complement / row(n, "mse 1ml") - 1.0).abs() <= COMPLEMENT);
+        assert!((square.value / row(n, "mse mse") - 1.0).abs() <= VALUE);
+    }
+}
+
+/// The root of a function that falls from plus to minus, by bisection to 2⁻²⁰⁰.
+fn bisect(f: impl Fn(&HighPrecision) -> HighPrecision, lower: f64, upper: f64) -> HighPrecision {
+    let zero = HighPrecision::new(0.0);
+    let (mut lower, mut upper) = (HighPrecision::new(lower), HighPrecision::new(upper));
+    assert!(f(&lower) > zero && f(&upper) < zero, "no change of sign");
+    for _ in 0..210 {
+        let middle = (lower.clone() + &upper) / HighPrecision::new(2.0);
+        if f(&middle) > zero { lower = middle } else { upper = middle }
+    }
+    lower
+}
+
+/// `dJ/dτ` of the printed objective with general exponents, at 256 bits and written out plainly:
+/// with G = e^−pτ, W = e^−(p+m)τ it is `−p G ln(a/b) + (p+m) W (a − b)`.
+fn plain_derivative(p: f64, m: f64, tau: &HighPrecision) -> HighPrecision {
+    let number = HighPrecision::new;
+    let g = (-(tau.clone() * &number(p))).exp();
+    let w = (-(tau.clone() * &number(p) + &(tau.clone() * &number(m)))).exp();
+    let one = number(1.0);
+    let a = g.clone() / &w;
+    let b = (one.clone() - &g) / &(one - &w);
+    let weight_rate = (number(p) + &number(m)) * &w;
+    weight_rate * &(a.clone() - &b) - &((a / b).ln() * &g * &number(p))
+}
+
+/// Exponents from 0.5 to 1e6, printed (m = 1) and derived (m = n) reading: position to 1e-14,
+/// complement to 1e-12 relative, against the 256-bit root of the plain derivative.
+#[test]
+fn cuts_agree_with_their_references() {
+    for n in [0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 4.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6] {
+        for m in [1.0, n] {
+            let cut = GradientCut::try_new(n, m).unwrap().mutual_information_cut().unwrap();
+            let tau = bisect(|tau| plain_derivative(n + 1.0, m, tau), 0.1 / (n + 1.0), 3.0 / (n + 1.0));
+            let position = (-tau.clone()).exp().to_f64();
+            let complement = -(-tau).exp_m1().to_f64();
+            assert!((cut.position - position).abs() <= POSITION, "n {n} m {m}: {cut:?} {position}");
+            assert!((cut.complement / complement - 1.0).abs() <= COMPLEMENT, "n {n} m {m}: {cut:?}");
+        }
+    }
+}
+
+/// The same for the mean-square condition `(2n+1) lⁿ − 2n lⁿ⁺¹ = 1`.
+#[test]
+fn mean_square_cuts_agree_with_256_bits() {
+    for n in [0.5, 0.7, 1.0, 1.5, 2.0, 10.0, 1e3, 1e6] {
+        let cut = GradientCut::try_new(n, 1.0).unwrap().mean_square_cut().unwrap();
+        let number = HighPrecision::new;
+        let condition = |tau: &HighPrecision| {
+            let power = (-(tau.clone() * &number(n))).exp();
+            let next = power.clone() * &(-tau.clone()).exp();
+            number(2.0 * n + 1.0) * &power - &(number(2.0 * n) * &next) - &number(1.0)
+        };
+        let tau = bisect(condition, 0.01 / n, 10.0 / n);
+        let (position, complement) = ((-tau.clone()).exp().to_f64(), -(-tau).exp_m1().to_f64());
+        assert!((cut.position - position).abs() <= POSITION, "n {n}: {cut:?} {position}");
+        assert!((cut.complement / complement - 1.0).abs() <= COMPLEMENT, "n {n}: {cut:?}");
+    }
+}
