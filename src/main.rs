@@ -1,1 +1,7 @@
-fn main(){}
+//! The command `infoscene`.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    infoscene::cli::run()
+}

@@ -42,7 +42,7 @@ impl RandomChains {
         ReversibleChain::try_new(joint)
     }
 
-    /// A random state of the chain, divided into 1 to `most` sub-states.
+    /// A random state of the chain, divided into 2 to `most` sub-states.
     ///
     /// # Errors
     /// [`ChainError::NotCovering`] if rounding broke the cover, which the tolerance excludes.
@@ -52,7 +52,7 @@ impl RandomChains {
         most: usize,
     ) -> Result<StateRefinement, ChainError> {
         let n = chain.states();
-        let m = self.source.random_range(1..=most.max(1));
+        let m = self.source.random_range(2..=most.max(2));
         let state = self.source.random_range(0..n);
         let mut outward = DMatrix::zeros(m, n);
         for j in (0..n).filter(|j| *j != state) {

@@ -52,6 +52,14 @@ impl ContactShadow {
         Ok(divergence(&[self.exchange(0.0, near)?, beyond], &[position, 1.0 - position]))
     }
 
+    /// What the floor and the wall exchange in all, up to the line.
+    ///
+    /// # Errors
+    /// [`DiscretizeError::FormFactor`] if it leaves `f64`'s range.
+    pub fn exchange_area(&self) -> Result<f64, DiscretizeError> {
+        self.exchange(0.0, self.line)
+    }
+
     /// What the floor would gain at the line if every lit point saw the wall equally: flux
     /// proportional to lit area.
     #[must_use]

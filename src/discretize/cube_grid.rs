@@ -16,7 +16,7 @@
 use super::DiscretizeError;
 use crate::form_factor::{parallel, perpendicular};
 use crate::geometry::Span;
-use crate::numeric::{compensated_sum, divergence_kernel};
+use crate::numeric::{compensated_sum, maximum_of_many, divergence_kernel};
 use std::f64::consts::LN_2;
 
 /// Lines `0 < t_1 < … < 1` with `t_k + t_{n+1−k} = 1`, on both axes of all six faces of the unit cube.
@@ -56,7 +56,45 @@ impl CubeGrid {
             let (parameter, condition) = ("the number of cells", "at least 1");
             return Err(DiscretizeError::OutOfRange { parameter, value: 0.0, condition });
         }
-        Self::try_new(&super::patch_split::regular_positions(cells))
+        Self::try_new(&super::regular_positions(cells))
+    }
+
+    /// The grid of `cells` cells a side with the most mutual information near the regular one: every
+    /// line at the root of its derivative.
+    ///
+    /// # Errors
+    /// [`DiscretizeError::OutOfRange`] for zero cells; [`DiscretizeError::Numeric`] if the lines do not
+    /// come to rest.
+    pub fn best(cells: u32) -> Result<Self, DiscretizeError> {
+        let half: Vec<f64> = super::regular_positions(cells.max(1))
+            .into_iter()
+            .filter(|line| *line < 0.5)
+            .collect();
+        if half.is_empty() {
+            return Self::regular(cells);
+        }
+        let grid = |doubled: &[f64]| {
+            let lower = doubled.iter().map(|line| 0.5 * line);
+            let middle = cells.is_multiple_of(2).then_some(0.5);
+            let upper = doubled.iter().rev().map(|line| 1.0 - 0.5 * line);
+            Self::try_new(&lower.chain(middle).chain(upper).collect::<Vec<f64>>())
+        };
+        // a refused grid has no gradient; the optimiser reports where
+        let gradient = |doubled: &[f64]| match grid(doubled).and_then(|grid| grid.gradient()) {
+            Ok(mut gradient) => {
+                gradient.truncate(doubled.len());
+                gradient
+            }
+            Err(_) => vec![f64::NAN; doubled.len()],
+        };
+        let doubled = maximum_of_many(gradient, half.iter().map(|line| 2.0 * line).collect())?;
+        grid(&doubled)
+    }
+
+    /// The inner lines, increasing.
+    #[must_use]
+    pub fn lines(&self) -> Vec<f64> {
+        self.cells[1..].iter().map(|cell| *cell.lower()).collect()
     }
 
     /// Discrete mutual information of the cube with this grid, in bits.
@@ -76,24 +114,27 @@ impl CubeGrid {
         Ok(compensated_sum(terms) / LN_2)
     }
 
-    /// The derivative of the mutual information as line `k` moves on every face at once, and its
-    /// mirror image against it, in bits; 0 for the middle line.
-    ///
-    /// **Arguments** `k` from 0, as in [`try_new`](Self::try_new).
+    /// The derivative of the mutual information by each line's position, as that line moves on every face
+    /// at once and its mirror image against it, in bits; 0 for the middle line.
     ///
     /// # Errors
     /// [`DiscretizeError::FormFactor`] if a cell is refused.
-    pub fn derivative(&self, k: usize) -> Result<f64, DiscretizeError> {
-        let mut terms = Vec::new();
+    pub fn gradient(&self) -> Result<Vec<f64>, DiscretizeError> {
+        let lines = self.cells.len() - 1;
+        let mut terms = vec![Vec::new(); lines];
         self.for_each_pair(|pair| {
-            let rate = pair.rate(k)? - pair.rate(self.cells.len() - 2 - k)?;
-            if rate.abs() > 0.0 {
-                let ratio = pair.exchange()? * TOTAL_AREA / pair.areas;
-                terms.push(pair.multiplicity * rate / TOTAL_AREA * ratio.ln());
+            let rates = (0..lines).map(|k| pair.rate(k)).collect::<Result<Vec<f64>, _>>()?;
+            if rates.iter().all(|rate| rate.abs() <= 0.0) {
+                return Ok(());
+            }
+            let ratio = pair.exchange()? * TOTAL_AREA / pair.areas;
+            let factor = pair.multiplicity / TOTAL_AREA * ratio.ln();
+            for (k, terms) in terms.iter_mut().enumerate() {
+                terms.push(factor * (rates[k] - rates[lines - 1 - k]));
             }
             Ok(())
         })?;
-        Ok(compensated_sum(terms) / LN_2)
+        Ok(terms.into_iter().map(|terms| compensated_sum(terms) / LN_2).collect())
     }
 
     fn for_each_pair(
@@ -141,13 +182,14 @@ impl CellPair<'_> {
 
     fn exchange(&self) -> Result<f64, DiscretizeError> {
         let (first, second) = (self.spans(self.first), self.spans(self.second));
-        Ok(match self.faces {
-            Faces::Opposite => parallel::exchange_area(&first, &second, &1.0)?.value,
+        let exchange = match self.faces {
+            Faces::Opposite => parallel::exchange_area(&first, &second, &1.0)?,
             Faces::Adjacent => {
                 let plate = |[depth, width]: [Span; 2]| perpendicular::Plate::try_new(depth, width);
-                perpendicular::exchange_area(&plate(first)?, &plate(second)?).value
+                perpendicular::exchange_area(&plate(first)?, &plate(second)?)
             }
-        })
+        };
+        Ok(exchange.resolved(1.0)?.value)
     }
 
     /// `∂(A F)` as line `k` moves: each side on the line contributes its strip, outwards or inwards.

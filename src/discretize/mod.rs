@@ -25,7 +25,7 @@ pub use contact_shadow::ContactShadow;
 pub use cube_grid::CubeGrid;
 pub use error::DiscretizeError;
 pub use gradient_cut::{Cut, GradientCut};
-pub use patch_split::{PatchSplit, SplitOptimum};
+pub use patch_split::{PatchSplit, SplitOptimum, regular_positions};
 pub use straight_cut::StraightCut;
 
 /// `G′ ln(a/b) − W′ (a − b)`, the derivative of the gain in nats as a cut moves.

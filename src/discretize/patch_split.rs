@@ -13,7 +13,7 @@ use super::{DiscretizeError, stationarity};
 use crate::form_factor::RectanglePair;
 use crate::geometry::SplitAxis;
 use crate::information::{divergence, subdivision_bound};
-use crate::numeric::{NumericError, compensated_sum, coordinate_maximum, maximum};
+use crate::numeric::{NumericError, compensated_sum, maximum_of_many, maximum};
 use crate::scene::Scene;
 use std::cell::RefCell;
 use std::f64::consts::LN_2;
@@ -127,8 +127,8 @@ impl PatchSplit {
     /// The cuts into `parts` parts that gain the most.
     ///
     /// Two parts: the highest of the maxima that a scan of the derivative shows, each
-    /// refined as its root (of equal ones, the nearest to `v0`). More: one root after the other
-    /// from the regular division, until all are at rest; a local maximum.
+    /// refined as its root (of equal ones, the nearest to `v0`). More: the root of
+    /// the gradient found from the regular division; a local maximum.
     ///
     /// # Errors
     /// [`DiscretizeError::OutOfRange`] below two parts; [`DiscretizeError::Numeric`] if no
@@ -150,7 +150,10 @@ impl PatchSplit {
             vec![found.position]
         } else {
             self.searching(|_, derivative| {
-                coordinate_maximum(derivative, regular_positions(parts))
+                let gradient = |positions: &[f64]| {
+                    (0..positions.len()).map(|k| derivative(positions, k)).collect()
+                };
+                maximum_of_many(gradient, regular_positions(parts))
             })?
         };
         let mut residual: f64 = 0.0;
@@ -186,8 +189,9 @@ impl PatchSplit {
     }
 }
 
-/// `1/m, 2/m, …`: the regular division.
-pub(super) fn regular_positions(parts: u32) -> Vec<f64> {
+/// `1/m, 2/m, …`: the regular division into `parts`.
+#[must_use]
+pub fn regular_positions(parts: u32) -> Vec<f64> {
     (1..parts).map(|k| f64::from(k) / f64::from(parts)).collect()
 }
 

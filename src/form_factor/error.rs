@@ -29,4 +29,15 @@ pub enum FormFactorError {
         /// What came out.
         value: f64,
     },
+    /// The closed form cancels down to its rounding error.
+    #[error(
+        "the closed form leaves {value:e} with an error up to {error_bound:e}: the rectangles are too \
+         small for their distance; cut the distance or merge the rectangles"
+    )]
+    NotResolved {
+        /// What came out.
+        value: f64,
+        /// Bound on its error.
+        error_bound: f64,
+    },
 }

@@ -16,7 +16,8 @@
 //! The first is perfectly conditioned: with M² = (p²+a²)(p²+b²) the argument's rounding is at most
 //! ε M, which moves the angle by ε sin(angle).
 
-use crate::numeric::Scalar;
+use super::FormFactorError;
+use crate::numeric::{Scalar, tolerance};
 
 /// A sum, and the sum of its terms' magnitudes.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,6 +61,47 @@ impl<S: Scalar> Exchange<S> {
             Sign::Minus => -self.value,
         };
         Self { value: value / &two_pi, magnitude: self.magnitude / &two_pi }
+    }
+}
+
+/// An exchange area with a bound on its error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ExchangeArea {
+    /// `A_1 F_12 = A_2 F_21`, in squared units of length, ≥ 0.
+    pub value: f64,
+    /// Bound on the absolute error, for the lengths as given, if the standard library's `ln` and
+    /// `atan2` are within one unit in the last place.
+    pub error_bound: f64,
+}
+
+impl Exchange<f64> {
+    /// Value and error bound, times the area of a unit square.
+    ///
+    /// # Errors
+    /// [`FormFactorError::OutOfRange`] if the value leaves the range of `f64`.
+    pub fn in_range(&self, unit_area: f64) -> Result<ExchangeArea, FormFactorError> {
+        let value = self.value * unit_area;
+        let error_bound = tolerance::RECTANGLE_TERMS * f64::EPSILON * self.magnitude * unit_area;
+        if value.is_finite() && error_bound.is_finite() {
+            Ok(ExchangeArea { value, error_bound })
+        } else {
+            Err(FormFactorError::OutOfRange { value })
+        }
+    }
+
+    /// The same for an exchange area, which must be positive beyond its error.
+    ///
+    /// # Errors
+    /// As [`in_range`](Self::in_range); [`FormFactorError::NotResolved`] if the error bound is not below
+    /// the value.
+    pub fn resolved(&self, unit_area: f64) -> Result<ExchangeArea, FormFactorError> {
+        let exchange = self.in_range(unit_area)?;
+        let ExchangeArea { value, error_bound } = exchange;
+        if value > error_bound {
+            Ok(exchange)
+        } else {
+            Err(FormFactorError::NotResolved { value, error_bound })
+        }
     }
 }
 

@@ -21,5 +21,5 @@ pub mod perpendicular;
 mod rectangle_pair;
 
 pub use error::FormFactorError;
-pub use exchange::Exchange;
-pub use rectangle_pair::{ExchangeArea, RectanglePair};
+pub use exchange::{Exchange, ExchangeArea};
+pub use rectangle_pair::RectanglePair;

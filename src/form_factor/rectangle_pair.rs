@@ -7,19 +7,8 @@
 
 use super::parallel::{self, strip_exchange};
 use super::perpendicular::{self, Plate, strip_exchange_at_depth, strip_exchange_at_width};
-use super::{Exchange, FormFactorError};
+use super::{ExchangeArea, FormFactorError};
 use crate::geometry::{FrameAxis, Placement, Rectangle, Span, SplitAxis};
-use crate::numeric::tolerance;
-
-/// An exchange area with a bound on its error.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ExchangeArea {
-    /// `A_1 F_12 = A_2 F_21`, in squared units of length, ≥ 0.
-    pub value: f64,
-    /// Bound on the absolute error, for the lengths as given, if the standard library's `ln` and
-    /// `atan2` are within one unit in the last place.
-    pub error_bound: f64,
-}
 
 /// Two rectangles with edges along three common axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,7 +47,8 @@ impl RectanglePair {
     /// The exchange area, with a bound on its error.
     ///
     /// # Errors
-    /// [`FormFactorError::OutOfRange`] if the value leaves the range of `f64`.
+    /// [`FormFactorError::OutOfRange`] if the value leaves the range of `f64`;
+    /// [`FormFactorError::NotResolved`] if rounding leaves no correct digit.
     pub fn exchange_area(&self) -> Result<ExchangeArea, FormFactorError> {
         let exchange = match &self.second {
             Second::Dark => return Ok(ExchangeArea { value: 0.0, error_bound: 0.0 }),
@@ -74,8 +64,7 @@ impl RectanglePair {
                 perpendicular::exchange_area(&Plate::try_new(depth, width)?, plate)
             }
         };
-        let area = self.unit * self.unit;
-        in_range(&exchange, area)
+        exchange.resolved(self.unit * self.unit)
     }
 
     /// The pair in which the first rectangle is only its part between two relative positions.
@@ -120,8 +109,7 @@ impl RectanglePair {
                 }
             }
         };
-        let area = self.unit * self.unit;
-        Ok(in_range(&exchange, area)?.value * along.length())
+        Ok(exchange.in_range(self.unit * self.unit)?.value * along.length())
     }
 
     /// The first rectangle's extent as a distance in front of the second one's plane.
@@ -168,15 +156,5 @@ const fn other(axis: SplitAxis) -> SplitAxis {
     match axis {
         SplitAxis::U => SplitAxis::V,
         SplitAxis::V => SplitAxis::U,
-    }
-}
-
-fn in_range(exchange: &Exchange<f64>, area: f64) -> Result<ExchangeArea, FormFactorError> {
-    let value = exchange.value * area;
-    let error_bound = tolerance::RECTANGLE_TERMS * f64::EPSILON * exchange.magnitude * area;
-    if value.is_finite() && error_bound.is_finite() {
-        Ok(ExchangeArea { value, error_bound })
-    } else {
-        Err(FormFactorError::OutOfRange { value })
     }
 }

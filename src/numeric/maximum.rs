@@ -10,6 +10,7 @@
 
 use super::root::finite;
 use super::{NumericError, root, tolerance};
+use nalgebra::{DMatrix, DVector};
 
 /// A local maximum, with the derivative that is left there.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,43 +78,72 @@ pub fn maximum(
 /// The outermost scanned points lie this power of two of the width inside.
 const SMALLEST_POWER: i32 = -40;
 
-/// A maximum in several ordered coordinates `0 < t_1 < … < t_n < 1`, one root after the other.
+/// A maximum in several ordered coordinates `0 < t_1 < … < t_n < 1`, as the root of the gradient.
 ///
-/// Each sweep moves every coordinate to the root of its own partial derivative between its
-/// neighbours, and the sweeps are repeated until no coordinate moves by more than rounding.
-/// `partial(t, k)` is the derivative in coordinate `k`; it must be positive just right of the
-/// left neighbour and negative just left of the right one.
+/// Newton's method with a Hessian from central differences, damped so that no coordinate passes its
+/// neighbour; it ends where a step no longer moves anything beyond rounding, and only at a
+/// negative definite Hessian.
+///
+/// **Accuracy** each coordinate to [`tolerance::AT_REST`]; a local maximum near the start.
 ///
 /// # Errors
-/// [`NumericError::NotConverged`] if the coordinates still move after the last sweep, and what
-/// [`root`] refuses.
-pub fn coordinate_maximum(
-    partial: impl Fn(&[f64], usize) -> f64,
-    mut coordinates: Vec<f64>,
+/// [`NumericError::NotFinite`]; [`NumericError::NotConverged`] if the steps do not die out, or end at
+/// something else than a maximum.
+pub fn maximum_of_many(
+    gradient: impl Fn(&[f64]) -> Vec<f64>,
+    start: Vec<f64>,
 ) -> Result<Vec<f64>, NumericError> {
-    let mut moved = f64::INFINITY;
-    for _ in 0..tolerance::COORDINATE_SWEEPS {
-        moved = 0.0;
-        for k in 0..coordinates.len() {
-            let lower = if k == 0 { 0.0 } else { coordinates[k - 1] };
-            let upper = coordinates.get(k + 1).copied().unwrap_or(1.0);
-            let inset = (upper - lower) * 2f64.powi(-20);
-            let along = |position: f64| {
-                let mut moved = coordinates.clone();
-                moved[k] = position;
-                partial(&moved, k)
-            };
-            let found = root(along, lower + inset, upper - inset)?.position;
-            moved = f64::max(moved, (found - coordinates[k]).abs());
-            coordinates[k] = found;
+    let n = start.len();
+    let mut position = DVector::from_vec(start);
+    let gradient = |position: &DVector<f64>| -> Result<DVector<f64>, NumericError> {
+        let gradient = DVector::from_vec(gradient(position.as_slice()));
+        match gradient.iter().zip(position.iter()).find(|(value, _)| !value.is_finite()) {
+            Some((value, at)) => Err(NumericError::NotFinite { position: *at, value: *value }),
+            None => Ok(gradient),
         }
-        if moved <= tolerance::COORDINATE_AT_REST {
-            return Ok(coordinates);
+    };
+    let mut moved = f64::INFINITY;
+    for _ in 0..tolerance::NEWTON_STEPS {
+        let slope = gradient(&position)?;
+        let mut curvature = DMatrix::zeros(n, n);
+        for k in 0..n {
+            let mut aside = [position.clone(), position.clone()];
+            aside[0][k] -= DIFFERENCE;
+            aside[1][k] += DIFFERENCE;
+            let change = gradient(&aside[1])? - gradient(&aside[0])?;
+            curvature.set_column(k, &(change / (2.0 * DIFFERENCE)));
+        }
+        // −H is symmetric and, at a maximum, positive definite; elsewhere climb along the slope
+        let symmetric = -(&curvature + curvature.transpose()) * 0.5;
+        let newton = symmetric.cholesky().map(|factor| factor.solve(&slope));
+        let is_maximum = newton.is_some();
+        let step = newton.unwrap_or_else(|| &slope * (0.01 / slope.amax()));
+        let step = &step * damping(&position, &step);
+        moved = step.amax();
+        position += step;
+        if is_maximum && moved <= tolerance::AT_REST {
+            return Ok(position.as_slice().to_vec());
         }
     }
     Err(NumericError::NotConverged {
-        iterations: u64::from(tolerance::COORDINATE_SWEEPS),
-        best: coordinates.first().copied().unwrap_or(f64::NAN),
+        iterations: u64::from(tolerance::NEWTON_STEPS),
+        best: position[0],
         residual: moved,
+    })
+}
+
+/// Width of the central differences: their error, of the square of this, only slows convergence.
+const DIFFERENCE: f64 = 1e-5;
+
+/// The largest factor ≤ 1 by which a step leaves every gap at least two thirds of its length.
+fn damping(position: &DVector<f64>, step: &DVector<f64>) -> f64 {
+    let n = position.len();
+    let at = |v: &DVector<f64>, k: usize, end: f64| if k < n { v[k] } else { end };
+    (0..=n).fold(1.0, |factor, k| {
+        let (left, left_step) =
+            if k == 0 { (0.0, 0.0) } else { (position[k - 1], step[k - 1]) };
+        let gap = at(position, k, 1.0) - left;
+        let closing = left_step - at(step, k, 0.0);
+        if closing > gap / 3.0 { f64::min(factor, gap / (3.0 * closing)) } else { factor }
     })
 }

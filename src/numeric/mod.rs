@@ -24,7 +24,7 @@ pub use entropy_kernel::{divergence_kernel, x_log2_ratio, x_log2_x};
 pub use error::NumericError;
 pub use expansion::Expansion;
 pub use high_precision::HighPrecision;
-pub use maximum::{Maximum, coordinate_maximum, maximum};
+pub use maximum::{Maximum, maximum, maximum_of_many};
 pub use quadrature::{Integral, integral};
 pub use root::{Root, root};
 pub use scalar::Scalar;

@@ -12,12 +12,13 @@ pub const DIVERGENCE_KERNEL: f64 = 24.0 * f64::EPSILON;
 /// of some hundred ε when the parts' form factors differ in the third digit.
 pub const EQUAL_MAXIMA: f64 = 1e-12;
 
-/// Sweeps of the coordinate maximisation: (b) 16 parts of two unit squares take 400, measured by
-/// `sixteen_parts_come_to_rest`; more means that the function has a ridge.
-pub const COORDINATE_SWEEPS: u32 = 4000;
+/// Steps of the maximisation in several coordinates: (b) 64 parts of two unit squares take fewer than a
+/// third, measured by `many_parts_come_to_rest`.
+pub const NEWTON_STEPS: u32 = 60;
 
-/// Movement below which a sweep counts as at rest: (a) two units in the last place of 1.
-pub const COORDINATE_AT_REST: f64 = 2.0 * f64::EPSILON;
+/// Movement below which a maximum counts as found, on a scale of 1: (a) derivatives rounded to a few ε
+/// over curvatures of order one let a coordinate tremble by that much, twice over with its neighbours.
+pub const AT_REST: f64 = 64.0 * f64::EPSILON;
 
 /// Deviation from a plane, relative to a patch's diameter, up to which it counts as planar: the
 /// input's own rounding is 1e-16 of its coordinates, a file of twelve decimals gives 1e-12.
@@ -37,3 +38,27 @@ pub const RECTANGLE_TERMS: f64 = 16.0;
 /// have before it counts as irreversible: (a) a quotient and a product, each half an ε, on
 /// either side, and the square of that for chains read from sixteen printed digits.
 pub const RECIPROCITY: f64 = 16.0 * f64::EPSILON;
+
+/// Absolute error of an optimal position on a scale of 1: (b) `cuts_agree_with_their_references` and the
+/// reference tests of the splits hold it.
+pub const POSITION: f64 = 1e-14;
+
+/// Relative error of a gain at well separated form factors: (b) held by the reference tests of the
+/// splits and of §4.2.
+pub const GAIN: f64 = 1e-13;
+
+/// Relative error of the mutual information of a grid on a cube: (b) held by
+/// `regular_grids_agree_with_29_digits`.
+pub const GRID_INFORMATION: f64 = 1e-13;
+
+/// Deviation of an identity between sums of entropies of at most 10 bits each: (a) some hundred terms
+/// of ε each, relative to 10.
+pub const IDENTITY: f64 = 1e-12;
+
+/// Deviation of row sums and of additivity of rectangle exchange areas near to each other: (a) a
+/// hundred terms with the bound [`RECTANGLE_TERMS`].
+pub const CLOSURE: f64 = 1e-12;
+
+/// What a gain that vanishes by symmetry may leave, in bits: (a) the square of 64 ε, the relative
+/// difference of two equal form factors computed apart.
+pub const VANISHING_GAIN: f64 = 1e-27;

@@ -30,8 +30,8 @@ impl Scene {
     /// ```
     pub fn built_in(name: &str) -> Result<Self, SceneError> {
         match name {
-            "two-squares" => corner(&["floor", "wall"], 2),
-            "three-squares" => corner(&["floor", "wall", "side wall"], 3),
+            "two-squares" => Self::floor_and_wall(1.0),
+            "three-squares" => corner(),
             _ => {
                 let size = name.strip_prefix("cube:").and_then(|n| n.parse().ok());
                 match size.filter(|n| (1..=LARGEST_CUBE).contains(n)) {
@@ -44,19 +44,64 @@ impl Scene {
             }
         }
     }
+
+    /// A floor `depth × 1` and a unit square wall at 90°, with a common edge of length 1; patch 0 is the
+    /// floor, its axis u runs away from the edge.
+    ///
+    /// # Errors
+    /// [`SceneError::Patch`] unless `depth` is finite and > 0.
+    pub fn floor_and_wall(depth: f64) -> Result<Self, SceneError> {
+        Self::try_new(vec![
+            rectangle_patch(0, "floor", DVec3::ZERO, depth * DVec3::X, DVec3::Y)?,
+            rectangle_patch(1, "wall", DVec3::ZERO, DVec3::Y, DVec3::Z)?,
+        ])
+    }
+
+    /// Two aligned unit squares that face each other at a distance.
+    ///
+    /// # Errors
+    /// [`SceneError::Patch`] unless `distance` is finite.
+    pub fn facing_squares(distance: f64) -> Result<Self, SceneError> {
+        Self::try_new(vec![
+            rectangle_patch(0, "floor", DVec3::ZERO, DVec3::X, DVec3::Y)?,
+            rectangle_patch(1, "ceiling", distance * DVec3::Z, DVec3::Y, DVec3::X)?,
+        ])
+    }
+
+    /// The scene in which patch `index` is cut across an axis; the part at `v0` takes its place,
+    /// the other one follows at the end.
+    ///
+    /// # Errors
+    /// [`SceneError::NoSuchPatch`], [`SceneError::Patch`] if the patch is not a rectangle or the
+    /// position is not inside it.
+    pub fn with_patch_split(
+        &self,
+        index: usize,
+        axis: SplitAxis,
+        position: f64,
+    ) -> Result<Self, SceneError> {
+        let rectangle = self.rectangle(index)?;
+        let name = self.patches[index].name.clone();
+        let parts = rectangle
+            .split(axis, position)
+            .and_then(|[near, far]| Ok([Patch::try_from(&near)?, Patch::try_from(&far)?]))
+            .map_err(|source| SceneError::Patch { index, name: name.clone(), source })?;
+        let [near, far] = parts;
+        let mut patches = self.patches.clone();
+        patches[index] = NamedPatch::new(format!("{name} (near)"), near);
+        patches.push(NamedPatch::new(format!("{name} (far)"), far));
+        Self::try_new(patches)
+    }
 }
 
-/// Squares in the planes z = 0, x = 0 and y = 0, fronts towards the positive octant.
-fn corner(names: &[&str], count: usize) -> Result<Scene, SceneError> {
-    let edges = [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z), (DVec3::Z, DVec3::X)];
-    let patches = names
-        .iter()
-        .zip(edges)
-        .take(count)
-        .enumerate()
-        .map(|(index, (name, (u, v)))| rectangle_patch(index, name, DVec3::ZERO, u, v))
-        .collect::<Result<_, _>>()?;
-    Scene::try_new(patches)
+/// Unit squares in the planes z = 0, x = 0 and y = 0, fronts towards the positive octant.
+fn corner() -> Result<Scene, SceneError> {
+    let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
+    Scene::try_new(vec![
+        rectangle_patch(0, "floor", DVec3::ZERO, x, y)?,
+        rectangle_patch(1, "wall", DVec3::ZERO, y, z)?,
+        rectangle_patch(2, "side wall", DVec3::ZERO, z, x)?,
+    ])
 }
 
 /// The six faces of the unit cube, fronts inward, each cut into n × n squares.
@@ -99,32 +144,5 @@ fn rectangle_patch(
     match shape {
         Ok(shape) => Ok(NamedPatch::new(name.to_owned(), shape)),
         Err(source) => Err(SceneError::Patch { index, name: name.to_owned(), source }),
-    }
-}
-
-impl Scene {
-    /// The scene in which patch `index` is cut across an axis; the part at `v0` takes its place,
-    /// the other one follows at the end.
-    ///
-    /// # Errors
-    /// [`SceneError::NoSuchPatch`], [`SceneError::Patch`] if the patch is not a rectangle or the
-    /// position is not inside it.
-    pub fn with_patch_split(
-        &self,
-        index: usize,
-        axis: SplitAxis,
-        position: f64,
-    ) -> Result<Self, SceneError> {
-        let rectangle = self.rectangle(index)?;
-        let name = self.patches[index].name.clone();
-        let parts = rectangle
-            .split(axis, position)
-            .and_then(|[near, far]| Ok([Patch::try_from(&near)?, Patch::try_from(&far)?]))
-            .map_err(|source| SceneError::Patch { index, name: name.clone(), source })?;
-        let [near, far] = parts;
-        let mut patches = self.patches.clone();
-        patches[index] = NamedPatch::new(format!("{name} (near)"), near);
-        patches.push(NamedPatch::new(format!("{name} (far)"), far));
-        Self::try_new(patches)
     }
 }

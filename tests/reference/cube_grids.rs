@@ -4,9 +4,8 @@ use crate::support::references::{rows, value};
 use infoscene::chain::visibility_chain;
 use infoscene::discretize::CubeGrid;
 use infoscene::information::mutual_information;
+use infoscene::numeric::tolerance;
 use infoscene::scene::Scene;
-
-const INFORMATION: f64 = 1e-13;
 
 fn grids(id: &str) -> f64 {
     value("cube_grids.csv", id)
@@ -18,7 +17,7 @@ fn regular_grids_agree_with_29_digits() {
     for cells in [1, 2, 3, 4, 6] {
         let information = CubeGrid::regular(cells).unwrap().mutual_information().unwrap();
         let exact = grids(&format!("cube_regular_{cells}"));
-        assert!((information / exact - 1.0).abs() <= INFORMATION, "{cells}: {information} {exact}");
+        assert!((information / exact - 1.0).abs() <= tolerance::GRID_INFORMATION, "{cells}: {information} {exact}");
     }
 }
 
@@ -28,7 +27,7 @@ fn chains_of_cube_scenes_agree_with_29_digits() {
     for cells in [1, 2, 3, 4] {
         let chain = visibility_chain(&Scene::built_in(&format!("cube:{cells}")).unwrap()).unwrap();
         let exact = grids(&format!("cube_regular_{cells}"));
-        assert!((mutual_information(&chain) / exact - 1.0).abs() <= INFORMATION, "{cells}");
+        assert!((mutual_information(&chain) / exact - 1.0).abs() <= tolerance::GRID_INFORMATION, "{cells}");
     }
 }
 
@@ -47,10 +46,13 @@ fn best_grids_agree_with_20_digits() {
         let all: Vec<f64> = half.iter().copied().chain(has_middle.then_some(0.5)).chain(mirrored).collect();
         let grid = CubeGrid::try_new(&all).unwrap();
         let information = grid.mutual_information().unwrap();
-        assert!((information / grids(&id) - 1.0).abs() <= INFORMATION, "{cells}: {information}");
-        for k in 0..half.len() {
-            let slope = grid.derivative(k).unwrap();
+        assert!((information / grids(&id) - 1.0).abs() <= tolerance::GRID_INFORMATION, "{cells}: {information}");
+        for (k, slope) in grid.gradient().unwrap().into_iter().enumerate() {
             assert!(slope.abs() < 1e-12, "{cells}: slope {slope:e} in line {k}");
+        }
+        let found = CubeGrid::best(cells).unwrap().lines();
+        for (found, exact) in found.into_iter().zip(all) {
+            assert!((found - exact).abs() <= tolerance::POSITION, "{cells}: {found} {exact}");
         }
     }
 }
@@ -61,6 +63,6 @@ fn figure_4_agrees_with_13_digits() {
     for (x, id) in [(2.0, "fig4_x2"), (6.0, "fig4_x6"), (20.0 / 3.0, "fig4_x6.666667 (regular)")] {
         let t = x / 20.0;
         let information = CubeGrid::try_new(&[t, 1.0 - t]).unwrap().mutual_information().unwrap();
-        assert!((information / grids(id) - 1.0).abs() <= INFORMATION, "{id}: {information}");
+        assert!((information / grids(id) - 1.0).abs() <= tolerance::GRID_INFORMATION, "{id}: {information}");
     }
 }

@@ -2,11 +2,10 @@
 
 use crate::support::references::{rows, value};
 use infoscene::discretize::GradientCut;
-use infoscene::numeric::{HighPrecision, Scalar};
+use infoscene::numeric::{HighPrecision, Scalar, tolerance};
 
-const POSITION: f64 = 1e-14;
+/// Relative error of a complement, the crate's promise up to exponents of 1e6.
 const COMPLEMENT: f64 = 1e-12;
-const VALUE: f64 = 1e-13;
 
 fn row(n: u32, quantity: &str) -> f64 {
     let prefix = if quantity.starts_with("mse") { "mse42" } else { "mi42" };
@@ -22,12 +21,12 @@ fn printed_cuts_agree_with_28_digits() {
         let cut = GradientCut::try_new(n.into(), 1.0).unwrap();
         let information = cut.mutual_information_cut().unwrap();
         let square = cut.mean_square_cut().unwrap();
-        assert!((information.position - row(n, "mi l")).abs() <= POSITION);
+        assert!((information.position - row(n, "mi l")).abs() <= tolerance::POSITION);
         assert!((information.complement / row(n, "mi 1ml") - 1.0).abs() <= COMPLEMENT);
-        assert!((information.value / row(n, "mi f_bits") - 1.0).abs() <= VALUE);
-        assert!((square.position - row(n, "mse l")).abs() <= POSITION);
+        assert!((information.value / row(n, "mi f_bits") - 1.0).abs() <= tolerance::GAIN);
+        assert!((square.position - row(n, "mse l")).abs() <= tolerance::POSITION);
         assert!((square.complement / row(n, "mse 1ml") - 1.0).abs() <= COMPLEMENT);
-        assert!((square.value / row(n, "mse mse") - 1.0).abs() <= VALUE);
+        assert!((square.value / row(n, "mse mse") - 1.0).abs() <= tolerance::GAIN);
     }
 }
 
@@ -66,7 +65,7 @@ fn cuts_agree_with_their_references() {
             let tau = bisect(|tau| plain_derivative(n + 1.0, m, tau), 0.1 / (n + 1.0), 3.0 / (n + 1.0));
             let position = (-tau.clone()).exp().to_f64();
             let complement = -(-tau).exp_m1().to_f64();
-            assert!((cut.position - position).abs() <= POSITION, "n {n} m {m}: {cut:?} {position}");
+            assert!((cut.position - position).abs() <= tolerance::POSITION, "n {n} m {m}: {cut:?} {position}");
             assert!((cut.complement / complement - 1.0).abs() <= COMPLEMENT, "n {n} m {m}: {cut:?}");
         }
     }
@@ -85,7 +84,7 @@ fn mean_square_cuts_agree_with_256_bits() {
         };
         let tau = bisect(condition, 0.01 / n, 10.0 / n);
         let (position, complement) = ((-tau.clone()).exp().to_f64(), -(-tau).exp_m1().to_f64());
-        assert!((cut.position - position).abs() <= POSITION, "n {n}: {cut:?} {position}");
+        assert!((cut.position - position).abs() <= tolerance::POSITION, "n {n}: {cut:?} {position}");
         assert!((cut.complement / complement - 1.0).abs() <= COMPLEMENT, "n {n}: {cut:?}");
     }
 }

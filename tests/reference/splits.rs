@@ -1,54 +1,41 @@
 //! Best cuts of perpendicular rectangles against 25-digit values.
 
 use crate::support::references::value;
-use glam::DVec3;
 use infoscene::discretize::PatchSplit;
-use infoscene::geometry::{Patch, Rectangle, SplitAxis};
-use infoscene::scene::{NamedPatch, Scene};
-
-/// Positions absolute, gains relative: the promise of the crate.
-const POSITION: f64 = 1e-14;
-const GAIN: f64 = 1e-13;
+use infoscene::geometry::SplitAxis;
+use infoscene::numeric::tolerance;
+use infoscene::scene::Scene;
 
 fn splits(id: &str) -> f64 {
     value("splits.csv", id)
-}
-
-/// Floor `depth × 1`, wall the unit square, common edge of length 1.
-fn floor_and_wall(depth: f64) -> Scene {
-    let rectangle = |u, v| Rectangle::try_new(DVec3::ZERO, u, v).unwrap();
-    let floor = rectangle(depth * DVec3::X, DVec3::Y);
-    let wall = rectangle(DVec3::Y, DVec3::Z);
-    let named = |name: &str, shape| NamedPatch::new(name.to_owned(), Patch::try_from(shape).unwrap());
-    Scene::try_new(vec![named("floor", &floor), named("wall", &wall)]).unwrap()
 }
 
 /// The file's U is `½ A_T ΔI`.
 fn assert_gain(split: &PatchSplit, scene: &Scene, positions: &[f64], id: &str) {
     let u = 0.5 * scene.total_area() * split.gain(positions).unwrap();
     let exact = splits(id);
-    assert!((u - exact).abs() <= GAIN * exact, "{id}: {u} against {exact}");
+    assert!((u - exact).abs() <= tolerance::GAIN * exact, "{id}: {u} against {exact}");
 }
 
 fn assert_best(scene: &Scene, against: &[usize], axis: SplitAxis, id: &str) {
     let split = PatchSplit::try_new(scene, 0, against, axis).unwrap();
     let best = split.best(2).unwrap();
     let exact = splits(&format!("{id}_t"));
-    assert!((best.positions[0] - exact).abs() <= POSITION, "{id}: {:?} against {exact}", best);
+    assert!((best.positions[0] - exact).abs() <= tolerance::POSITION, "{id}: {:?} against {exact}", best);
     assert_gain(&split, scene, &best.positions, &format!("{id}_U"));
 }
 
 /// Fig. 2(c): 40 % from the common edge, and the same for a floor twice as deep.
 #[test]
 fn parallel_cuts_of_two_rectangles_agree_with_25_digits() {
-    assert_best(&floor_and_wall(1.0), &[1], SplitAxis::U, "split_perp_par_bothdepth1");
-    assert_best(&floor_and_wall(2.0), &[1], SplitAxis::U, "split_perp_par_splitdepth2");
+    assert_best(&Scene::floor_and_wall(1.0).unwrap(), &[1], SplitAxis::U, "split_perp_par_bothdepth1");
+    assert_best(&Scene::floor_and_wall(2.0).unwrap(), &[1], SplitAxis::U, "split_perp_par_splitdepth2");
 }
 
 /// Fig. 2(b): the best orthogonal cut lies 12 % from a side edge.
 #[test]
 fn orthogonal_cut_of_two_squares_agrees_with_25_digits() {
-    assert_best(&floor_and_wall(1.0), &[1], SplitAxis::V, "split_perp_orth_bothdepth1");
+    assert_best(&Scene::floor_and_wall(1.0).unwrap(), &[1], SplitAxis::V, "split_perp_orth_bothdepth1");
 }
 
 /// Fig. 3: 39 % from the common edge.
@@ -57,7 +44,7 @@ fn cut_in_a_corner_agrees_with_25_digits() {
     let corner = Scene::built_in("three-squares").unwrap();
     let split = PatchSplit::try_new(&corner, 0, &[1, 2], SplitAxis::U).unwrap();
     let best = split.best(2).unwrap();
-    assert!((best.positions[0] - splits("three_squares_t")).abs() <= POSITION);
+    assert!((best.positions[0] - splits("three_squares_t")).abs() <= tolerance::POSITION);
     assert_gain(&split, &corner, &best.positions, "three_squares_U");
 }
 

@@ -1,0 +1,56 @@
+//! Why a claim could not be judged.
+
+use crate::chain::ChainError;
+use crate::discretize::DiscretizeError;
+use crate::form_factor::FormFactorError;
+use crate::geometry::GeometryError;
+use crate::numeric::NumericError;
+use crate::scene::SceneError;
+
+/// A claim's data or its computation failed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ClaimError {
+    /// No claim has this id.
+    #[error("there is no claim \"{id}\"; run `infoscene reproduce` to see all ids{}", nearest.as_ref().map(|n| format!(", the nearest is \"{n}\"")).unwrap_or_default())]
+    UnknownClaim {
+        /// As given.
+        id: String,
+        /// A claim whose id begins alike.
+        nearest: Option<String>,
+    },
+    /// A file of claims does not follow its format.
+    #[error("{file}: {reason}")]
+    InvalidData {
+        /// Name of the file.
+        file: &'static str,
+        /// What is wrong.
+        reason: String,
+    },
+    /// A computation asked for an input that the claim does not have, or has with a useless value.
+    #[error("input \"{name}\" {reason}")]
+    Input {
+        /// Name of the input.
+        name: &'static str,
+        /// What is wrong.
+        reason: String,
+    },
+    /// A numerical routine refused.
+    #[error(transparent)]
+    Numeric(#[from] NumericError),
+    /// A shape was refused.
+    #[error(transparent)]
+    Geometry(#[from] GeometryError),
+    /// A form factor was refused.
+    #[error(transparent)]
+    FormFactor(#[from] FormFactorError),
+    /// A scene was refused.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A chain was refused.
+    #[error(transparent)]
+    Chain(#[from] ChainError),
+    /// A discretization was refused.
+    #[error(transparent)]
+    Discretize(#[from] DiscretizeError),
+}

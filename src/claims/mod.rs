@@ -1,0 +1,28 @@
+//! Every claim of the paper as data, the function that computes it, and the rule that judges it.
+//!
+//! The claims stand in `data/paper/`, in paper order: place, quantity in our own words, printed value if
+//! there is one, the recorded verdict, the inputs of the computation, and a *control*: a change of input
+//! under which the verdict must turn. One file per section computes; [`judge`] judges by the mechanical
+//! rule of [`Verdict`].
+//!
+//! **Not here**: printing.
+
+mod appendix;
+mod claim;
+mod error;
+mod finding;
+mod inputs;
+mod registry;
+mod section_2;
+mod section_3;
+mod section_4_1;
+mod section_4_2;
+mod section_5;
+mod verdict;
+
+pub use claim::{Claim, Task};
+pub use error::ClaimError;
+pub use finding::{Evidence, Finding, Measure};
+pub use inputs::Inputs;
+pub use registry::{Judgement, computations, judge, judge_control, registry};
+pub use verdict::Verdict;

@@ -1,0 +1,240 @@
+//! §3.1 to §3.3: Theorem 1, the increase of a pair, and visibility.
+
+use super::registry::Computation;
+use super::section_2::{cube, largest};
+use super::{ClaimError, Finding, Inputs};
+use crate::chain::random::RandomChains;
+use crate::chain::{ReversibleChain, visibility_chain};
+use crate::discretize::{PatchSplit, regular_positions};
+use crate::form_factor::RectanglePair;
+use crate::geometry::SplitAxis;
+use crate::information::{divergence, mutual_information, subdivision_bound};
+use crate::numeric::{compensated_sum, tolerance, x_log2_ratio, x_log2_x};
+use crate::scene::Scene;
+
+pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
+    ("theorem_1", theorem_1),
+    ("pair_increases_add_up", pair_increases_add_up),
+    ("destination_weight_drops_out", destination_weight_drops_out),
+    ("regular_form", regular_form),
+    ("subdivision_bound_holds", subdivision_bound_holds),
+    ("subdivision_bound_is_attained", subdivision_bound_is_attained),
+    ("bounds_sum_to_weight", bounds_sum_to_weight),
+    ("largest_weight_has_largest_potential", largest_weight_has_largest_potential),
+    ("split_patches_fulfil_the_hypotheses", split_patches_fulfil_the_hypotheses),
+    ("visibility_bound_holds", visibility_bound_holds),
+    ("bounds_sum_to_area", bounds_sum_to_area),
+];
+
+/// The smallest `I′ − I`, each from its own chain by eq. (3). `dilution` mixes the refined joint matrix
+/// with the independent one, which keeps its weights and breaks hypothesis (b).
+fn theorem_1(input: &Inputs) -> Result<Finding, ClaimError> {
+    let dilution = input.number("dilution")?;
+    let mut random = RandomChains::new(input.count("seed")?.into());
+    let mut smallest = f64::INFINITY;
+    for _ in 0..input.count("chains")? {
+        let chain = random.chain(8)?;
+        let refined = random.refinement(&chain, 4)?.refined(&chain)?;
+        let weights = refined.weights();
+        let independent = |i: usize, j: usize| weights[i] * weights[j] / refined.total();
+        let n = refined.states();
+        let joint = nalgebra::DMatrix::from_fn(n, n, |i, j| {
+            let (i, j) = (i.min(j), i.max(j)); // the same rounding on both sides
+            (1.0 - dilution) * refined.joint()[(i, j)] + dilution * independent(i, j)
+        });
+        let diluted = ReversibleChain::try_new(joint)?;
+        smallest = smallest.min(mutual_information(&diluted) - mutual_information(&chain));
+    }
+    let holds = smallest >= -tolerance::IDENTITY;
+    Ok(Finding::statement(holds, smallest, tolerance::IDENTITY).sampled())
+}
+
+/// Patch 0 of a cube cut at `position`: `I′ − I` of the two chains against eq. (5), first line, with the
+/// parts of a cut at `formula_position`.
+fn pair_increases_add_up(input: &Inputs) -> Result<Finding, ClaimError> {
+    let scene = cube(input)?;
+    let chain_of = |name| -> Result<_, ClaimError> {
+        Ok(visibility_chain(&scene.with_patch_split(0, SplitAxis::U, input.number(name)?)?)?)
+    };
+    let (chain, refined) = (visibility_chain(&scene)?, chain_of("position")?);
+    let formula = chain_of("formula_position")?;
+    let (near, far) = (0, formula.states() - 1);
+    let term = |chain: &ReversibleChain, i: usize, j: usize| {
+        let joint = chain.joint()[(i, j)] / chain.total();
+        let ratio = chain.transition_probability(i, j) / chain.stationary_probability(j);
+        if joint > 0.0 { joint * ratio.log2() } else { 0.0 }
+    };
+    let increases = (1..chain.states())
+        .map(|j| term(&formula, near, j) + term(&formula, far, j) - term(&chain, 0, j));
+    let increase = mutual_information(&refined) - mutual_information(&chain);
+    let deviation = (increase - 2.0 * compensated_sum(increases)).abs();
+    Ok(Finding::residual(deviation, tolerance::IDENTITY))
+}
+
+/// Both lines of eq. (5) for every pair of a random refinement, the first sub-state's flux times `cover`.
+fn destination_weight_drops_out(input: &Inputs) -> Result<Finding, ClaimError> {
+    let cover = input.number("cover")?;
+    let mut random = RandomChains::new(input.count("seed")?.into());
+    let mut worst: f64 = 0.0;
+    for _ in 0..input.count("chains")? {
+        let chain = random.chain(8)?;
+        let refinement = random.refinement(&chain, 4)?;
+        let (i, weights) = (refinement.state(), refinement.weights());
+        for j in (0..chain.states()).filter(|j| *j != i) {
+            let mut fluxes: Vec<f64> = refinement.outward().column(j).iter().copied().collect();
+            fluxes[0] *= cover;
+            let (joint, w) = (chain.joint()[(i, j)], chain.weights()[j]);
+            let line = |destination: f64| {
+                let parts = fluxes.iter().zip(weights);
+                let sum = compensated_sum(
+                    parts.map(|(flux, weight)| x_log2_ratio(*flux, weight * destination)),
+                );
+                sum - x_log2_ratio(joint, chain.weights()[i] * destination)
+            };
+            worst = worst.max(2.0 * (line(w) - line(1.0)).abs() / chain.total());
+        }
+    }
+    Ok(Finding::residual(worst, tolerance::IDENTITY).sampled())
+}
+
+/// `(w/m) Σ P_k log P_k − w P log P` against `Σ_k w_k P_k log P_k − w P log P`.
+fn regular_form(input: &Inputs) -> Result<Finding, ClaimError> {
+    let lopsidedness = input.number("lopsidedness")?;
+    let mut random = RandomChains::new(input.count("seed")?.into());
+    let mut worst: f64 = 0.0;
+    for _ in 0..input.count("chains")? {
+        let probabilities = random.chain(8)?;
+        let row: Vec<f64> = probabilities.joint().column(0).iter().copied().collect();
+        #[allow(clippy::cast_precision_loss, reason = "at most 8 states")]
+        let m = row.len() as f64;
+        let regular = compensated_sum(row.iter().map(|p| x_log2_x(*p))) / m;
+        let weighted = row.iter().enumerate().map(|(k, p)| {
+            let weight = if k == 0 { 1.0 + lopsidedness } else { 1.0 };
+            weight / m * x_log2_x(*p)
+        });
+        worst = worst.max((regular - compensated_sum(weighted)).abs());
+    }
+    Ok(Finding::residual(worst, tolerance::IDENTITY).sampled())
+}
+
+/// Random fluxes of m equal parts; with `lopsidedness` the first part takes that much less weight.
+fn subdivision_bound_holds(input: &Inputs) -> Result<Finding, ClaimError> {
+    let lopsidedness = input.number("lopsidedness")?;
+    let mut random = RandomChains::new(input.count("seed")?.into());
+    let mut largest_ratio: f64 = 0.0;
+    for _ in 0..input.count("draws")? {
+        let fluxes: Vec<f64> = random.chain(5)?.joint().column(0).iter().copied().collect();
+        let mut weights = vec![1.0; fluxes.len()];
+        weights[0] -= lopsidedness;
+        let joint = compensated_sum(fluxes.iter().copied());
+        let parts = u32::try_from(fluxes.len()).unwrap_or(u32::MAX);
+        let ratio = 2.0 * divergence(&fluxes, &weights) / subdivision_bound(joint, parts);
+        largest_ratio = largest_ratio.max(ratio);
+    }
+    let holds = largest_ratio <= 1.0 + tolerance::GAIN;
+    Ok(Finding::statement(holds, largest_ratio, tolerance::GAIN).sampled())
+}
+
+/// One of m parts keeps all the flux but `leak` of it.
+fn subdivision_bound_is_attained(input: &Inputs) -> Result<Finding, ClaimError> {
+    let leak = input.number("leak")?;
+    let deviations = (2..=16u32).map(|parts| {
+        let joint = 0.9 / f64::from(parts); // w_i = 1, P_ij = 0.9/m
+        let others = leak * joint / f64::from(parts - 1);
+        let mut fluxes = vec![others; parts as usize];
+        fluxes[0] = (1.0 - leak) * joint;
+        let weights = vec![1.0 / f64::from(parts); parts as usize];
+        (2.0 * divergence(&fluxes, &weights) / subdivision_bound(joint, parts) - 1.0).abs()
+    });
+    let note = "a sub-state cannot keep more than its own weight, so the bound is out of reach where m P_ij > 1";
+    Ok(Finding::residual(largest(deviations), tolerance::GAIN).noting(note))
+}
+
+fn bounds_sum_to_weight(input: &Inputs) -> Result<Finding, ClaimError> {
+    let chain = visibility_chain(&cube(input)?)?;
+    bounds_sum_to(&chain, input, |i| chain.stationary_probability(i))
+}
+
+fn bounds_sum_to_area(input: &Inputs) -> Result<Finding, ClaimError> {
+    let scene = cube(input)?;
+    let chain = visibility_chain(&scene)?;
+    bounds_sum_to(&chain, input, |i| scene.patches()[i].shape().area() / scene.total_area())
+}
+
+/// `Σ_j 2 w_i P_ij log2 m` against `2 w_i log2 m`, the weights from elsewhere.
+fn bounds_sum_to(
+    chain: &ReversibleChain,
+    input: &Inputs,
+    weight: impl Fn(usize) -> f64,
+) -> Result<Finding, ClaimError> {
+    let (parts, formula_parts) = (input.count("parts")?, input.count("formula_parts")?);
+    let deviations = (0..chain.states()).map(|i| {
+        let row = chain.joint().column(i);
+        let bounds = row.iter().map(|joint| subdivision_bound(joint / chain.total(), parts));
+        let total = 2.0 * weight(i) * f64::from(formula_parts).log2();
+        (compensated_sum(bounds) / total - 1.0).abs()
+    });
+    Ok(Finding::residual(largest(deviations), tolerance::CLOSURE))
+}
+
+fn largest_weight_has_largest_potential(input: &Inputs) -> Result<Finding, ClaimError> {
+    let power = input.number("power")?;
+    let mut random = RandomChains::new(input.count("seed")?.into());
+    let count = input.count("chains")?;
+    let mut agreeing = 0;
+    for _ in 0..count {
+        let chain = random.chain(8)?;
+        let potential = |i: usize| {
+            compensated_sum(chain.joint().column(i).iter().map(|joint| subdivision_bound(*joint, 2)))
+        };
+        let heaviest = argmax(chain.states(), |i| chain.weights()[i].powf(power));
+        agreeing += u32::from(heaviest == argmax(chain.states(), potential));
+    }
+    let share = f64::from(agreeing) / f64::from(count);
+    Ok(Finding::statement(agreeing == count, share, 0.0).sampled())
+}
+
+fn argmax(count: usize, value: impl Fn(usize) -> f64) -> usize {
+    (0..count).fold(0, |best, i| if value(i) > value(best) { i } else { best })
+}
+
+/// (a) holds because an exchange area is one number; (b) `Σ_k A_k F_kj = A_i F_ij`, with a `gap` left
+/// between the parts.
+fn split_patches_fulfil_the_hypotheses(input: &Inputs) -> Result<Finding, ClaimError> {
+    let scene = cube(input)?;
+    let (position, gap) = (input.number("position")?, input.number("gap")?);
+    let first = scene.rectangle(0)?;
+    let mut worst: f64 = 0.0;
+    for j in 1..scene.patches().len() {
+        let pair = RectanglePair::try_new(&first, &scene.rectangle(j)?)?;
+        for axis in SplitAxis::ALL {
+            let near = pair.part(axis, 0.0, position)?.exchange_area()?.value;
+            let far = pair.part(axis, position + gap, 1.0)?.exchange_area()?.value;
+            let whole = pair.exchange_area()?.value;
+            if whole > 0.0 {
+                worst = worst.max(((near + far) / whole - 1.0).abs());
+            }
+        }
+    }
+    Ok(Finding::residual(worst, tolerance::CLOSURE))
+}
+
+/// Regular divisions of the squares of figs. 2 and 3 into up to `parts`, against the bound for
+/// `formula_parts/parts` times as many.
+fn visibility_bound_holds(input: &Inputs) -> Result<Finding, ClaimError> {
+    let parts = input.count("parts")?;
+    let formula = input.number("formula_parts")?.log2() / f64::from(parts).log2();
+    let mut largest_ratio: f64 = 0.0;
+    for name in ["two-squares", "three-squares"] {
+        let scene = Scene::built_in(name)?;
+        let against: Vec<usize> = (1..scene.patches().len()).collect();
+        for axis in SplitAxis::ALL {
+            let split = PatchSplit::try_new(&scene, 0, &against, axis)?;
+            for m in 2..=parts {
+                let bound = formula * split.maximum_gain(m)?;
+                largest_ratio = largest_ratio.max(split.gain(&regular_positions(m))? / bound);
+            }
+        }
+    }
+    Ok(Finding::statement(largest_ratio <= 1.0, largest_ratio, tolerance::GAIN))
+}

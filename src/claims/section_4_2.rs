@@ -1,0 +1,120 @@
+//! §4.2: the cut across a radiosity gradient.
+
+use super::registry::Computation;
+use super::section_2::largest;
+use super::{ClaimError, Finding, Inputs};
+use crate::discretize::{GradientCut, StraightCut};
+use crate::information::divergence;
+use crate::numeric::{integral, tolerance, x_log2_ratio};
+
+pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
+    ("objective_follows", objective_follows),
+    ("best_cut_is_perpendicular", best_cut_is_perpendicular),
+    ("information_cut", information_cut),
+    ("polynomial_follows", polynomial_follows),
+    ("mean_square_cut", mean_square_cut),
+    ("cuts_are_near", cuts_are_near),
+];
+
+fn cut(input: &Inputs) -> Result<GradientCut, ClaimError> {
+    let irradiance = input.number("irradiance_exponent")?;
+    Ok(GradientCut::try_new(input.number("exponent")?, irradiance)?)
+}
+
+/// The printed expression against eq. (5), its fluxes ∫B and weights ∫B H by quadrature of the profile
+/// itself, H the irradiance; no emission and constant reflectance make H ∝ B.
+fn objective_follows(input: &Inputs) -> Result<Finding, ClaimError> {
+    let (n, m) = (input.number("exponent")?, input.number("irradiance_exponent")?);
+    let share = |power: f64, l: f64| -> Result<[f64; 2], ClaimError> {
+        let profile = |x: f64| x.powf(power);
+        let near = integral(profile, (0.0, l), 1e-14)?.value;
+        Ok([near, integral(profile, (l, 1.0), 1e-14)?.value].map(|part| part * (power + 1.0)))
+    };
+    let mut deviations = Vec::new();
+    for tenth in 1..10 {
+        let l = f64::from(tenth) / 10.0;
+        let gain = divergence(&share(n, l)?, &share(n + m, l)?);
+        let (flux, weight) = (l.powf(n + 1.0), l.powf(n + 2.0));
+        let printed = x_log2_ratio(flux, weight) + x_log2_ratio(1.0 - flux, 1.0 - weight);
+        deviations.push((gain - printed).abs());
+    }
+    let note = "the weight printed, with exponent n + 2, needs an irradiance that grows as l for every n; \
+                constant reflectance without emission gives 2n + 1, which agrees for n = 1 only";
+    Ok(Finding::residual(largest(deviations), tolerance::IDENTITY).noting(note))
+}
+
+/// Lines through the square that lean by up to its width, against the best cut with `reference_lean`.
+fn best_cut_is_perpendicular(input: &Inputs) -> Result<Finding, ClaimError> {
+    let gradient = cut(input)?;
+    let (n, m) = (input.number("exponent")?, input.number("irradiance_exponent")?);
+    let middle = gradient.mutual_information_cut()?.position;
+    let reference = StraightCut { middle, lean: input.number("reference_lean")? }.gain(n, m)?;
+    let mut largest_ratio: f64 = 0.0;
+    for lean in (1..=20).map(|k| f64::from(k) / 20.0) {
+        for middle in (1..40).map(|k| f64::from(k) / 40.0) {
+            largest_ratio = largest_ratio.max(StraightCut { middle, lean }.gain(n, m)? / reference);
+        }
+    }
+    let holds = largest_ratio < 1.0;
+    Ok(Finding::statement(holds, largest_ratio, tolerance::IDENTITY).sampled())
+}
+
+fn information_cut(input: &Inputs) -> Result<Finding, ClaimError> {
+    let found = cut(input)?.mutual_information_cut()?;
+    let n = input.number("exponent")?;
+    let derived = GradientCut::try_new(n, n)?.mutual_information_cut()?.position;
+    let note = format!("gain {:.6} bit; {derived:.4} for irradiance growing as the radiosity", found.value);
+    Ok(Finding::value(found.position, tolerance::POSITION).noting(note))
+}
+
+/// At each cut the L2 error, by quadrature, must be lower than a thousandth to either side, and the
+/// printed polynomial `2n lⁿ − lⁿ⁻¹ − … − 1` (its n raised by `degree_shift`) must vanish.
+fn polynomial_follows(input: &Inputs) -> Result<Finding, ClaimError> {
+    let shift = input.count("degree_shift")?;
+    let mut values = Vec::new();
+    let mut is_least = true;
+    for n in 1..=4 {
+        let power = f64::from(n);
+        let l = GradientCut::try_new(power, 1.0)?.mean_square_cut()?.position;
+        let error = |l: f64| -> Result<f64, ClaimError> {
+            let mut sum = 0.0;
+            for (from, to) in [(0.0, l), (l, 1.0)] {
+                let mean = integral(|x| x.powf(power), (from, to), 1e-14)?.value / (to - from);
+                sum += integral(|x| (x.powf(power) - mean).powi(2), (from, to), 1e-14)?.value;
+            }
+            Ok(sum)
+        };
+        is_least &= error(l)? < error(l - 1e-3)?.min(error(l + 1e-3)?);
+        let degree = n + shift;
+        let lower: f64 = (0..degree).map(|k| l.powf(f64::from(k))).sum();
+        values.push((2.0 * f64::from(degree) * l.powf(f64::from(degree)) - lower).abs());
+    }
+    let mut finding = Finding::residual(largest(values), tolerance::GAIN);
+    finding.holds = finding.holds.map(|vanishes| vanishes && is_least);
+    Ok(finding)
+}
+
+fn mean_square_cut(input: &Inputs) -> Result<Finding, ClaimError> {
+    let found = GradientCut::try_new(input.number("exponent")?, 1.0)?.mean_square_cut()?;
+    let note = format!("mean square error {:.6}", found.value);
+    Ok(Finding::value(found.position, tolerance::POSITION).noting(note))
+}
+
+fn cuts_are_near(input: &Inputs) -> Result<Finding, ClaimError> {
+    let distance = |n: f64, m: f64| -> Result<f64, ClaimError> {
+        let cut = GradientCut::try_new(n, m)?;
+        Ok((cut.mean_square_cut()?.position - cut.mutual_information_cut()?.position).abs())
+    };
+    let exponents = [1.0, 2.0, 3.0, 4.0];
+    let mut printed: f64 = 0.0;
+    let mut derived: f64 = 0.0;
+    for n in exponents {
+        printed = printed.max(distance(n, 1.0)?);
+        derived = derived.max(distance(n, n)?);
+    }
+    let near = input.number("near")?;
+    let note = format!(
+        "very near: within {near} of the patch; {derived:.4} for irradiance growing as the radiosity"
+    );
+    Ok(Finding::statement(printed <= near, printed, 2.0 * tolerance::POSITION).noting(note))
+}

@@ -1,0 +1,44 @@
+//! `infoscene curve ID`.
+
+use super::Answer;
+use super::output::Output;
+use super::reproduce::selected;
+use crate::claims::{judge, registry};
+use crate::report::curve_report;
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Curve {
+    /// The claim whose figure is printed, as in `infoscene reproduce`.
+    #[arg(value_name = "ID")]
+    id: String,
+    #[command(flatten)]
+    output: Output,
+}
+
+#[derive(Debug, thiserror::Error)]
+#[error("claim \"{id}\" has no curve; these have one: {}", with_curve.join(", "))]
+struct NoCurve {
+    id: String,
+    with_curve: Vec<String>,
+}
+
+impl Curve {
+    pub(super) fn answer(&self) -> Answer {
+        let claims = selected(std::slice::from_ref(&self.id))?;
+        let mut curve = Vec::new();
+        for claim in &claims {
+            curve = judge(claim)?.finding.map(|finding| finding.curve).unwrap_or_default();
+        }
+        if curve.is_empty() {
+            let mut with_curve = Vec::new();
+            for claim in registry()? {
+                let finding = judge(&claim)?.finding;
+                if finding.is_some_and(|finding| !finding.curve.is_empty()) {
+                    with_curve.push(claim.id);
+                }
+            }
+            return Err(NoCurve { id: self.id.clone(), with_curve }.into());
+        }
+        self.output.write(&curve_report(&curve)?)
+    }
+}

@@ -1,0 +1,63 @@
+//! `infoscene cut --exponent N`.
+
+use super::Answer;
+use super::output::Output;
+use crate::discretize::GradientCut;
+use crate::numeric::tolerance;
+use crate::report::{Report, Table, certain_digits};
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Cut {
+    /// Radiosity grows as this power of l, 1e-6 to 1e12.
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
+    exponent: f64,
+    /// Irradiance grows as this power of l: 1 is what the paper prints, N what its hypotheses imply.
+    #[arg(long, value_name = "M", default_value_t = 1.0, allow_negative_numbers = true)]
+    irradiance_exponent: f64,
+    #[command(flatten)]
+    output: Output,
+}
+
+/// The answer as a record: the keys are relied on by scripts.
+#[derive(Debug, serde::Serialize)]
+struct Record {
+    exponent: f64,
+    irradiance_exponent: f64,
+    mutual_information_cut: f64,
+    mutual_information_complement: f64,
+    mutual_information_gain: f64,
+    mean_square_cut: f64,
+    mean_square_complement: f64,
+    mean_square_error: f64,
+}
+
+impl Cut {
+    pub(super) fn answer(&self) -> Answer {
+        let cut = GradientCut::try_new(self.exponent, self.irradiance_exponent)?;
+        let (information, square) = (cut.mutual_information_cut()?, cut.mean_square_cut()?);
+        let record = Record {
+            exponent: self.exponent,
+            irradiance_exponent: self.irradiance_exponent,
+            mutual_information_cut: information.position,
+            mutual_information_complement: information.complement,
+            mutual_information_gain: information.value,
+            mean_square_cut: square.position,
+            mean_square_complement: square.complement,
+            mean_square_error: square.value,
+        };
+        let row = |name: &str, cut: crate::discretize::Cut| {
+            vec![
+                name.to_owned(),
+                certain_digits(cut.position, tolerance::POSITION),
+                format!("{:.11e}", cut.complement),
+                format!("{:.11e}", cut.value),
+            ]
+        };
+        let table = Table {
+            columns: vec!["cut by", "position l", "1 − l", "gain (bits) or error"],
+            rows: vec![row("mutual information", information), row("mean square", square)],
+            notes: Vec::new(),
+        };
+        self.output.write(&Report::one(table, &record)?)
+    }
+}

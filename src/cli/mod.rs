@@ -1,0 +1,86 @@
+//! The command line: one file per subcommand, argument parsing and exit status only.
+//!
+//! Data goes to standard output or `--output`, messages to standard error. Exit status: 0 done; 1 a claim's
+//! verdict differs from the recorded one; 2 wrong usage or bad input, and nothing is written.
+
+mod curve;
+mod cut;
+mod output;
+mod reproduce;
+mod split;
+
+use clap::{CommandFactory, Parser, Subcommand};
+use std::error::Error;
+use std::process::ExitCode;
+
+/// The results of "Information Theory Tools for Scene Discretization" (Feixas, del Acebo, Bekaert, Sbert, 1999), computed.
+#[derive(Debug, Parser)]
+#[command(name = "infoscene", version, about, max_term_width = 100)]
+struct Arguments {
+    #[command(subcommand)]
+    question: Question,
+}
+
+#[derive(Debug, Subcommand)]
+enum Question {
+    /// Compute the paper's claims and judge them.
+    Reproduce(reproduce::Reproduce),
+    /// Print the curve of a figure as points.
+    Curve(curve::Curve),
+    /// Find the cut of a patch that gains the most mutual information.
+    Split(split::Split),
+    /// Find the cuts of a patch whose radiosity grows as a power (§4.2).
+    Cut(cut::Cut),
+    /// Print a completion script for a shell.
+    Completions {
+        /// The shell.
+        shell: clap_complete::Shell,
+    },
+    /// Print the manual page.
+    Man,
+}
+
+/// What an answered question means for the exit status.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Outcome {
+    /// All is as expected.
+    Done,
+    /// A verdict differs from the one on record.
+    Differs,
+}
+
+type Answer = Result<Outcome, Box<dyn Error>>;
+
+/// Runs the command with the process's arguments.
+#[must_use]
+pub fn run() -> ExitCode {
+    let arguments = Arguments::parse();
+    let answer = match arguments.question {
+        Question::Reproduce(question) => question.answer(),
+        Question::Curve(question) => question.answer(),
+        Question::Split(question) => question.answer(),
+        Question::Cut(question) => question.answer(),
+        Question::Completions { shell } => completions(shell),
+        Question::Man => manual(),
+    };
+    match answer {
+        Ok(Outcome::Done) => ExitCode::SUCCESS,
+        Ok(Outcome::Differs) => ExitCode::from(1),
+        Err(error) => {
+            eprintln!("infoscene: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn completions(shell: clap_complete::Shell) -> Answer {
+    let mut text = Vec::new();
+    clap_complete::generate(shell, &mut Arguments::command(), "infoscene", &mut text);
+    output::print(&text)
+}
+
+fn manual() -> Answer {
+    let mut text = Vec::new();
+    clap_mangen::Man::new(Arguments::command()).render(&mut text)?;
+    output::print(&text)
+}

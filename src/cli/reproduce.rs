@@ -1,0 +1,50 @@
+//! `infoscene reproduce [ID…]`.
+
+use super::output::Output;
+use super::{Answer, Outcome};
+use crate::claims::{Claim, ClaimError, judge, registry};
+use crate::report::reproduction_report;
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Reproduce {
+    /// Claims to compute; all if none is named.
+    #[arg(value_name = "ID")]
+    ids: Vec<String>,
+    /// Only the claims that print a number.
+    #[arg(long)]
+    printed: bool,
+    #[command(flatten)]
+    output: Output,
+}
+
+impl Reproduce {
+    pub(super) fn answer(&self) -> Answer {
+        let mut claims = selected(&self.ids)?;
+        if self.printed {
+            claims.retain(|claim| claim.printed.is_some());
+        }
+        let judgements = claims.iter().map(judge).collect::<Result<Vec<_>, _>>()?;
+        self.output.write(&reproduction_report(&judgements)?)?;
+        let as_recorded = judgements.iter().all(|j| j.verdict == j.recorded());
+        Ok(if as_recorded { Outcome::Done } else { Outcome::Differs })
+    }
+}
+
+/// The claims with these ids in paper order, all for none.
+pub(super) fn selected(ids: &[String]) -> Result<Vec<Claim>, ClaimError> {
+    let mut claims = registry()?;
+    for id in ids {
+        if !claims.iter().any(|claim| claim.id == *id) {
+            let common = |claim: &Claim| {
+                claim.id.chars().zip(id.chars()).take_while(|(a, b)| a == b).count()
+            };
+            let nearest = claims.iter().max_by_key(|claim| common(claim));
+            let nearest = nearest.filter(|claim| common(claim) > 1).map(|claim| claim.id.clone());
+            return Err(ClaimError::UnknownClaim { id: id.clone(), nearest });
+        }
+    }
+    if !ids.is_empty() {
+        claims.retain(|claim| ids.contains(&claim.id));
+    }
+    Ok(claims)
+}

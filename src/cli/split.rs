@@ -1,0 +1,106 @@
+//! `infoscene split SCENE --patch I`.
+
+use super::Answer;
+use super::output::Output;
+use crate::discretize::{PatchSplit, regular_positions};
+use crate::geometry::SplitAxis;
+use crate::numeric::tolerance;
+use crate::report::{Report, Table, certain_digits, scientific};
+use crate::scene::Scene;
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Split {
+    /// A built-in scene: two-squares, three-squares or cube:N.
+    scene: String,
+    /// The patch to cut, counted from 0.
+    #[arg(long, value_name = "I")]
+    patch: usize,
+    /// The patches it is judged against; all others if none is named.
+    #[arg(long, value_name = "J,K,…", value_delimiter = ',')]
+    against: Vec<usize>,
+    /// The axis across which it is cut; the better one if none is named.
+    #[arg(long, value_enum)]
+    axis: Option<AxisName>,
+    /// How many parts it is cut into.
+    #[arg(long, value_name = "M", default_value_t = 2, value_parser = clap::value_parser!(u32).range(2..=64))]
+    parts: u32,
+    #[command(flatten)]
+    output: Output,
+}
+
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+enum AxisName {
+    U,
+    V,
+}
+
+/// The answer as a record: the keys are relied on by scripts.
+#[derive(Debug, serde::Serialize)]
+struct Record {
+    patch: usize,
+    axis: &'static str,
+    position: f64,
+    positions: Vec<f64>,
+    gain: f64,
+    gain_at_middle: f64,
+    maximum_gain: f64,
+    residual: f64,
+}
+
+impl Split {
+    pub(super) fn answer(&self) -> Answer {
+        let scene = Scene::built_in(&self.scene)?;
+        let others = (0..scene.patches().len()).filter(|index| *index != self.patch);
+        let against = if self.against.is_empty() { others.collect() } else { self.against.clone() };
+        let axes = match self.axis {
+            None => SplitAxis::ALL.to_vec(),
+            Some(AxisName::U) => vec![SplitAxis::U],
+            Some(AxisName::V) => vec![SplitAxis::V],
+        };
+        let mut best: Option<Record> = None;
+        for axis in axes {
+            let found = self.along(&scene, &against, axis)?;
+            // of equal axes the first
+            let margin = 1.0 + tolerance::EQUAL_MAXIMA;
+            if best.as_ref().is_none_or(|best| found.gain > best.gain * margin) {
+                best = Some(found);
+            }
+        }
+        let Some(record) = best else { return Err("no axis to cut across".into()) };
+        let bits = |value: f64| certain_digits(value, tolerance::GAIN * value.abs());
+        let positions: Vec<String> =
+            record.positions.iter().map(|t| certain_digits(*t, tolerance::POSITION)).collect();
+        let rows = [
+            ("patch", record.patch.to_string()),
+            ("axis", record.axis.to_owned()),
+            ("position", positions.join(", ")),
+            ("gain, bits", bits(record.gain)),
+            ("gain of equal parts, bits", bits(record.gain_at_middle)),
+            ("largest gain possible, bits", bits(record.maximum_gain)),
+            ("derivative left, bits", scientific(record.residual)),
+        ];
+        let rows = rows.map(|(name, value)| vec![name.to_owned(), value]).to_vec();
+        let table = Table { columns: vec!["quantity", "value"], rows, notes: Vec::new() };
+        self.output.write(&Report::one(table, &record)?)
+    }
+
+    fn along(
+        &self,
+        scene: &Scene,
+        against: &[usize],
+        axis: SplitAxis,
+    ) -> Result<Record, crate::discretize::DiscretizeError> {
+        let split = PatchSplit::try_new(scene, self.patch, against, axis)?;
+        let best = split.best(self.parts)?;
+        Ok(Record {
+            patch: self.patch,
+            axis: axis.name(),
+            position: best.positions[0],
+            gain: best.gain,
+            gain_at_middle: split.gain(&regular_positions(self.parts))?,
+            maximum_gain: split.maximum_gain(self.parts)?,
+            residual: best.residual,
+            positions: best.positions,
+        })
+    }
+}

@@ -1,0 +1,126 @@
+//! A finished answer in any format.
+
+use super::Table;
+use serde_json::{Map, Value};
+
+/// How an answer is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Format {
+    /// A table for a terminal.
+    #[default]
+    Table,
+    /// A Markdown table.
+    Markdown,
+    /// Comma-separated records, every digit.
+    Csv,
+    /// JSON, every digit.
+    Json,
+    /// A LaTeX tabular.
+    Latex,
+}
+
+/// Records could not be written.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReportError {
+    /// A record is not a flat list of values.
+    #[error("a record cannot be written as comma-separated values: {0}")]
+    Csv(#[from] csv::Error),
+    /// A value cannot be written as JSON.
+    #[error("a record cannot be written as JSON: {0}")]
+    Json(#[from] serde_json::Error),
+    /// A number is NaN or infinite.
+    #[error("{key} is not finite: nothing is written")]
+    NotFinite {
+        /// Name of the record's entry.
+        key: String,
+    },
+}
+
+/// An answer: a table for people, records for scripts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Report {
+    table: Table,
+    records: Vec<Map<String, Value>>,
+    list_key: Option<&'static str>,
+}
+
+impl Report {
+    /// An answer that is one record.
+    ///
+    /// # Errors
+    /// [`ReportError::Json`] if it is not a struct or map; [`ReportError::NotFinite`].
+    pub fn one(table: Table, record: &impl serde::Serialize) -> Result<Self, ReportError> {
+        Ok(Self { table, records: vec![flat(record)?], list_key: None })
+    }
+
+    /// An answer that is a list of records, under `key` in JSON.
+    ///
+    /// # Errors
+    /// As [`one`](Self::one).
+    pub fn list<R: serde::Serialize>(
+        table: Table,
+        key: &'static str,
+        records: &[R],
+    ) -> Result<Self, ReportError> {
+        let records = records.iter().map(flat).collect::<Result<_, _>>()?;
+        Ok(Self { table, records, list_key: Some(key) })
+    }
+
+    /// The answer as text, ending in a newline.
+    ///
+    /// # Errors
+    /// [`ReportError::Csv`], [`ReportError::Json`].
+    pub fn render(&self, format: Format) -> Result<String, ReportError> {
+        Ok(match format {
+            Format::Table => self.table.to_terminal(),
+            Format::Markdown => self.table.to_markdown(),
+            Format::Latex => self.table.to_latex(),
+            Format::Csv => self.to_csv()?,
+            Format::Json => {
+                let value = match (self.list_key, self.records.as_slice()) {
+                    (None, [record]) => Value::Object(record.clone()),
+                    (key, records) => {
+                        let list = records.iter().cloned().map(Value::Object).collect();
+                        Value::Object(Map::from_iter([(
+                            key.unwrap_or("records").to_owned(),
+                            Value::Array(list),
+                        )]))
+                    }
+                };
+                serde_json::to_string_pretty(&value)? + "\n"
+            }
+        })
+    }
+
+    fn to_csv(&self) -> Result<String, ReportError> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        if let Some(record) = self.records.first() {
+            let scalar = |value: &&Value| !value.is_array();
+            let keys: Vec<&String> =
+                record.iter().filter(|(_, value)| scalar(value)).map(|(key, _)| key).collect();
+            writer.write_record(&keys)?;
+            for record in &self.records {
+                let cell = |key: &&String| match record.get(*key) {
+                    None | Some(Value::Null) => String::new(),
+                    Some(Value::String(text)) => text.clone(),
+                    Some(value) => value.to_string(),
+                };
+                writer.write_record(keys.iter().map(cell))?;
+            }
+        }
+        let bytes = writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
+        Ok(String::from_utf8_lossy(&bytes).into_owned())
+    }
+}
+
+/// A record as a map, without NaN: JSON would write it as null.
+fn flat(record: &impl serde::Serialize) -> Result<Map<String, Value>, ReportError> {
+    match serde_json::to_value(record)? {
+        Value::Object(map) => Ok(map),
+        other => {
+            let message = format!("a record must be a map, not {other}");
+            Err(ReportError::Json(serde::ser::Error::custom(message)))
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! The verdict table: what the paper says, what was computed, and what it comes to.
+
+use super::{Report, ReportError, Table, certain_digits, scientific};
+use crate::claims::{Evidence, Judgement, Measure, Verdict};
+
+/// One claim as a record: the keys are relied on by scripts.
+#[derive(Debug, serde::Serialize)]
+struct Record<'j> {
+    id: &'j str,
+    place: &'j str,
+    quantity: &'j str,
+    printed: Option<f64>,
+    decimals: Option<u32>,
+    computed: Option<f64>,
+    error: Option<f64>,
+    lower: Option<String>,
+    upper: Option<String>,
+    evidence: Option<Evidence>,
+    verdict: Verdict,
+    recorded: Verdict,
+    note: &'j str,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    curve: &'j [[f64; 2]],
+}
+
+impl<'j> From<&'j Judgement> for Record<'j> {
+    fn from(judgement: &'j Judgement) -> Self {
+        let claim = &judgement.claim;
+        let finding = judgement.finding.as_ref();
+        Self {
+            id: &claim.id,
+            place: &claim.place,
+            quantity: &claim.quantity,
+            printed: claim.printed.as_ref().map(|printed| printed.value),
+            decimals: claim.printed.as_ref().map(|printed| printed.decimals),
+            computed: finding.map(|finding| finding.measure.number()),
+            error: finding.map(|finding| match finding.measure {
+                Measure::Value { error, .. } => error,
+                Measure::Residual { tolerance, .. } => tolerance,
+            }),
+            lower: None,
+            upper: None,
+            evidence: finding.map(|finding| finding.evidence),
+            verdict: judgement.verdict,
+            recorded: judgement.recorded(),
+            note: judgement.note(),
+            curve: finding.map_or(&[], |finding| &finding.curve),
+        }
+    }
+}
+
+/// The verdict table of these judgements, in their order, with a note for each that is neither
+/// confirmed nor supported, and a count.
+///
+/// # Errors
+/// [`ReportError`] if a number is not finite.
+pub fn reproduction_report(judgements: &[Judgement]) -> Result<Report, ReportError> {
+    let columns =
+        vec!["id", "place", "claim", "paper", "computed", "stated ±", "evidence", "verdict"];
+    let rows = judgements.iter().map(row).collect();
+    let counts: Vec<String> = Verdict::ALL
+        .into_iter()
+        .map(|verdict| (verdict, judgements.iter().filter(|j| j.verdict == verdict).count()))
+        .filter(|(_, count)| *count > 0)
+        .map(|(verdict, count)| format!("{count} {}", verdict.name()))
+        .collect();
+    let mut notes: Vec<(String, String)> = judgements
+        .iter()
+        .filter(|j| !matches!(j.verdict, Verdict::Confirmed | Verdict::Supported))
+        .map(|j| (format!("{} ({})", j.claim.id, j.verdict.name()), j.note().to_owned()))
+        .collect();
+    for judgement in judgements.iter().filter(|j| j.verdict != j.recorded()) {
+        let recorded = judgement.recorded().name();
+        let text = format!("the verdict on record is {recorded}: this run differs");
+        notes.push((judgement.claim.id.clone(), text));
+    }
+    notes.push((format!("{} claims", judgements.len()), counts.join(", ")));
+    let records: Vec<Record<'_>> = judgements.iter().map(Record::from).collect();
+    for (record, judgement) in records.iter().zip(judgements) {
+        if record.computed.is_some_and(|computed| !computed.is_finite()) {
+            return Err(ReportError::NotFinite { key: judgement.claim.id.clone() });
+        }
+    }
+    Report::list(Table { columns, rows, notes }, "claims", &records)
+}
+
+fn row(judgement: &Judgement) -> Vec<String> {
+    let claim = &judgement.claim;
+    let (computed, error, evidence) = match &judgement.finding {
+        None => (String::new(), String::new(), ""),
+        Some(finding) => {
+            let (computed, error) = match finding.measure {
+                Measure::Value { value, error } => (certain_digits(value, error), error),
+                Measure::Residual { value, tolerance } if value <= tolerance => {
+                    ("0".to_owned(), tolerance)
+                }
+                Measure::Residual { value, tolerance } => (certain_digits(value, tolerance), tolerance),
+            };
+            let error = if error > 0.0 { scientific(error) } else { "exact".to_owned() };
+            (computed, error, finding.evidence.name())
+        }
+    };
+    let printed = claim.printed.as_ref().map_or_else(|| "in words".to_owned(), |p| p.text.clone());
+    let texts = [&claim.id, &claim.place, &claim.quantity, &printed, &computed, &error];
+    let mut row: Vec<String> = texts.into_iter().cloned().collect();
+    row.extend([evidence.to_owned(), judgement.verdict.name().to_owned()]);
+    row
+}
+
+/// One point of a curve as a record.
+#[derive(Debug, serde::Serialize)]
+struct Point {
+    x: f64,
+    y: f64,
+}
+
+/// The points of a claim's curve.
+///
+/// # Errors
+/// [`ReportError::NotFinite`] if a number is not finite.
+pub fn curve_report(curve: &[[f64; 2]]) -> Result<Report, ReportError> {
+    let points: Vec<Point> = curve.iter().map(|[x, y]| Point { x: *x, y: *y }).collect();
+    if points.iter().any(|point| !(point.x.is_finite() && point.y.is_finite())) {
+        return Err(ReportError::NotFinite { key: "a point".to_owned() });
+    }
+    let row = |point: &Point| {
+        vec![format!("{}", point.x), certain_digits(point.y, 1e-13 * point.y.abs())]
+    };
+    let rows = points.iter().map(row).collect();
+    let table = Table { columns: vec!["x", "y"], rows, notes: Vec::new() };
+    Report::list(table, "points", &points)
+}

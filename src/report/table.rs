@@ -1,0 +1,84 @@
+//! A table of texts, with notes below it.
+
+use super::latex;
+use comfy_table::{ContentArrangement, presets};
+
+/// Rows of texts under headings, and notes.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Table {
+    /// Headings of the columns.
+    pub columns: Vec<&'static str>,
+    /// The rows, each as long as `columns`.
+    pub rows: Vec<Vec<String>>,
+    /// Lines below the table: a name and a text.
+    pub notes: Vec<(String, String)>,
+}
+
+/// Width of a terminal table, in characters.
+const TERMINAL_WIDTH: u16 = 132;
+
+impl Table {
+    /// The table with box-drawing lines, for a terminal.
+    #[must_use]
+    pub fn to_terminal(&self) -> String {
+        let mut table = comfy_table::Table::new();
+        table
+            .load_style(presets::UTF8_HORIZONTAL_ONLY)
+            .set_content_arrangement(ContentArrangement::Dynamic)
+            .set_width(TERMINAL_WIDTH)
+            .set_header(&self.columns)
+            .add_rows(&self.rows);
+        let mut text = format!("{table}\n");
+        for (name, note) in &self.notes {
+            text += &format!("\n{name}: {note}");
+        }
+        trimmed(&text)
+    }
+
+    /// The table in Markdown.
+    #[must_use]
+    pub fn to_markdown(&self) -> String {
+        let line = |cells: &mut dyn Iterator<Item = &str>| {
+            let cells: Vec<String> = cells.map(|cell| cell.replace('|', "\\|")).collect();
+            format!("| {} |\n", cells.join(" | "))
+        };
+        let mut text = line(&mut self.columns.iter().copied());
+        text += &line(&mut self.columns.iter().map(|_| "---"));
+        for row in &self.rows {
+            text += &line(&mut row.iter().map(String::as_str));
+        }
+        if !self.notes.is_empty() {
+            text += "\n";
+        }
+        for (name, note) in &self.notes {
+            text += &format!("* {name}: {note}\n");
+        }
+        trimmed(&text)
+    }
+
+    /// The table as a LaTeX `tabular` with `booktabs` rules, in plain ASCII.
+    #[must_use]
+    pub fn to_latex(&self) -> String {
+        let line = |cells: &mut dyn Iterator<Item = &str>| {
+            let cells: Vec<String> = cells.map(latex::escaped).collect();
+            format!("{} \\\\\n", cells.join(" & "))
+        };
+        let mut text = "% \\usepackage{booktabs}\n".to_owned();
+        text += &format!("\\begin{{tabular}}{{{}}}\n\\toprule\n", "l".repeat(self.columns.len()));
+        text += &line(&mut self.columns.iter().copied());
+        text += "\\midrule\n";
+        for row in &self.rows {
+            text += &line(&mut row.iter().map(String::as_str));
+        }
+        text += "\\bottomrule\n\\end{tabular}\n";
+        for (name, note) in &self.notes {
+            text += &format!("% {}: {}\n", latex::escaped(name), latex::escaped(note));
+        }
+        text
+    }
+}
+
+fn trimmed(text: &str) -> String {
+    let lines: Vec<&str> = text.lines().map(str::trim_end).collect();
+    lines.join("\n") + "\n"
+}
