@@ -56,7 +56,7 @@ impl Cut {
         let table = Table {
             columns: vec!["cut by", "position l", "1 − l", "gain (bits) or error"],
             rows: vec![row("mutual information", information), row("mean square", square)],
-            notes: Vec::new(),
+            ..Table::default()
         };
         self.output.write(&Report::one(table, &record)?)
     }

@@ -80,7 +80,7 @@ impl Split {
             ("derivative left, bits", scientific(record.residual)),
         ];
         let rows = rows.map(|(name, value)| vec![name.to_owned(), value]).to_vec();
-        let table = Table { columns: vec!["quantity", "value"], rows, notes: Vec::new() };
+        let table = Table { columns: vec!["quantity", "value"], rows, ..Table::default() };
         self.output.write(&Report::one(table, &record)?)
     }
 

@@ -13,7 +13,7 @@ use super::{DiscretizeError, stationarity};
 use crate::form_factor::RectanglePair;
 use crate::geometry::SplitAxis;
 use crate::information::{divergence, subdivision_bound};
-use crate::numeric::{NumericError, compensated_sum, maximum_of_many, maximum};
+use crate::numeric::{NumericError, compensated_sum, maximum, maximum_of_many, x_log2_ratio};
 use crate::scene::Scene;
 use std::cell::RefCell;
 use std::f64::consts::LN_2;
@@ -127,8 +127,9 @@ impl PatchSplit {
     /// The cuts into `parts` parts that gain the most.
     ///
     /// Two parts: the highest of the maxima that a scan of the derivative shows, each
-    /// refined as its root (of equal ones, the nearest to `v0`). More: the root of
-    /// the gradient found from the regular division; a local maximum.
+    /// refined as its root (of equal ones, the nearest to `v0`). More: the best
+    /// cuts on a fine lattice, all of them compared by dynamic programming, refined as the root of the
+    /// gradient.
     ///
     /// # Errors
     /// [`DiscretizeError::OutOfRange`] below two parts; [`DiscretizeError::Numeric`] if no
@@ -149,11 +150,12 @@ impl PatchSplit {
             })?;
             vec![found.position]
         } else {
+            let start = self.best_on_lattice(parts as usize)?;
             self.searching(|_, derivative| {
                 let gradient = |positions: &[f64]| {
                     (0..positions.len()).map(|k| derivative(positions, k)).collect()
                 };
-                maximum_of_many(gradient, regular_positions(parts))
+                maximum_of_many(gradient, start)
             })?
         };
         let mut residual: f64 = 0.0;
@@ -161,6 +163,45 @@ impl PatchSplit {
             residual = residual.max(self.gain_derivative(&positions, k)?.abs());
         }
         Ok(SplitOptimum { gain: self.gain(&positions)?, residual, positions })
+    }
+
+    /// The best cuts whose positions are multiples of a step of an eighth part or less: the gain is a sum over
+    /// the parts, so the best last part extends the best cuts before it.
+    fn best_on_lattice(&self, parts: usize) -> Result<Vec<f64>, DiscretizeError> {
+        let count = (8 * parts).max(64);
+        #[allow(clippy::cast_precision_loss, reason = "a few hundred points")]
+        let at = |k: usize| k as f64 / count as f64;
+        // value[from][to]: Σ_j G log2(G/W) of one part
+        let mut value = vec![vec![0.0; count + 1]; count];
+        for (from, row) in value.iter_mut().enumerate() {
+            for (to, value) in row.iter_mut().enumerate().skip(from + 1) {
+                for pair in &self.pairs {
+                    let flux = exchange(pair, self.axis, at(from), at(to))?;
+                    *value += x_log2_ratio(flux, at(to) - at(from));
+                }
+            }
+        }
+        // best[m][to]: the most that m + 1 parts of [0, to] bring, and where the last one starts
+        let mut best: Vec<Vec<(f64, usize)>> = vec![value[0].iter().map(|v| (*v, 0)).collect()];
+        for m in 1..parts {
+            let before = &best[m - 1];
+            let extended = (0..=count).map(|to| {
+                (m..to).fold((f64::NEG_INFINITY, 0), |most, from| {
+                    let sum = before[from].0 + value[from][to];
+                    if sum > most.0 { (sum, from) } else { most }
+                })
+            });
+            let extended = extended.collect();
+            best.push(extended);
+        }
+        let mut positions = Vec::with_capacity(parts - 1);
+        let mut to = count;
+        for m in (1..parts).rev() {
+            to = best[m][to].1;
+            positions.push(at(to));
+        }
+        positions.reverse();
+        Ok(positions)
     }
 
     /// Runs an optimiser that knows only numbers; a refusal inside comes out as itself.

@@ -120,7 +120,7 @@ pub(super) fn second_difference<S: Scalar>(a: &Span<S>, b: &Span<S>) -> [(S, Sig
 
 /// `G(u, y1 − η) − G(u, y0 − η)`, each term to its own relative precision.
 fn difference_in_v<S: Scalar>(u: &S, y: &Span<S>, eta: &S, z: &S) -> Exchange<S> {
-    let delta = y.length();
+    let delta = y.length().clone();
     let v0 = y.lower().clone() - eta;
     let v1 = y.upper().clone() - eta;
     let z2 = z.square();

@@ -167,7 +167,7 @@ fn log_size<S: Scalar>(coefficient: &S, r2: &S) -> S {
 /// `G(x1, z, v) − G(x0, z, v)`, each term to its own relative precision.
 fn difference_in_depth<S: Scalar>(x: &Span<S>, z: &S, v: &S) -> Exchange<S> {
     let quarter = v.constant(0.25);
-    let delta = x.length();
+    let delta = x.length().clone();
     let (z2, v2) = (z.square(), v.square());
     let (s2_0, s2_1) = (x.lower().square() + &z2, x.upper().square() + &z2);
     let (s0, s1) = (s2_0.sqrt(), s2_1.sqrt());
@@ -200,7 +200,7 @@ fn difference_in_depth<S: Scalar>(x: &Span<S>, z: &S, v: &S) -> Exchange<S> {
 /// `G(x, z, y1 − η) − G(x, z, y0 − η)`, each term to its own relative precision.
 fn difference_in_width<S: Scalar>(x: &S, z: &S, y: &Span<S>, eta: &S) -> Exchange<S> {
     let quarter = x.constant(0.25);
-    let delta = y.length();
+    let delta = y.length().clone();
     let v0 = y.lower().clone() - eta;
     let v1 = y.upper().clone() - eta;
     let s2 = x.square() + &z.square();

@@ -8,7 +8,7 @@
 use super::parallel::{self, strip_exchange};
 use super::perpendicular::{self, Plate, strip_exchange_at_depth, strip_exchange_at_width};
 use super::{ExchangeArea, FormFactorError};
-use crate::geometry::{FrameAxis, Placement, Rectangle, Span, SplitAxis};
+use crate::geometry::{Extent, Placement, Rectangle, Span, SplitAxis};
 
 /// Two rectangles with edges along three common axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -115,12 +115,7 @@ impl RectanglePair {
     /// The first rectangle's extent as a distance in front of the second one's plane.
     fn depth(&self, across: SplitAxis, plane: f64, faces_along: bool) -> Span {
         let extent = self.first[across as usize];
-        if faces_along {
-            // mirrored twice: extent − plane
-            extent.mirrored(&plane).mirrored(&0.0)
-        } else {
-            extent.mirrored(&plane)
-        }
+        if faces_along { extent.shifted(&-plane) } else { extent.mirrored(&plane) }
     }
 }
 
@@ -128,27 +123,32 @@ impl TryFrom<&Placement> for Second {
     type Error = FormFactorError;
 
     fn try_from(placement: &Placement) -> Result<Self, FormFactorError> {
-        let [u, v, height] = placement.second;
-        Ok(match placement.flat {
-            FrameAxis::Normal if height.0 > 0.0 && !placement.faces_along => Self::Parallel {
-                spans: [Span::try_new(u.0, u.1)?, Span::try_new(v.0, v.1)?],
-                distance: height.0,
-            },
-            FrameAxis::Normal => Self::Dark, // coplanar, behind, or turned away
-            FrameAxis::Edge(across) => {
-                let height = Span::try_new(height.0, height.1)?;
-                let (plane, width) = if across == SplitAxis::U { (u.0, v) } else { (v.0, u) };
-                match height.above(&0.0) {
-                    None => Self::Dark,
-                    Some(depth) => Self::Perpendicular {
-                        across,
-                        plane,
-                        faces_along: placement.faces_along,
-                        plate: Plate::try_new(depth, Span::try_new(width.0, width.1)?)?,
-                    },
-                }
+        let perpendicular = |across, plane, width, height: Span| {
+            Ok(match height.above(&0.0) {
+                None => Self::Dark,
+                Some(depth) => Self::Perpendicular {
+                    across,
+                    plane,
+                    faces_along: placement.faces_along,
+                    plate: Plate::try_new(depth, width)?,
+                },
+            })
+        };
+        match placement.second {
+            [Extent::Long(u), Extent::Long(v), Extent::Flat(distance)]
+                if distance > 0.0 && !placement.faces_along =>
+            {
+                Ok(Self::Parallel { spans: [u, v], distance })
             }
-        })
+            [Extent::Flat(plane), Extent::Long(width), Extent::Long(height)] => {
+                perpendicular(SplitAxis::U, plane, width, height)
+            }
+            [Extent::Long(width), Extent::Flat(plane), Extent::Long(height)] => {
+                perpendicular(SplitAxis::V, plane, width, height)
+            }
+            // coplanar, behind, or turned away
+            _ => Ok(Self::Dark),
+        }
     }
 }
 

@@ -23,7 +23,7 @@ pub enum GeometryError {
         z: f64,
     },
     /// The polygon encloses no area.
-    #[error("the polygon has no area: {area:e} at a diameter of {diameter:e}")]
+    #[error("the polygon has no area that f64 can hold: {area:e} at a diameter of {diameter:e}")]
     NoArea {
         /// Area found.
         area: f64,

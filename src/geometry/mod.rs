@@ -13,6 +13,6 @@ mod span;
 
 pub use error::GeometryError;
 pub use patch::Patch;
-pub use placement::{FrameAxis, Placement};
+pub use placement::{Extent, Placement};
 pub use rectangle::{Rectangle, SplitAxis};
 pub use span::Span;

@@ -47,13 +47,16 @@ impl Patch {
         }
         let origin = corners[0];
         let diameter = corners.iter().map(|c| c.distance(origin)).fold(0.0, f64::max);
+        // in units of a power of two near the diameter, so that products stay in range
+        let unit = diameter.log2().round().exp2();
         let doubled: DVec3 = corners
             .windows(2)
-            .map(|pair| (pair[0] - origin).cross(pair[1] - origin))
+            .map(|pair| ((pair[0] - origin) / unit).cross((pair[1] - origin) / unit))
             .sum();
-        let area = 0.5 * doubled.length();
-        // a double-precision cross product of edges of length d is uncertain by ε d²
-        if area.is_nan() || area <= 4.0 * f64::EPSILON * diameter * diameter {
+        let area = 0.5 * doubled.length() * unit * unit;
+        // a cross product of edges near 1 is uncertain by ε
+        let encloses = doubled.length() > 8.0 * f64::EPSILON;
+        if !encloses || !area.is_normal() {
             return Err(GeometryError::NoArea { area, diameter });
         }
         let normal = doubled.normalize();
@@ -67,7 +70,7 @@ impl Patch {
             return Err(GeometryError::NotPlanar { corner, deviation, relative, allowed });
         }
         let patch = Self { corners, normal, area };
-        match patch.crossing_edges() {
+        match patch.crossing_edges(unit) {
             Some((first, second)) => Err(GeometryError::NotSimple { first, second }),
             None => Ok(patch),
         }
@@ -91,13 +94,13 @@ impl Patch {
         self.area
     }
 
-    fn crossing_edges(&self) -> Option<(usize, usize)> {
+    fn crossing_edges(&self, unit: f64) -> Option<(usize, usize)> {
         let across = self.normal.any_orthonormal_vector();
         let up = self.normal.cross(across);
         let flat: Vec<DVec2> = self
             .corners
             .iter()
-            .map(|c| *c - self.corners[0])
+            .map(|c| (*c - self.corners[0]) / unit)
             .map(|c| DVec2::new(c.dot(across), c.dot(up)))
             .collect();
         let n = flat.len();
@@ -113,7 +116,8 @@ fn segments_meet((a, b): (DVec2, DVec2), (c, d): (DVec2, DVec2)) -> bool {
     let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
     let (ac, ad) = (side(a, b, c), side(a, b, d));
     let (ca, cb) = (side(c, d, a), side(c, d, b));
-    let apart = ac * ad > 0.0 || ca * cb > 0.0;
+    let same_side = |p: f64, q: f64| (p > 0.0 && q > 0.0) || (p < 0.0 && q < 0.0);
+    let apart = same_side(ac, ad) || same_side(ca, cb);
     let collinear = [ac, ad, ca, cb].iter().all(|s| s.abs() <= 0.0);
     if collinear {
         let along = b - a;

@@ -10,13 +10,13 @@
 use super::{GeometryError, Rectangle, Span, SplitAxis};
 use crate::numeric::tolerance;
 
-/// A direction of the first rectangle's frame.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum FrameAxis {
-    /// Along the first rectangle's edge u or v.
-    Edge(SplitAxis),
-    /// Along its normal.
-    Normal,
+/// The extent of a rectangle along one axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Extent {
+    /// It lies in the plane at this coordinate.
+    Flat(f64),
+    /// It covers this span.
+    Long(Span),
 }
 
 /// The second rectangle in the first one's frame, in units of [`unit`](Self::unit).
@@ -24,11 +24,9 @@ pub enum FrameAxis {
 pub struct Placement {
     /// The first rectangle: its extent along u and v.
     pub first: [Span; 2],
-    /// The second rectangle: lower and upper coordinate along u, v and the normal.
-    pub second: [(f64, f64); 3],
-    /// The direction in which the second rectangle is flat.
-    pub flat: FrameAxis,
-    /// Does the second rectangle's normal point along `flat` (else against it)?
+    /// The second rectangle's extent along u, v and the normal; [`Extent::Flat`] in one of them.
+    pub second: [Extent; 3],
+    /// Does the second rectangle's normal point along the axis in which it is flat (else against it)?
     pub faces_along: bool,
     /// Length of one unit of the spans: a power of two.
     pub unit: f64,
@@ -75,8 +73,12 @@ impl Placement {
             .iter()
             .flat_map(|corner| (0..3).map(move |k| off(corner, k)))
             .fold(0.0, f64::max);
-        if deviation > allowed || deviation.is_nan() {
-            return Err(GeometryError::NotAligned { deviation, allowed });
+        // a direction is known from an edge no better than its corners over its length
+        let reach = seen.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let shortest = lengths.into_iter().fold(f64::INFINITY, f64::min);
+        let aligned = allowed * f64::max(1.0, reach / shortest);
+        if deviation > aligned || deviation.is_nan() {
+            return Err(GeometryError::NotAligned { deviation, allowed: aligned });
         }
         let planes = |k: usize| [0.0, lengths.get(k).copied().unwrap_or(0.0)];
         let snap = |k: usize, value: f64| {
@@ -89,24 +91,23 @@ impl Placement {
             .fold(0.0, f64::max);
         let unit = extent.log2().round().exp2();
         let second = [0, 1, 2].map(|k| {
-            let (lower, upper) = if k == flat {
-                let middle = if ranges[k].0 < ranges[k].1 {
-                    0.5 * (ranges[k].0 + ranges[k].1)
-                } else {
-                    ranges[k].0
-                };
-                (middle, middle)
-            } else {
-                ranges[k]
-            };
-            (snap(k, lower) / unit, snap(k, upper) / unit)
+            let (lower, upper) = ranges[k];
+            if k == flat {
+                return Ok(Extent::Flat(snap(k, 0.5 * (lower + upper)) / unit));
+            }
+            // one edge runs along this axis, the other across it: the edge knows its own length best
+            let along = SplitAxis::ALL.map(|axis| second.edge(axis).dot(axes[k]).abs());
+            let length = along[0].max(along[1]) / unit;
+            Span::with_length(snap(k, lower) / unit, length).map(Extent::Long)
         });
+        let [u, v, height] = second;
         let [length_u, length_v] = lengths;
         Ok(Self {
-            first: [Span::try_new(0.0, length_u / unit)?, Span::try_new(0.0, length_v / unit)?],
-            second,
-            flat: [FrameAxis::Edge(SplitAxis::U), FrameAxis::Edge(SplitAxis::V), FrameAxis::Normal]
-                [flat],
+            first: [
+                Span::with_length(0.0, length_u / unit)?,
+                Span::with_length(0.0, length_v / unit)?,
+            ],
+            second: [u?, v?, height?],
             faces_along: turned[flat] > 0.0,
             unit,
         })

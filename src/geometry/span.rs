@@ -3,11 +3,14 @@
 use super::GeometryError;
 use crate::numeric::Scalar;
 
-/// From `lower` to `upper`, `lower < upper`.
+/// From `lower` to `upper`, `lower < upper`, with its length kept apart.
+///
+/// Far from the origin `upper − lower` would lose digits of a short length that is known exactly.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span<S = f64> {
     lower: S,
     upper: S,
+    length: S,
 }
 
 impl<S: Scalar> Span<S> {
@@ -16,9 +19,23 @@ impl<S: Scalar> Span<S> {
     /// # Errors
     /// [`GeometryError::EmptySpan`] unless both are finite and `lower < upper`.
     pub fn try_new(lower: S, upper: S) -> Result<Self, GeometryError> {
+        let length = upper.clone() - &lower;
+        Self::checked(lower, upper, length)
+    }
+
+    /// The span that starts at `lower` and has this length.
+    ///
+    /// # Errors
+    /// [`GeometryError::EmptySpan`] unless both are finite and `length > 0`.
+    pub fn with_length(lower: S, length: S) -> Result<Self, GeometryError> {
+        let upper = lower.clone() + &length;
+        Self::checked(lower, upper, length)
+    }
+
+    fn checked(lower: S, upper: S, length: S) -> Result<Self, GeometryError> {
         let finite = lower.to_f64().is_finite() && upper.to_f64().is_finite();
-        if finite && lower < upper {
-            Ok(Self { lower, upper })
+        if finite && length > length.zero() && lower < upper {
+            Ok(Self { lower, upper, length })
         } else {
             Err(GeometryError::EmptySpan { lower: lower.to_f64(), upper: upper.to_f64() })
         }
@@ -36,23 +53,34 @@ impl<S: Scalar> Span<S> {
         &self.upper
     }
 
-    /// `upper − lower`, > 0.
+    /// Length, > 0.
     #[must_use]
-    pub fn length(&self) -> S {
-        self.upper.clone() - &self.lower
+    pub const fn length(&self) -> &S {
+        &self.length
     }
 
     /// The part at and above `floor`; `None` if nothing of positive length is left.
     #[must_use]
     pub fn above(&self, floor: &S) -> Option<Self> {
-        let lower = if self.lower < *floor { floor.clone() } else { self.lower.clone() };
-        (lower < self.upper).then(|| Self { lower, upper: self.upper.clone() })
+        if self.lower < *floor {
+            Self::try_new(floor.clone(), self.upper.clone()).ok()
+        } else {
+            Some(self.clone())
+        }
+    }
+
+    /// The same span moved by `shift`.
+    #[must_use]
+    pub fn shifted(&self, shift: &S) -> Self {
+        let (lower, upper) = (self.lower.clone() + shift, self.upper.clone() + shift);
+        Self { lower, upper, length: self.length.clone() }
     }
 
     /// The same span seen from `origin` in the opposite direction: `origin − upper … origin − lower`.
     #[must_use]
     pub fn mirrored(&self, origin: &S) -> Self {
-        Self { lower: origin.clone() - &self.upper, upper: origin.clone() - &self.lower }
+        let (lower, upper) = (origin.clone() - &self.upper, origin.clone() - &self.lower);
+        Self { lower, upper, length: self.length.clone() }
     }
 
     /// The part between two relative positions in `[0, 1]`.
@@ -60,14 +88,13 @@ impl<S: Scalar> Span<S> {
     /// # Errors
     /// [`GeometryError::EmptySpan`] if they coincide or are out of order.
     pub fn part(&self, from: &S, to: &S) -> Result<Self, GeometryError> {
-        let length = self.length();
         let at = |t: &S| {
             if *t == t.constant(1.0) {
                 self.upper.clone()
             } else {
-                length.clone() * t + &self.lower
+                self.length.clone() * t + &self.lower
             }
         };
-        Self::try_new(at(from), at(to))
+        Self::checked(at(from), at(to), (to.clone() - from) * &self.length)
     }
 }

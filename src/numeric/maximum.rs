@@ -84,7 +84,8 @@ const SMALLEST_POWER: i32 = -40;
 /// neighbour; it ends where a step no longer moves anything beyond rounding, and only at a
 /// negative definite Hessian.
 ///
-/// **Accuracy** each coordinate to [`tolerance::AT_REST`]; a local maximum near the start.
+/// **Accuracy** each coordinate as far as the gradient's rounding over its curvature lets it be seen:
+/// about [`tolerance::AT_REST`] for curvatures of order one. A local maximum near the start.
 ///
 /// # Errors
 /// [`NumericError::NotFinite`]; [`NumericError::NotConverged`] if the steps do not die out, or end at
@@ -119,9 +120,12 @@ pub fn maximum_of_many(
         let is_maximum = newton.is_some();
         let step = newton.unwrap_or_else(|| &slope * (0.01 / slope.amax()));
         let step = &step * damping(&position, &step);
+        let before = moved;
         moved = step.amax();
         position += step;
-        if is_maximum && moved <= tolerance::AT_REST {
+        // Newton's steps shrink quadratically until only the gradient's rounding is left
+        let trembles = moved <= tolerance::TREMBLING && moved > 0.5 * before;
+        if is_maximum && (moved <= tolerance::AT_REST || trembles) {
             return Ok(position.as_slice().to_vec());
         }
     }

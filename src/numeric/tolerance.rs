@@ -20,6 +20,10 @@ pub const NEWTON_STEPS: u32 = 60;
 /// over curvatures of order one let a coordinate tremble by that much, twice over with its neighbours.
 pub const AT_REST: f64 = 64.0 * f64::EPSILON;
 
+/// Steps below this that no longer shrink are the gradient's rounding: (a) a Newton step of 1e-8 is followed
+/// by one near 1e-16 where the third derivative is moderate.
+pub const TREMBLING: f64 = 1e-9;
+
 /// Deviation from a plane, relative to a patch's diameter, up to which it counts as planar: the
 /// input's own rounding is 1e-16 of its coordinates, a file of twelve decimals gives 1e-12.
 pub const PLANARITY: f64 = 1e-12;

@@ -96,14 +96,21 @@ impl Report {
     fn to_csv(&self) -> Result<String, ReportError> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         if let Some(record) = self.records.first() {
-            let scalar = |value: &&Value| !value.is_array();
+            // a list of numbers becomes one cell; curves, lists of points, stay in JSON
+            let fits = |value: &Value| match value {
+                Value::Array(list) => list.iter().all(Value::is_number),
+                _ => true,
+            };
             let keys: Vec<&String> =
-                record.iter().filter(|(_, value)| scalar(value)).map(|(key, _)| key).collect();
+                record.iter().filter(|(_, value)| fits(value)).map(|(key, _)| key).collect();
             writer.write_record(&keys)?;
             for record in &self.records {
                 let cell = |key: &&String| match record.get(*key) {
                     None | Some(Value::Null) => String::new(),
                     Some(Value::String(text)) => text.clone(),
+                    Some(Value::Array(list)) => {
+                        list.iter().map(Value::to_string).collect::<Vec<_>>().join(" ")
+                    }
                     Some(value) => value.to_string(),
                 };
                 writer.write_record(keys.iter().map(cell))?;

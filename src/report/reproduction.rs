@@ -55,56 +55,61 @@ impl<'j> From<&'j Judgement> for Record<'j> {
 /// # Errors
 /// [`ReportError`] if a number is not finite.
 pub fn reproduction_report(judgements: &[Judgement]) -> Result<Report, ReportError> {
-    let columns =
-        vec!["id", "place", "claim", "paper", "computed", "stated ±", "evidence", "verdict"];
-    let rows = judgements.iter().map(row).collect();
+    let records: Vec<Record<'_>> = judgements.iter().map(Record::from).collect();
+    if let Some(record) = records.iter().find(|r| r.computed.is_some_and(|x| !x.is_finite())) {
+        return Err(ReportError::NotFinite { key: record.id.to_owned() });
+    }
+    let table = Table {
+        columns: vec!["id", "paper says", "computed", "stated ±", "evidence", "verdict"],
+        rows: judgements.iter().map(row).collect(),
+        wrapped: Some(1),
+        notes: notes(judgements),
+    };
+    Report::list(table, "claims", &records)
+}
+
+fn notes(judgements: &[Judgement]) -> Vec<(String, String)> {
+    let mut notes: Vec<(String, String)> = Vec::new();
+    let settled = |j: &&Judgement| matches!(j.verdict, Verdict::Confirmed | Verdict::Supported);
+    for judgement in judgements.iter().filter(|j| !settled(j)) {
+        let name = judgement.verdict.name().replace('_', " ");
+        match notes.iter_mut().find(|(_, note)| note == judgement.note()) {
+            Some((names, _)) => *names += &format!(", {}", judgement.claim.id),
+            None => notes.push((format!("{name}, {}", judgement.claim.id), judgement.note().to_owned())),
+        }
+    }
+    for judgement in judgements.iter().filter(|j| j.verdict != j.recorded()) {
+        let recorded = judgement.recorded().name();
+        let text = format!("this run differs from the verdict on record, {recorded}");
+        notes.push((judgement.claim.id.clone(), text));
+    }
     let counts: Vec<String> = Verdict::ALL
         .into_iter()
         .map(|verdict| (verdict, judgements.iter().filter(|j| j.verdict == verdict).count()))
         .filter(|(_, count)| *count > 0)
-        .map(|(verdict, count)| format!("{count} {}", verdict.name()))
+        .map(|(verdict, count)| format!("{count} {}", verdict.name().replace('_', " ")))
         .collect();
-    let mut notes: Vec<(String, String)> = judgements
-        .iter()
-        .filter(|j| !matches!(j.verdict, Verdict::Confirmed | Verdict::Supported))
-        .map(|j| (format!("{} ({})", j.claim.id, j.verdict.name()), j.note().to_owned()))
-        .collect();
-    for judgement in judgements.iter().filter(|j| j.verdict != j.recorded()) {
-        let recorded = judgement.recorded().name();
-        let text = format!("the verdict on record is {recorded}: this run differs");
-        notes.push((judgement.claim.id.clone(), text));
-    }
     notes.push((format!("{} claims", judgements.len()), counts.join(", ")));
-    let records: Vec<Record<'_>> = judgements.iter().map(Record::from).collect();
-    for (record, judgement) in records.iter().zip(judgements) {
-        if record.computed.is_some_and(|computed| !computed.is_finite()) {
-            return Err(ReportError::NotFinite { key: judgement.claim.id.clone() });
-        }
-    }
-    Report::list(Table { columns, rows, notes }, "claims", &records)
+    notes
 }
 
 fn row(judgement: &Judgement) -> Vec<String> {
     let claim = &judgement.claim;
-    let (computed, error, evidence) = match &judgement.finding {
-        None => (String::new(), String::new(), ""),
+    let printed = claim.printed.as_ref().map_or_else(String::new, |p| format!(": {}", p.text));
+    let says = format!("{}: {}{printed}", claim.place, claim.quantity);
+    let [computed, error, evidence] = match &judgement.finding {
+        None => ["", "", ""].map(str::to_owned),
         Some(finding) => {
             let (computed, error) = match finding.measure {
                 Measure::Value { value, error } => (certain_digits(value, error), error),
-                Measure::Residual { value, tolerance } if value <= tolerance => {
-                    ("0".to_owned(), tolerance)
-                }
                 Measure::Residual { value, tolerance } => (certain_digits(value, tolerance), tolerance),
             };
             let error = if error > 0.0 { scientific(error) } else { "exact".to_owned() };
-            (computed, error, finding.evidence.name())
+            [computed, error, finding.evidence.name().to_owned()]
         }
     };
-    let printed = claim.printed.as_ref().map_or_else(|| "in words".to_owned(), |p| p.text.clone());
-    let texts = [&claim.id, &claim.place, &claim.quantity, &printed, &computed, &error];
-    let mut row: Vec<String> = texts.into_iter().cloned().collect();
-    row.extend([evidence.to_owned(), judgement.verdict.name().to_owned()]);
-    row
+    let verdict = judgement.verdict.name().replace('_', " ");
+    vec![claim.id.clone(), says, computed, error, evidence, verdict]
 }
 
 /// One point of a curve as a record.
@@ -127,6 +132,6 @@ pub fn curve_report(curve: &[[f64; 2]]) -> Result<Report, ReportError> {
         vec![format!("{}", point.x), certain_digits(point.y, 1e-13 * point.y.abs())]
     };
     let rows = points.iter().map(row).collect();
-    let table = Table { columns: vec!["x", "y"], rows, notes: Vec::new() };
+    let table = Table { columns: vec!["x", "y"], rows, ..Table::default() };
     Report::list(table, "points", &points)
 }

@@ -1,7 +1,7 @@
 //! A table of texts, with notes below it.
 
 use super::latex;
-use comfy_table::{ContentArrangement, presets};
+use comfy_table::{ColumnConstraint, ContentArrangement, LineStyle, TableStyle};
 
 /// Rows of texts under headings, and notes.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -10,12 +10,20 @@ pub struct Table {
     pub columns: Vec<&'static str>,
     /// The rows, each as long as `columns`.
     pub rows: Vec<Vec<String>>,
+    /// The column of long texts, which gives way on a terminal.
+    pub wrapped: Option<usize>,
     /// Lines below the table: a name and a text.
     pub notes: Vec<(String, String)>,
 }
 
 /// Width of a terminal table, in characters.
-const TERMINAL_WIDTH: u16 = 132;
+const TERMINAL_WIDTH: u16 = 140;
+
+/// Rules above, below, and under the headings; none between rows.
+const STYLE: TableStyle = TableStyle::new()
+    .top_border(LineStyle::none().fill('─').junction('─'))
+    .header_separator(LineStyle::none().fill('─').junction('─'))
+    .bottom_border(LineStyle::none().fill('─').junction('─'));
 
 impl Table {
     /// The table with box-drawing lines, for a terminal.
@@ -23,14 +31,19 @@ impl Table {
     pub fn to_terminal(&self) -> String {
         let mut table = comfy_table::Table::new();
         table
-            .load_style(presets::UTF8_HORIZONTAL_ONLY)
+            .load_style(STYLE)
             .set_content_arrangement(ContentArrangement::Dynamic)
             .set_width(TERMINAL_WIDTH)
             .set_header(&self.columns)
             .add_rows(&self.rows);
+        for (index, column) in table.column_iter_mut().enumerate() {
+            if self.wrapped != Some(index) {
+                column.set_constraint(ColumnConstraint::ContentWidth);
+            }
+        }
         let mut text = format!("{table}\n");
         for (name, note) in &self.notes {
-            text += &format!("\n{name}: {note}");
+            text += &format!("{name}: {note}\n");
         }
         trimmed(&text)
     }

@@ -1,0 +1,44 @@
+//! Exchange areas add up over the parts of a patch.
+
+use crate::support::strategies::rectangle_pair;
+use infoscene::form_factor::RectanglePair;
+use infoscene::geometry::SplitAxis;
+use proptest::prelude::*;
+
+proptest! {
+    /// `A F = A_near F_near + A_far F_far`, within the three bounds, by relative parts of the pair and
+    /// by cutting the rectangle itself.
+    #[test]
+    fn exchange_of_the_parts_is_the_exchange_of_the_whole(
+        (first, second) in rectangle_pair(),
+        axis in prop_oneof![Just(SplitAxis::U), Just(SplitAxis::V)],
+        eighth in 1..8u32,
+    ) {
+        let position = f64::from(eighth) / 8.0;
+        let pair = RectanglePair::try_new(&first, &second).unwrap();
+        let Ok(whole) = pair.exchange_area() else { return Ok(()) };
+        let near = pair.part(axis, 0.0, position).unwrap();
+        let far = pair.part(axis, position, 1.0).unwrap();
+        let [cut_near, cut_far] = first.split(axis, position).unwrap().map(|part| {
+            RectanglePair::try_new(&part, &second).unwrap()
+        });
+        for [near, far] in [[near, far], [cut_near, cut_far]] {
+            let (Ok(near), Ok(far)) = (near.exchange_area(), far.exchange_area()) else { return Ok(()) };
+            let allowed = whole.error_bound + near.error_bound + far.error_bound;
+            let gap = (near.value + far.value - whole.value).abs();
+            prop_assert!(gap <= allowed, "gap {gap:e}, allowed {allowed:e} of {:e}", whole.value);
+        }
+    }
+}
+
+/// Negative control: parts that leave a gap do not add up.
+#[test]
+fn parts_with_a_gap_between_them_do_not_add_up() {
+    let scene = infoscene::scene::Scene::built_in("two-squares").unwrap();
+    let (floor, wall) = (scene.rectangle(0).unwrap(), scene.rectangle(1).unwrap());
+    let pair = RectanglePair::try_new(&floor, &wall).unwrap();
+    let part = |from, to| pair.part(SplitAxis::U, from, to).unwrap().exchange_area().unwrap();
+    let whole = pair.exchange_area().unwrap();
+    let gap = whole.value - part(0.0, 0.4).value - part(0.4001, 1.0).value;
+    assert!(gap > 1e-6 && gap > whole.error_bound);
+}

@@ -1,0 +1,16 @@
+//! One law per file, each with its negative control.
+#![allow(clippy::unwrap_used, clippy::float_cmp, reason = "a test may panic, and compares what is exact")]
+
+mod additivity;
+mod closure;
+mod cuts;
+mod divergence;
+mod error_bounds;
+mod independent_roads;
+mod invariance;
+mod optimisers;
+mod reciprocity;
+mod refinement;
+mod refusals;
+#[path = "../support/mod.rs"]
+mod support;
