@@ -39,3 +39,8 @@ pub mod information;
 pub mod numeric;
 pub mod report;
 pub mod scene;
+
+/// The README's example, run as a test.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

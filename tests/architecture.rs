@@ -38,22 +38,38 @@ fn sources(folder: &str) -> Vec<PathBuf> {
 fn module_of(path: &Path) -> Option<usize> {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let first = path.strip_prefix(source).unwrap().components().next()?;
-    let name = first.as_os_str().to_str()?.trim_end_matches(".rs").to_owned();
+    let name = first
+        .as_os_str()
+        .to_str()?
+        .trim_end_matches(".rs")
+        .to_owned();
     FLOW.iter().position(|module| *module == name)
 }
 
 /// Modules named after `crate::` in code, comments left out.
 fn used_modules(text: &str) -> Vec<usize> {
-    let code = text.lines().map(str::trim_start).filter(|line| !line.starts_with("//"));
+    let code = text
+        .lines()
+        .map(str::trim_start)
+        .filter(|line| !line.starts_with("//"));
     let code: Vec<&str> = code.collect();
     code.join("\n")
         .split("crate::")
         .skip(1)
         .flat_map(|after| {
-            let list = after.strip_prefix('{').and_then(|rest| rest.split('}').next());
-            list.unwrap_or(after).split(',').map(str::trim).map(|name| {
-                name.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').next().unwrap_or("").to_owned()
-            }).collect::<Vec<_>>()
+            let list = after
+                .strip_prefix('{')
+                .and_then(|rest| rest.split('}').next());
+            list.unwrap_or(after)
+                .split(',')
+                .map(str::trim)
+                .map(|name| {
+                    name.split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
+                        .next()
+                        .unwrap_or("")
+                        .to_owned()
+                })
+                .collect::<Vec<_>>()
         })
         .filter_map(|name| FLOW.iter().position(|module| *module == name))
         .collect()
@@ -63,10 +79,18 @@ fn used_modules(text: &str) -> Vec<usize> {
 fn modules_use_only_modules_to_their_left() {
     let mut uses = 0;
     for path in sources("src") {
-        let Some(own) = module_of(&path) else { continue };
+        let Some(own) = module_of(&path) else {
+            continue;
+        };
         for used in used_modules(&fs::read_to_string(&path).unwrap()) {
             uses += usize::from(used < own);
-            assert!(used <= own, "{}: {} uses {}", path.display(), FLOW[own], FLOW[used]);
+            assert!(
+                used <= own,
+                "{}: {} uses {}",
+                path.display(),
+                FLOW[own],
+                FLOW[used]
+            );
         }
     }
     assert!(uses > 40, "the check sees {uses} uses only");
@@ -75,7 +99,10 @@ fn modules_use_only_modules_to_their_left() {
 #[test]
 fn a_use_to_the_right_is_seen() {
     assert_eq!(used_modules("use crate::{numeric, chain::X};"), [0, 4]);
-    assert_eq!(used_modules("let x = crate::report::certain_digits(1.0, 0.0);"), [8]);
+    assert_eq!(
+        used_modules("let x = crate::report::certain_digits(1.0, 0.0);"),
+        [8]
+    );
     assert_eq!(used_modules("/// [`crate::cli`]"), [] as [usize; 0]);
 }
 
@@ -83,7 +110,11 @@ fn a_use_to_the_right_is_seen() {
 fn every_folder_of_the_library_is_in_the_flow() {
     for path in sources("src") {
         let is_root = ["lib.rs", "main.rs"].contains(&path.file_name().unwrap().to_str().unwrap());
-        assert!(is_root || module_of(&path).is_some(), "{} has no place", path.display());
+        assert!(
+            is_root || module_of(&path).is_some(),
+            "{} has no place",
+            path.display()
+        );
     }
 }
 
@@ -94,6 +125,9 @@ fn files_are_short_and_well_named() {
         let lines = fs::read_to_string(&path).unwrap().lines().count();
         assert!(lines <= LONGEST, "{} has {lines} lines", path.display());
         let name = path.file_stem().unwrap().to_str().unwrap();
-        assert!(!["util", "utils", "common", "helper", "helpers", "misc"].contains(&name), "{name}");
+        assert!(
+            !["util", "utils", "common", "helper", "helpers", "misc"].contains(&name),
+            "{name}"
+        );
     }
 }

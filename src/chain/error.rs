@@ -49,7 +49,9 @@ pub enum ChainError {
         total: f64,
     },
     /// A row of transition probabilities does not sum to one.
-    #[error("row {row} of the transition probabilities sums to {sum}, off by more than {tolerance:e}")]
+    #[error(
+        "row {row} of the transition probabilities sums to {sum}, off by more than {tolerance:e}"
+    )]
     RowSumNotOne {
         /// Row, from 0.
         row: usize,
@@ -92,7 +94,9 @@ pub enum ChainError {
         whole: f64,
     },
     /// The patches do not enclose their surroundings.
-    #[error("the scene is open: row {row} of the form factors sums to {sum}, 1 ± {tolerance:e} is closed")]
+    #[error(
+        "the scene is open: row {row} of the form factors sums to {sum}, 1 ± {tolerance:e} is closed"
+    )]
     OpenScene {
         /// The row farthest from 1.
         row: usize,

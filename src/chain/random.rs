@@ -20,7 +20,9 @@ impl RandomChains {
     /// The source with this seed.
     #[must_use]
     pub fn new(seed: u64) -> Self {
-        Self { source: ChaCha8Rng::seed_from_u64(seed) }
+        Self {
+            source: ChaCha8Rng::seed_from_u64(seed),
+        }
     }
 
     /// A chain of 2 to `most` states in which about one entry in five is zero.
@@ -62,7 +64,8 @@ impl RandomChains {
             }
         }
         let mut within = DMatrix::zeros(m, m);
-        let pairs: Vec<(usize, usize)> = (0..m).flat_map(|k| (0..=k).map(move |l| (k, l))).collect();
+        let pairs: Vec<(usize, usize)> =
+            (0..m).flat_map(|k| (0..=k).map(move |l| (k, l))).collect();
         for ((k, l), share) in pairs.iter().zip(self.shares(pairs.len())) {
             let part = share * chain.joint()[(state, state)];
             let part = if k == l { part } else { 0.5 * part };
@@ -73,7 +76,11 @@ impl RandomChains {
     }
 
     fn entry(&mut self) -> f64 {
-        if self.source.random_bool(0.2) { 0.0 } else { self.source.random_range(0.0..1.0) }
+        if self.source.random_bool(0.2) {
+            0.0
+        } else {
+            self.source.random_range(0.0..1.0)
+        }
     }
 
     fn shares(&mut self, count: usize) -> Vec<f64> {

@@ -44,7 +44,13 @@ impl StateRefinement {
             return Err(ChainError::NoSuchState { state, last: n - 1 });
         }
         let m = outward.nrows();
-        let shape = |what, found, expected| Err(ChainError::WrongShape { what, found, expected });
+        let shape = |what, found, expected| {
+            Err(ChainError::WrongShape {
+                what,
+                found,
+                expected,
+            })
+        };
         if m == 0 {
             return shape("the list of sub-states", 0, 1);
         }
@@ -68,7 +74,12 @@ impl StateRefinement {
             for column in 0..row {
                 let (value, mirrored) = (within[(row, column)], within[(column, row)]);
                 if (value - mirrored).abs() > 0.0 {
-                    return Err(ChainError::NotReciprocal { row, column, value, mirrored });
+                    return Err(ChainError::NotReciprocal {
+                        row,
+                        column,
+                        value,
+                        mirrored,
+                    });
                 }
             }
         }
@@ -76,22 +87,42 @@ impl StateRefinement {
         let allowed = tolerance::RECIPROCITY * m as f64;
         for other in 0..n {
             let (parts, whole) = if other == state {
-                (compensated_sum(within.iter().copied()), chain.joint()[(state, state)])
+                (
+                    compensated_sum(within.iter().copied()),
+                    chain.joint()[(state, state)],
+                )
             } else {
-                (compensated_sum(outward.column(other).iter().copied()), chain.joint()[(state, other)])
+                (
+                    compensated_sum(outward.column(other).iter().copied()),
+                    chain.joint()[(state, other)],
+                )
             };
             if (parts - whole).abs() > allowed * whole {
-                return Err(ChainError::NotCovering { state, other, parts, whole });
+                return Err(ChainError::NotCovering {
+                    state,
+                    other,
+                    parts,
+                    whole,
+                });
             }
         }
         if let Some(row) = (0..m).find(|k| outward[(*k, state)] > 0.0) {
             let value = outward[(row, state)];
-            return Err(ChainError::InvalidEntry { row, column: state, value });
+            return Err(ChainError::InvalidEntry {
+                row,
+                column: state,
+                value,
+            });
         }
         let weights = (0..m)
             .map(|k| compensated_sum(outward.row(k).iter().chain(within.row(k).iter()).copied()))
             .collect();
-        Ok(Self { state, outward, within, weights })
+        Ok(Self {
+            state,
+            outward,
+            within,
+            weights,
+        })
     }
 
     /// The state that is divided.

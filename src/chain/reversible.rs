@@ -52,18 +52,29 @@ impl ReversibleChain {
                     }
                 }
                 if value.to_bits() != mirrored.to_bits() && (value - mirrored).abs() > 0.0 {
-                    return Err(ChainError::NotReciprocal { row, column, value, mirrored });
+                    return Err(ChainError::NotReciprocal {
+                        row,
+                        column,
+                        value,
+                        mirrored,
+                    });
                 }
             }
         }
         // by symmetry a row sum is a column sum, and columns are contiguous
-        let weights: Vec<f64> =
-            joint.column_iter().map(|column| compensated_sum(column.iter().copied())).collect();
+        let weights: Vec<f64> = joint
+            .column_iter()
+            .map(|column| compensated_sum(column.iter().copied()))
+            .collect();
         let total = compensated_sum(weights.iter().copied());
         if !(total.is_finite() && total > 0.0) {
             return Err(ChainError::NoMass { total });
         }
-        Ok(Self { joint, weights, total })
+        Ok(Self {
+            joint,
+            weights,
+            total,
+        })
     }
 
     /// The chain with stationary weights `w` (in any scale) and transition probabilities `P`.
@@ -72,29 +83,47 @@ impl ReversibleChain {
     /// As [`try_new`](Self::try_new); [`ChainError::RowSumNotOne`] beyond n·16 ε;
     /// [`ChainError::NotReciprocal`] where `w_i P_ij` and `w_j P_ji` differ by more than
     /// [`tolerance::RECIPROCITY`] of the larger; their mean is stored otherwise.
-    pub fn try_from_transitions(weights: &[f64], transitions: &DMatrix<f64>) -> Result<Self, ChainError> {
+    pub fn try_from_transitions(
+        weights: &[f64],
+        transitions: &DMatrix<f64>,
+    ) -> Result<Self, ChainError> {
         let (rows, columns) = transitions.shape();
         if rows != columns {
             return Err(ChainError::NotSquare { rows, columns });
         }
         if weights.len() != rows {
             let (found, expected) = (weights.len(), rows);
-            return Err(ChainError::WrongShape { what: "the weight vector", found, expected });
+            return Err(ChainError::WrongShape {
+                what: "the weight vector",
+                found,
+                expected,
+            });
         }
         #[allow(clippy::cast_precision_loss, reason = "no chain has 2^53 states")]
         let tolerance = tolerance::RECIPROCITY * rows as f64;
         for (row, entries) in transitions.row_iter().enumerate() {
             let sum = compensated_sum(entries.iter().copied());
             if (sum - 1.0).abs() > tolerance {
-                return Err(ChainError::RowSumNotOne { row, sum, tolerance });
+                return Err(ChainError::RowSumNotOne {
+                    row,
+                    sum,
+                    tolerance,
+                });
             }
         }
         let flow = |row: usize, column: usize| weights[row] * transitions[(row, column)];
         for row in 0..rows {
             for column in 0..row {
                 let (value, mirrored) = (flow(row, column), flow(column, row));
-                if (value - mirrored).abs() > tolerance::RECIPROCITY * value.abs().max(mirrored.abs()) {
-                    return Err(ChainError::NotReciprocal { row, column, value, mirrored });
+                if (value - mirrored).abs()
+                    > tolerance::RECIPROCITY * value.abs().max(mirrored.abs())
+                {
+                    return Err(ChainError::NotReciprocal {
+                        row,
+                        column,
+                        value,
+                        mirrored,
+                    });
                 }
             }
         }
@@ -142,6 +171,10 @@ impl ReversibleChain {
     /// If there is no state `i` or `j`.
     #[must_use]
     pub fn transition_probability(&self, i: usize, j: usize) -> f64 {
-        if self.weights[i] > 0.0 { self.joint[(i, j)] / self.weights[i] } else { 0.0 }
+        if self.weights[i] > 0.0 {
+            self.joint[(i, j)] / self.weights[i]
+        } else {
+            0.0
+        }
     }
 }

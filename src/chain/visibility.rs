@@ -22,7 +22,14 @@ pub fn visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
         let tolerance = bound + 4.0 * f64::EPSILON; // the area's and the quotient's rounding
         let excess = (sum - 1.0).abs() / tolerance;
         if excess > 1.0 && worst.as_ref().is_none_or(|(most, _)| excess > *most) {
-            worst = Some((excess, ChainError::OpenScene { row, sum, tolerance }));
+            worst = Some((
+                excess,
+                ChainError::OpenScene {
+                    row,
+                    sum,
+                    tolerance,
+                },
+            ));
         }
     }
     match worst {

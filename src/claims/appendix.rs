@@ -17,7 +17,10 @@ pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
     ("log_sum_inequality", log_sum_inequality),
     ("equation_13", equation_13),
     ("inequality_14", inequality_14),
-    ("limit_of_the_discontinuity_line", limit_of_the_discontinuity_line),
+    (
+        "limit_of_the_discontinuity_line",
+        limit_of_the_discontinuity_line,
+    ),
 ];
 
 /// The largest of a deviation over random chains and refinements.
@@ -53,7 +56,9 @@ fn unlisted_premises_follow(input: &Inputs) -> Result<Finding, ClaimError> {
         Ok(((kept * outward + within - weight).abs().max(own)) / chain.total())
     })?;
     let note = "used in (9) without being listed; both follow from (a) and (b)";
-    Ok(Finding::residual(worst, tolerance::IDENTITY).sampled().noting(note))
+    Ok(Finding::residual(worst, tolerance::IDENTITY)
+        .sampled()
+        .noting(note))
 }
 
 /// The states of a refined chain that came from the divided one.
@@ -100,13 +105,16 @@ fn equation_11(input: &Inputs) -> Result<Finding, ClaimError> {
     let worst = over_random_refinements(input, |chain, refinement| {
         let refined = refinement.refined(chain)?;
         let state = refinement.state();
-        let new: Vec<usize> =
-            (0..refined.states()).filter(|i| is_sub_state(chain, refinement, *i)).collect();
+        let new: Vec<usize> = (0..refined.states())
+            .filter(|i| is_sub_state(chain, refinement, *i))
+            .collect();
         let pairs = (0..chain.states()).filter(|j| *j != state).map(|j| {
             let parts = compensated_sum(new.iter().map(|k| term(&refined, j, *k)));
             parts - term(chain, j, state)
         });
-        let own = new.iter().flat_map(|k| new.iter().map(|l| term(&refined, *k, *l)));
+        let own = new
+            .iter()
+            .flat_map(|k| new.iter().map(|l| term(&refined, *k, *l)));
         let own = compensated_sum(own) - term(chain, state, state);
         let increase = 2.0 * compensated_sum(pairs) + if omit { 0.0 } else { own };
         Ok((mutual_information(&refined) - mutual_information(chain) - increase).abs())
@@ -129,7 +137,10 @@ fn log_sum_inequality(input: &Inputs) -> Result<Finding, ClaimError> {
             a[0] = -0.5 * a[1..].iter().sum::<f64>();
             b[0] = -0.1 * b[1..].iter().sum::<f64>();
         }
-        let parts = a.iter().zip(&b).map(|(a, b)| x_log2_ratio(a.abs(), b.abs()) * a.signum());
+        let parts = a
+            .iter()
+            .zip(&b)
+            .map(|(a, b)| x_log2_ratio(a.abs(), b.abs()) * a.signum());
         let (sum_a, sum_b) = (a.iter().sum::<f64>(), b.iter().sum::<f64>());
         smallest = smallest.min(compensated_sum(parts) - x_log2_ratio(sum_a, sum_b));
     }
@@ -171,7 +182,11 @@ fn inequality_14(input: &Inputs) -> Result<Finding, ClaimError> {
         let left = x_log2_ratio(beyond, line - cut + dark);
         smallest = smallest.min(x_log2_ratio(beyond, line - cut) - left);
     }
-    Ok(Finding::statement(smallest >= 0.0, smallest, tolerance::IDENTITY))
+    Ok(Finding::statement(
+        smallest >= 0.0,
+        smallest,
+        tolerance::IDENTITY,
+    ))
 }
 
 fn limit_of_the_discontinuity_line(input: &Inputs) -> Result<Finding, ClaimError> {

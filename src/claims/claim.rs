@@ -56,8 +56,14 @@ impl Printed {
     #[must_use]
     pub fn parse(text: &str) -> Option<Self> {
         let value: f64 = text.parse().ok().filter(|value: &f64| value.is_finite())?;
-        let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-        Some(Self { text: text.to_owned(), value, decimals: decimals.try_into().ok()? })
+        let decimals = text
+            .split_once('.')
+            .map_or(0, |(_, decimals)| decimals.len());
+        Some(Self {
+            text: text.to_owned(),
+            value,
+            decimals: decimals.try_into().ok()?,
+        })
     }
 
     /// The interval it stands for.
@@ -106,12 +112,28 @@ impl TryFrom<Entry> for Claim {
         let task = match (entry.computation, entry.verdict, entry.not_checked) {
             (Some(computation), Some(recorded), None) => {
                 let (input, control) = (entry.input, entry.control);
-                Task::Compute { computation, input, control, recorded }
+                Task::Compute {
+                    computation,
+                    input,
+                    control,
+                    recorded,
+                }
             }
             (None, None, Some(reason)) => Task::NotChecked { reason },
-            _ => return Err(format!("claim {id}: needs computation and verdict, or not_checked")),
+            _ => {
+                return Err(format!(
+                    "claim {id}: needs computation and verdict, or not_checked"
+                ));
+            }
         };
         let (place, quantity, complete) = (entry.place, entry.quantity, entry.complete);
-        Ok(Self { id, place, quantity, printed, complete, task })
+        Ok(Self {
+            id,
+            place,
+            quantity,
+            printed,
+            complete,
+            task,
+        })
     }
 }

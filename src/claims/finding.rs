@@ -90,12 +90,21 @@ impl Finding {
     /// An identity, with what is left of it.
     #[must_use]
     pub fn residual(value: f64, tolerance: f64) -> Self {
-        Self::new(Measure::Residual { value, tolerance }, Some(value <= tolerance))
+        Self::new(
+            Measure::Residual { value, tolerance },
+            Some(value <= tolerance),
+        )
     }
 
     const fn new(measure: Measure, holds: Option<bool>) -> Self {
         let evidence = Evidence::Estimate;
-        Self { measure, holds, evidence, note: String::new(), curve: Vec::new() }
+        Self {
+            measure,
+            holds,
+            evidence,
+            note: String::new(),
+            curve: Vec::new(),
+        }
     }
 
     /// The same, from random or scanned cases only.

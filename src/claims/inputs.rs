@@ -14,10 +14,10 @@ impl Inputs {
     /// # Errors
     /// [`ClaimError::Input`] if there is none.
     pub fn number(&self, name: &'static str) -> Result<f64, ClaimError> {
-        self.0
-            .get(name)
-            .copied()
-            .ok_or_else(|| ClaimError::Input { name, reason: "is missing".to_owned() })
+        self.0.get(name).copied().ok_or_else(|| ClaimError::Input {
+            name,
+            reason: "is missing".to_owned(),
+        })
     }
 
     /// The whole number ≥ 0 under a name.
@@ -50,7 +50,9 @@ impl Inputs {
     #[must_use]
     pub fn changed_by(&self, changes: &Self) -> Self {
         let mut changed = self.clone();
-        changed.0.extend(changes.0.iter().map(|(name, value)| (name.clone(), *value)));
+        changed
+            .0
+            .extend(changes.0.iter().map(|(name, value)| (name.clone(), *value)));
         changed
     }
 

@@ -20,9 +20,9 @@ mod section_4_2;
 mod section_5;
 mod verdict;
 
-pub use claim::{Claim, Task};
+pub use claim::{Claim, Printed, Task};
 pub use error::ClaimError;
 pub use finding::{Evidence, Finding, Measure};
 pub use inputs::Inputs;
-pub use registry::{Judgement, computations, judge, judge_control, registry};
+pub use registry::{Computation, Judgement, computations, judge, judge_control, registry};
 pub use verdict::Verdict;

@@ -5,15 +5,33 @@ use super::{ClaimError, Finding, Inputs, Verdict};
 use super::{appendix, section_2, section_3, section_4_1, section_4_2, section_5};
 
 /// A function that computes a claim.
-pub(super) type Computation = fn(&Inputs) -> Result<Finding, ClaimError>;
+pub type Computation = fn(&Inputs) -> Result<Finding, ClaimError>;
 
 const FILES: [(&str, &str); 6] = [
-    ("section-1.toml", include_str!("../../data/paper/section-1.toml")),
-    ("section-2.toml", include_str!("../../data/paper/section-2.toml")),
-    ("section-3.toml", include_str!("../../data/paper/section-3.toml")),
-    ("section-4.toml", include_str!("../../data/paper/section-4.toml")),
-    ("section-5.toml", include_str!("../../data/paper/section-5.toml")),
-    ("appendix.toml", include_str!("../../data/paper/appendix.toml")),
+    (
+        "section-1.toml",
+        include_str!("../../data/paper/section-1.toml"),
+    ),
+    (
+        "section-2.toml",
+        include_str!("../../data/paper/section-2.toml"),
+    ),
+    (
+        "section-3.toml",
+        include_str!("../../data/paper/section-3.toml"),
+    ),
+    (
+        "section-4.toml",
+        include_str!("../../data/paper/section-4.toml"),
+    ),
+    (
+        "section-5.toml",
+        include_str!("../../data/paper/section-5.toml"),
+    ),
+    (
+        "appendix.toml",
+        include_str!("../../data/paper/appendix.toml"),
+    ),
 ];
 
 #[derive(serde::Deserialize)]
@@ -43,7 +61,7 @@ pub fn registry() -> Result<Vec<Claim>, ClaimError> {
 
 /// Every computation by its name.
 #[must_use]
-pub fn computations() -> Vec<(&'static str, fn(&Inputs) -> Result<Finding, ClaimError>)> {
+pub fn computations() -> Vec<(&'static str, Computation)> {
     [
         section_2::COMPUTATIONS,
         section_3::COMPUTATIONS,
@@ -110,20 +128,37 @@ pub fn judge_control(claim: &Claim) -> Result<Judgement, ClaimError> {
 
 fn judge_with(claim: &Claim, changes: &Inputs) -> Result<Judgement, ClaimError> {
     let mut claim = claim.clone();
-    let Task::Compute { computation, input, .. } = &claim.task else {
-        return Ok(Judgement { claim, finding: None, verdict: Verdict::NotChecked });
+    let Task::Compute {
+        computation, input, ..
+    } = &claim.task
+    else {
+        return Ok(Judgement {
+            claim,
+            finding: None,
+            verdict: Verdict::NotChecked,
+        });
     };
     let mut input = input.changed_by(changes);
-    let found = computations().into_iter().find(|(name, _)| name == computation);
+    let found = computations()
+        .into_iter()
+        .find(|(name, _)| name == computation);
     let (_, compute) = found.ok_or_else(|| ClaimError::Input {
         name: "computation",
         reason: format!("\"{computation}\" of claim {} does not exist", claim.id),
     })?;
     if let Some(value) = input.take("printed") {
         let decimals = claim.printed.as_ref().map_or(0, |printed| printed.decimals);
-        claim.printed = Some(Printed { text: value.to_string(), value, decimals });
+        claim.printed = Some(Printed {
+            text: value.to_string(),
+            value,
+            decimals,
+        });
     }
     let finding = compute(&input)?;
     let verdict = Verdict::of(&claim, &finding);
-    Ok(Judgement { claim, finding: Some(finding), verdict })
+    Ok(Judgement {
+        claim,
+        finding: Some(finding),
+        verdict,
+    })
 }

@@ -24,7 +24,13 @@ pub(super) fn cube(input: &Inputs) -> Result<Scene, ClaimError> {
 
 /// The largest number, NaN counting as infinite.
 pub(super) fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
-    numbers.into_iter().fold(0.0, |largest, x| if x > largest || x.is_nan() { x } else { largest })
+    numbers.into_iter().fold(0.0, |largest, x| {
+        if x > largest || x.is_nan() {
+            x
+        } else {
+            largest
+        }
+    })
 }
 
 /// X⁰ in state 0, then `Xᵏ⁺¹ = Xᵏ P`.
@@ -61,8 +67,13 @@ fn form_factors_are_reciprocal(input: &Inputs) -> Result<Finding, ClaimError> {
     for i in 0..scene.patches().len() {
         for j in 0..i {
             let (first, second) = (scene.rectangle(i)?, scene.rectangle(j)?);
-            let there = RectanglePair::try_new(&first, &second)?.exchange_area()?.value;
-            let back = factor * RectanglePair::try_new(&second, &first)?.exchange_area()?.value;
+            let there = RectanglePair::try_new(&first, &second)?
+                .exchange_area()?
+                .value;
+            let back = factor
+                * RectanglePair::try_new(&second, &first)?
+                    .exchange_area()?
+                    .value;
             if there > 0.0 {
                 worst = worst.max((back / there - 1.0).abs());
             }
@@ -88,18 +99,24 @@ fn information_is_mutual(input: &Inputs) -> Result<Finding, ClaimError> {
     for _ in 0..input.count("chains")? {
         let chain = random.chain(8)?;
         let n = chain.states();
-        let flow = |i: usize, j: usize| {
-            chain.joint()[(i, j)] * if j < i { 1.0 + skew } else { 1.0 }
-        };
+        let flow =
+            |i: usize, j: usize| chain.joint()[(i, j)] * if j < i { 1.0 + skew } else { 1.0 };
         let weight: Vec<f64> = (0..n).map(|i| (0..n).map(|j| flow(i, j)).sum()).collect();
         let total: f64 = weight.iter().sum();
         // entropy of a row of numbers that should sum to w
         let conditional = |row: Vec<f64>, w: f64| -> f64 {
-            if w > 0.0 { row.iter().map(|x| -w * x_log2_x(x / w)).sum() } else { 0.0 }
+            if w > 0.0 {
+                row.iter().map(|x| -w * x_log2_x(x / w)).sum()
+            } else {
+                0.0
+            }
         };
-        let next: f64 = (0..n).map(|i| conditional((0..n).map(|j| flow(i, j)).collect(), weight[i])).sum();
-        let previous: f64 =
-            (0..n).map(|j| conditional((0..n).map(|i| flow(i, j)).collect(), weight[j])).sum();
+        let next: f64 = (0..n)
+            .map(|i| conditional((0..n).map(|j| flow(i, j)).collect(), weight[i]))
+            .sum();
+        let previous: f64 = (0..n)
+            .map(|j| conditional((0..n).map(|i| flow(i, j)).collect(), weight[j]))
+            .sum();
         worst = worst.max((next - previous).abs() / total);
     }
     Ok(Finding::residual(worst, tolerance::IDENTITY).sampled())

@@ -18,10 +18,19 @@ pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
     ("destination_weight_drops_out", destination_weight_drops_out),
     ("regular_form", regular_form),
     ("subdivision_bound_holds", subdivision_bound_holds),
-    ("subdivision_bound_is_attained", subdivision_bound_is_attained),
+    (
+        "subdivision_bound_is_attained",
+        subdivision_bound_is_attained,
+    ),
     ("bounds_sum_to_weight", bounds_sum_to_weight),
-    ("largest_weight_has_largest_potential", largest_weight_has_largest_potential),
-    ("split_patches_fulfil_the_hypotheses", split_patches_fulfil_the_hypotheses),
+    (
+        "largest_weight_has_largest_potential",
+        largest_weight_has_largest_potential,
+    ),
+    (
+        "split_patches_fulfil_the_hypotheses",
+        split_patches_fulfil_the_hypotheses,
+    ),
     ("visibility_bound_holds", visibility_bound_holds),
     ("bounds_sum_to_area", bounds_sum_to_area),
 ];
@@ -54,7 +63,11 @@ fn theorem_1(input: &Inputs) -> Result<Finding, ClaimError> {
 fn pair_increases_add_up(input: &Inputs) -> Result<Finding, ClaimError> {
     let scene = cube(input)?;
     let chain_of = |name| -> Result<_, ClaimError> {
-        Ok(visibility_chain(&scene.with_patch_split(0, SplitAxis::U, input.number(name)?)?)?)
+        Ok(visibility_chain(&scene.with_patch_split(
+            0,
+            SplitAxis::U,
+            input.number(name)?,
+        )?)?)
     };
     let (chain, refined) = (visibility_chain(&scene)?, chain_of("position")?);
     let formula = chain_of("formula_position")?;
@@ -62,7 +75,11 @@ fn pair_increases_add_up(input: &Inputs) -> Result<Finding, ClaimError> {
     let term = |chain: &ReversibleChain, i: usize, j: usize| {
         let joint = chain.joint()[(i, j)] / chain.total();
         let ratio = chain.transition_probability(i, j) / chain.stationary_probability(j);
-        if joint > 0.0 { joint * ratio.log2() } else { 0.0 }
+        if joint > 0.0 {
+            joint * ratio.log2()
+        } else {
+            0.0
+        }
     };
     let increases = (1..chain.states())
         .map(|j| term(&formula, near, j) + term(&formula, far, j) - term(&chain, 0, j));
@@ -158,7 +175,9 @@ fn bounds_sum_to_weight(input: &Inputs) -> Result<Finding, ClaimError> {
 fn bounds_sum_to_area(input: &Inputs) -> Result<Finding, ClaimError> {
     let scene = cube(input)?;
     let chain = visibility_chain(&scene)?;
-    bounds_sum_to(&chain, input, |i| scene.patches()[i].shape().area() / scene.total_area())
+    bounds_sum_to(&chain, input, |i| {
+        scene.patches()[i].shape().area() / scene.total_area()
+    })
 }
 
 /// `Σ_j 2 w_i P_ij log2 m` against `2 w_i log2 m`, the weights from elsewhere.
@@ -170,7 +189,9 @@ fn bounds_sum_to(
     let (parts, formula_parts) = (input.count("parts")?, input.count("formula_parts")?);
     let deviations = (0..chain.states()).map(|i| {
         let row = chain.joint().column(i);
-        let bounds = row.iter().map(|joint| subdivision_bound(joint / chain.total(), parts));
+        let bounds = row
+            .iter()
+            .map(|joint| subdivision_bound(joint / chain.total(), parts));
         let total = 2.0 * weight(i) * f64::from(formula_parts).log2();
         (compensated_sum(bounds) / total - 1.0).abs()
     });
@@ -185,7 +206,13 @@ fn largest_weight_has_largest_potential(input: &Inputs) -> Result<Finding, Claim
     for _ in 0..count {
         let chain = random.chain(8)?;
         let potential = |i: usize| {
-            compensated_sum(chain.joint().column(i).iter().map(|joint| subdivision_bound(*joint, 2)))
+            compensated_sum(
+                chain
+                    .joint()
+                    .column(i)
+                    .iter()
+                    .map(|joint| subdivision_bound(*joint, 2)),
+            )
         };
         let heaviest = argmax(chain.states(), |i| chain.weights()[i].powf(power));
         agreeing += u32::from(heaviest == argmax(chain.states(), potential));
@@ -236,5 +263,9 @@ fn visibility_bound_holds(input: &Inputs) -> Result<Finding, ClaimError> {
             }
         }
     }
-    Ok(Finding::statement(largest_ratio <= 1.0, largest_ratio, tolerance::GAIN))
+    Ok(Finding::statement(
+        largest_ratio <= 1.0,
+        largest_ratio,
+        tolerance::GAIN,
+    ))
 }

@@ -8,16 +8,28 @@ use crate::numeric::{maximum, tolerance};
 use crate::scene::Scene;
 
 pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
-    ("discontinuity_beats_darker_cuts", discontinuity_beats_darker_cuts),
+    (
+        "discontinuity_beats_darker_cuts",
+        discontinuity_beats_darker_cuts,
+    ),
     ("discontinuity_beats_lit_cuts", discontinuity_beats_lit_cuts),
     ("orthogonal_cut_gains_little", orthogonal_cut_gains_little),
-    ("orthogonal_middle_gains_nothing", orthogonal_middle_gains_nothing),
+    (
+        "orthogonal_middle_gains_nothing",
+        orthogonal_middle_gains_nothing,
+    ),
     ("best_parallel_cut", best_parallel_cut),
     ("curve_has_one_maximum", curve_has_one_maximum),
     ("best_corner_cut", best_corner_cut),
-    ("orthogonal_slope_explains_the_shift", orthogonal_slope_explains_the_shift),
+    (
+        "orthogonal_slope_explains_the_shift",
+        orthogonal_slope_explains_the_shift,
+    ),
     ("best_three_cell_grid", best_three_cell_grid),
-    ("best_grid_lies_nearer_to_the_edges", best_grid_lies_nearer_to_the_edges),
+    (
+        "best_grid_lies_nearer_to_the_edges",
+        best_grid_lies_nearer_to_the_edges,
+    ),
     ("figure_4_cases_lose", figure_4_cases_lose),
     ("best_grid_information", best_grid_information),
     ("regular_grid_information", regular_grid_information),
@@ -44,7 +56,9 @@ fn discontinuity_beats_darker_cuts(input: &Inputs) -> Result<Finding, ClaimError
         }
     }
     let holds = largest < 1.0;
-    Ok(Finding::statement(holds, largest, tolerance::GAIN).sampled().with_curve(curve))
+    Ok(Finding::statement(holds, largest, tolerance::GAIN)
+        .sampled()
+        .with_curve(curve))
 }
 
 /// Cuts through the lit part, with a constant point-to-point form factor (`uniform`) or the true one.
@@ -52,7 +66,13 @@ fn discontinuity_beats_lit_cuts(input: &Inputs) -> Result<Finding, ClaimError> {
     let line = input.number("line")?;
     let shadow = ContactShadow::try_new(line)?;
     let uniform = input.switch("uniform")?;
-    let gain = |t: f64| if uniform { Ok(shadow.uniform_gain(t)) } else { shadow.gain(t) };
+    let gain = |t: f64| {
+        if uniform {
+            Ok(shadow.uniform_gain(t))
+        } else {
+            shadow.gain(t)
+        }
+    };
     let at_line = gain(line)?;
     let mut curve = Vec::new();
     let mut largest: f64 = 0.0;
@@ -64,16 +84,28 @@ fn discontinuity_beats_lit_cuts(input: &Inputs) -> Result<Finding, ClaimError> {
         }
     }
     let holds = largest < 1.0;
-    Ok(Finding::statement(holds, largest, tolerance::GAIN).sampled().with_curve(curve))
+    Ok(Finding::statement(holds, largest, tolerance::GAIN)
+        .sampled()
+        .with_curve(curve))
 }
 
 pub(super) fn two_squares(axis: SplitAxis) -> Result<PatchSplit, ClaimError> {
-    Ok(PatchSplit::try_new(&Scene::built_in("two-squares")?, 0, &[1], axis)?)
+    Ok(PatchSplit::try_new(
+        &Scene::built_in("two-squares")?,
+        0,
+        &[1],
+        axis,
+    )?)
 }
 
 fn corner(neighbours: u32) -> Result<PatchSplit, ClaimError> {
     let against: Vec<usize> = (1..=neighbours as usize).collect();
-    Ok(PatchSplit::try_new(&Scene::built_in("three-squares")?, 0, &against, SplitAxis::U)?)
+    Ok(PatchSplit::try_new(
+        &Scene::built_in("three-squares")?,
+        0,
+        &against,
+        SplitAxis::U,
+    )?)
 }
 
 fn curve(split: &PatchSplit) -> Result<Vec<[f64; 2]>, ClaimError> {
@@ -106,7 +138,11 @@ fn best_parallel_cut(input: &Inputs) -> Result<Finding, ClaimError> {
     let scene = Scene::floor_and_wall(input.number("depth")?)?;
     let split = PatchSplit::try_new(&scene, 0, &[1], SplitAxis::U)?;
     let best = split.best(2)?;
-    let note = format!("gain {:.7} bit, {:.7} in the middle", best.gain, split.gain(&[0.5])?);
+    let note = format!(
+        "gain {:.7} bit, {:.7} in the middle",
+        best.gain,
+        split.gain(&[0.5])?
+    );
     Ok(Finding::value(best.positions[0], tolerance::POSITION).noting(note))
 }
 
@@ -153,9 +189,16 @@ fn three_cells(t: f64) -> Result<CubeGrid, ClaimError> {
 }
 
 fn best_three_cell_line() -> Result<f64, ClaimError> {
-    let information =
-        |t: f64| three_cells(t).and_then(|grid| Ok(grid.mutual_information()?)).unwrap_or(f64::NAN);
-    let slope = |t: f64| three_cells(t).and_then(|grid| Ok(grid.gradient()?[0])).unwrap_or(f64::NAN);
+    let information = |t: f64| {
+        three_cells(t)
+            .and_then(|grid| Ok(grid.mutual_information()?))
+            .unwrap_or(f64::NAN)
+    };
+    let slope = |t: f64| {
+        three_cells(t)
+            .and_then(|grid| Ok(grid.gradient()?[0]))
+            .unwrap_or(f64::NAN)
+    };
     // cells narrower than a twentieth of an edge are none of the figure's
     Ok(maximum(information, slope, (0.05, 0.45), 16)?.position)
 }
@@ -177,20 +220,28 @@ fn best_three_cell_grid(input: &Inputs) -> Result<Finding, ClaimError> {
 fn best_grid_lies_nearer_to_the_edges(input: &Inputs) -> Result<Finding, ClaimError> {
     let regular = input.number("regular")?;
     let displacement = 20.0 * (regular - best_three_cell_line()?);
-    let gain = CubeGrid::best(3)?.mutual_information()? - three_cells(regular)?.mutual_information()?;
+    let gain =
+        CubeGrid::best(3)?.mutual_information()? - three_cells(regular)?.mutual_information()?;
     let note = format!("it gains {gain:.5} bit over the regular grid");
     let holds = displacement > 0.0 && gain > 0.0;
     Ok(Finding::statement(holds, displacement, 20.0 * tolerance::POSITION).noting(note))
 }
 
 fn figure_4_cases_lose(input: &Inputs) -> Result<Finding, ClaimError> {
-    let at = |x: f64| -> Result<f64, ClaimError> { Ok(three_cells(x / 20.0)?.mutual_information()?) };
-    let [lower, best, upper] =
-        [at(input.number("lower")?)?, at(input.number("best")?)?, at(input.number("upper")?)?];
+    let at =
+        |x: f64| -> Result<f64, ClaimError> { Ok(three_cells(x / 20.0)?.mutual_information()?) };
+    let [lower, best, upper] = [
+        at(input.number("lower")?)?,
+        at(input.number("best")?)?,
+        at(input.number("upper")?)?,
+    ];
     let curve = points(100)
         .map(|share| Ok([10.0 * share, at(10.0 * share)?]))
         .collect::<Result<Vec<_>, ClaimError>>()?;
-    let turns = curve.windows(3).filter(|w| w[1][1] > w[0][1] && w[1][1] >= w[2][1]).count();
+    let turns = curve
+        .windows(3)
+        .filter(|w| w[1][1] > w[0][1] && w[1][1] >= w[2][1])
+        .count();
     let lost = best - lower.max(upper);
     let note = format!("{lower:.5} bit at 2, {best:.5} near 6, {upper:.5} at 8");
     let finding = Finding::statement(lost > 0.0 && turns == 1, lost, tolerance::GRID_INFORMATION);
@@ -231,12 +282,19 @@ fn regular_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
 fn best_grid_beats_regular_grid(input: &Inputs) -> Result<Finding, ClaimError> {
     let cells = input.count("cells")?;
     let (best, regular) = (CubeGrid::best(cells)?, CubeGrid::regular(cells)?);
-    let moved: Vec<f64> =
-        regular.lines().iter().zip(best.lines()).map(|(line, best)| 2.0 * line - best).collect();
+    let moved: Vec<f64> = regular
+        .lines()
+        .iter()
+        .zip(best.lines())
+        .map(|(line, best)| 2.0 * line - best)
+        .collect();
     let levels = [best.mutual_information()?, regular.mutual_information()?];
     let mirrored = CubeGrid::try_new(&moved)?.mutual_information()?;
     let advantage = levels[0] - levels[1];
     let holds = advantage > tolerance::IDENTITY && levels[1] > mirrored;
-    let note = format!("lines moved as far the other way: {mirrored:.5} bit against {:.5}", levels[1]);
+    let note = format!(
+        "lines moved as far the other way: {mirrored:.5} bit against {:.5}",
+        levels[1]
+    );
     Ok(Finding::statement(holds, advantage, 2.0 * tolerance::GRID_INFORMATION).noting(note))
 }

@@ -24,7 +24,10 @@ fn cut(input: &Inputs) -> Result<GradientCut, ClaimError> {
 /// The printed expression against eq. (5), its fluxes ∫B and weights ∫B H by quadrature of the profile
 /// itself, H the irradiance; no emission and constant reflectance make H ∝ B.
 fn objective_follows(input: &Inputs) -> Result<Finding, ClaimError> {
-    let (n, m) = (input.number("exponent")?, input.number("irradiance_exponent")?);
+    let (n, m) = (
+        input.number("exponent")?,
+        input.number("irradiance_exponent")?,
+    );
     let share = |power: f64, l: f64| -> Result<[f64; 2], ClaimError> {
         let profile = |x: f64| x.powf(power);
         let near = integral(profile, (0.0, l), 1e-14)?.value;
@@ -46,9 +49,16 @@ fn objective_follows(input: &Inputs) -> Result<Finding, ClaimError> {
 /// Lines through the square that lean by up to its width, against the best cut with `reference_lean`.
 fn best_cut_is_perpendicular(input: &Inputs) -> Result<Finding, ClaimError> {
     let gradient = cut(input)?;
-    let (n, m) = (input.number("exponent")?, input.number("irradiance_exponent")?);
+    let (n, m) = (
+        input.number("exponent")?,
+        input.number("irradiance_exponent")?,
+    );
     let middle = gradient.mutual_information_cut()?.position;
-    let reference = StraightCut { middle, lean: input.number("reference_lean")? }.gain(n, m)?;
+    let reference = StraightCut {
+        middle,
+        lean: input.number("reference_lean")?,
+    }
+    .gain(n, m)?;
     let mut largest_ratio: f64 = 0.0;
     for lean in (1..=20).map(|k| f64::from(k) / 20.0) {
         for middle in (1..40).map(|k| f64::from(k) / 40.0) {
@@ -62,8 +72,13 @@ fn best_cut_is_perpendicular(input: &Inputs) -> Result<Finding, ClaimError> {
 fn information_cut(input: &Inputs) -> Result<Finding, ClaimError> {
     let found = cut(input)?.mutual_information_cut()?;
     let n = input.number("exponent")?;
-    let derived = GradientCut::try_new(n, n)?.mutual_information_cut()?.position;
-    let note = format!("gain {:.6} bit; {derived:.4} for irradiance growing as the radiosity", found.value);
+    let derived = GradientCut::try_new(n, n)?
+        .mutual_information_cut()?
+        .position;
+    let note = format!(
+        "gain {:.6} bit; {derived:.4} for irradiance growing as the radiosity",
+        found.value
+    );
     Ok(Finding::value(found.position, tolerance::POSITION).noting(note))
 }
 
@@ -75,7 +90,9 @@ fn polynomial_follows(input: &Inputs) -> Result<Finding, ClaimError> {
     let mut is_least = true;
     for n in 1..=4 {
         let power = f64::from(n);
-        let l = GradientCut::try_new(power, 1.0)?.mean_square_cut()?.position;
+        let l = GradientCut::try_new(power, 1.0)?
+            .mean_square_cut()?
+            .position;
         let error = |l: f64| -> Result<f64, ClaimError> {
             let mut sum = 0.0;
             for (from, to) in [(0.0, l), (l, 1.0)] {

@@ -10,9 +10,18 @@ use crate::numeric::{HighPrecision, Scalar, compensated_sum, tolerance, x_log2_r
 use crate::scene::Scene;
 
 pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
-    ("printed_gain_is_not_normalised", printed_gain_is_not_normalised),
-    ("printed_maximum_is_not_normalised", printed_maximum_is_not_normalised),
-    ("potential_is_far_from_real_gain", potential_is_far_from_real_gain),
+    (
+        "printed_gain_is_not_normalised",
+        printed_gain_is_not_normalised,
+    ),
+    (
+        "printed_maximum_is_not_normalised",
+        printed_maximum_is_not_normalised,
+    ),
+    (
+        "potential_is_far_from_real_gain",
+        potential_is_far_from_real_gain,
+    ),
     ("gain_grows_with_gradient", gain_grows_with_gradient),
     ("stable_gain_keeps_its_digits", stable_gain_keeps_its_digits),
 ];
@@ -30,7 +39,11 @@ fn printed_gain_is_not_normalised(input: &Inputs) -> Result<Finding, ClaimError>
     // 2 B_i B_j ( Σ_k A_k F_kj log F_kj − A_i F_ij log F_ij ), summed over j; A_i = 1
     let printed = compensated_sum((1..scene.patches().len()).flat_map(|j| {
         let part = |k: usize, area: f64| x_log2_ratio(parts.values()[(k, j)], area);
-        [part(0, areas[0]), part(far, areas[1]), -x_log2_ratio(whole.values()[(0, j)], 1.0)]
+        [
+            part(0, areas[0]),
+            part(far, areas[1]),
+            -x_log2_ratio(whole.values()[(0, j)], 1.0),
+        ]
     }));
     ratio_to_truth(2.0 * printed / gain, scene.total_area(), input)
 }
@@ -45,7 +58,11 @@ fn printed_maximum_is_not_normalised(input: &Inputs) -> Result<Finding, ClaimErr
 }
 
 fn ratio_to_truth(ratio: f64, total: f64, input: &Inputs) -> Result<Finding, ClaimError> {
-    let ratio = if input.switch("normalised")? { ratio / total } else { ratio };
+    let ratio = if input.switch("normalised")? {
+        ratio / total
+    } else {
+        ratio
+    };
     let holds = (ratio - 1.0).abs() <= tolerance::CLOSURE;
     let note = format!(
         "the printed expression lacks the factor 1/Σw: with Σw = {total:.0} it is {ratio:.3} times the \
@@ -59,7 +76,11 @@ fn potential_is_far_from_real_gain(input: &Inputs) -> Result<Finding, ClaimError
     let scene = Scene::facing_squares(input.number("distance")?)?;
     let split = PatchSplit::try_new(&scene, 0, &[1], SplitAxis::U)?;
     let share = split.gain(&regular_positions(3))? / split.maximum_gain(3)?;
-    Ok(Finding::statement(share < input.number("far")?, share, tolerance::GAIN))
+    Ok(Finding::statement(
+        share < input.number("far")?,
+        share,
+        tolerance::GAIN,
+    ))
 }
 
 /// Two halves with form factors F (1 ± g), g from 0 to 1; with `flux_loss` the total falls as g grows.
@@ -69,8 +90,13 @@ fn gain_grows_with_gradient(input: &Inputs) -> Result<Finding, ClaimError> {
         let flux = 1.0 - loss * g;
         divergence(&[flux * (1.0 + g), flux * (1.0 - g)], &[1.0, 1.0])
     };
-    let curve: Vec<[f64; 2]> = (0..=100).map(|k| f64::from(k) / 100.0).map(|g| [g, gain(g)]).collect();
-    let steps = curve.windows(2).map(|pair| (pair[1][1] - pair[0][1]) / gain(0.5));
+    let curve: Vec<[f64; 2]> = (0..=100)
+        .map(|k| f64::from(k) / 100.0)
+        .map(|g| [g, gain(g)])
+        .collect();
+    let steps = curve
+        .windows(2)
+        .map(|pair| (pair[1][1] - pair[0][1]) / gain(0.5));
     let smallest = steps.fold(f64::INFINITY, f64::min);
     let finding = Finding::statement(smallest > 0.0, smallest, tolerance::GAIN);
     Ok(finding.sampled().with_curve(curve))
@@ -89,7 +115,11 @@ fn stable_gain_keeps_its_digits(input: &Inputs) -> Result<Finding, ClaimError> {
     let error = |value: f64| ((number(value) - &exact) / &exact).abs().to_f64();
     let stable = error(divergence(&fluxes, &[1.0, 1.0]));
     let plain = error(x_log2_ratio(fluxes[0], 1.0) + x_log2_ratio(fluxes[1], 1.0));
-    let computed = if input.switch("stable")? { stable } else { plain };
+    let computed = if input.switch("stable")? {
+        stable
+    } else {
+        plain
+    };
     let note = format!(
         "the plain expression is off by a factor {plain:.1e} of the gain; written as a sum of \
          non-negative terms it keeps all digits, at the same cost"

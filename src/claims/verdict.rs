@@ -31,8 +31,13 @@ pub enum Verdict {
 
 impl Verdict {
     /// All verdicts.
-    pub const ALL: [Self; 5] =
-        [Self::Confirmed, Self::Supported, Self::Refuted, Self::Undecided, Self::NotChecked];
+    pub const ALL: [Self; 5] = [
+        Self::Confirmed,
+        Self::Supported,
+        Self::Refuted,
+        Self::Undecided,
+        Self::NotChecked,
+    ];
 
     /// The word used in tables and in JSON.
     #[must_use]

@@ -27,7 +27,10 @@ impl Curve {
         let claims = selected(std::slice::from_ref(&self.id))?;
         let mut curve = Vec::new();
         for claim in &claims {
-            curve = judge(claim)?.finding.map(|finding| finding.curve).unwrap_or_default();
+            curve = judge(claim)?
+                .finding
+                .map(|finding| finding.curve)
+                .unwrap_or_default();
         }
         if curve.is_empty() {
             let mut with_curve = Vec::new();
@@ -37,7 +40,11 @@ impl Curve {
                     with_curve.push(claim.id);
                 }
             }
-            return Err(NoCurve { id: self.id.clone(), with_curve }.into());
+            return Err(NoCurve {
+                id: self.id.clone(),
+                with_curve,
+            }
+            .into());
         }
         self.output.write(&curve_report(&curve)?)
     }

@@ -12,7 +12,12 @@ pub(super) struct Cut {
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     exponent: f64,
     /// Irradiance grows as this power of l: 1 is what the paper prints, N what its hypotheses imply.
-    #[arg(long, value_name = "M", default_value_t = 1.0, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "M",
+        default_value_t = 1.0,
+        allow_negative_numbers = true
+    )]
     irradiance_exponent: f64,
     #[command(flatten)]
     output: Output,
@@ -55,7 +60,10 @@ impl Cut {
         };
         let table = Table {
             columns: vec!["cut by", "position l", "1 − l", "gain (bits) or error"],
-            rows: vec![row("mutual information", information), row("mean square", square)],
+            rows: vec![
+                row("mutual information", information),
+                row("mean square", square),
+            ],
             ..Table::default()
         };
         self.output.write(&Report::one(table, &record)?)

@@ -52,8 +52,10 @@ impl Output {
         if self.output == Path::new("-") {
             print(text.as_bytes())
         } else {
-            replace(&self.output, text.as_bytes())
-                .map_err(|source| CannotWrite { path: self.output.clone(), source })?;
+            replace(&self.output, text.as_bytes()).map_err(|source| CannotWrite {
+                path: self.output.clone(),
+                source,
+            })?;
             Ok(Outcome::Done)
         }
     }
@@ -70,20 +72,31 @@ pub(super) fn print(text: &[u8]) -> Answer {
 
 /// Writes beside the file and moves into place, so that no half-written file is ever seen.
 fn replace(path: &Path, text: &[u8]) -> io::Result<()> {
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let folder = path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty());
     let folder = folder.unwrap_or_else(|| Path::new("."));
     if !folder.is_dir() {
-        return Err(io::Error::new(io::ErrorKind::NotFound, "its folder does not exist"));
+        return Err(io::Error::new(
+            io::ErrorKind::NotFound,
+            "its folder does not exist",
+        ));
     }
     if path.is_dir() {
-        return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"));
+        return Err(io::Error::new(
+            io::ErrorKind::IsADirectory,
+            "it is a folder",
+        ));
     }
-    let mut file = tempfile::Builder::new().prefix(".infoscene-").tempfile_in(folder)?;
+    let mut file = tempfile::Builder::new()
+        .prefix(".infoscene-")
+        .tempfile_in(folder)?;
     file.write_all(text)?;
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;
-        file.as_file().set_permissions(std::fs::Permissions::from_mode(0o644))?;
+        file.as_file()
+            .set_permissions(std::fs::Permissions::from_mode(0o644))?;
     }
     file.persist(path)?;
     Ok(())

@@ -26,7 +26,11 @@ impl Reproduce {
         let judgements = claims.iter().map(judge).collect::<Result<Vec<_>, _>>()?;
         self.output.write(&reproduction_report(&judgements)?)?;
         let as_recorded = judgements.iter().all(|j| j.verdict == j.recorded());
-        Ok(if as_recorded { Outcome::Done } else { Outcome::Differs })
+        Ok(if as_recorded {
+            Outcome::Done
+        } else {
+            Outcome::Differs
+        })
     }
 }
 
@@ -36,11 +40,21 @@ pub(super) fn selected(ids: &[String]) -> Result<Vec<Claim>, ClaimError> {
     for id in ids {
         if !claims.iter().any(|claim| claim.id == *id) {
             let common = |claim: &Claim| {
-                claim.id.chars().zip(id.chars()).take_while(|(a, b)| a == b).count()
+                claim
+                    .id
+                    .chars()
+                    .zip(id.chars())
+                    .take_while(|(a, b)| a == b)
+                    .count()
             };
             let nearest = claims.iter().max_by_key(|claim| common(claim));
-            let nearest = nearest.filter(|claim| common(claim) > 1).map(|claim| claim.id.clone());
-            return Err(ClaimError::UnknownClaim { id: id.clone(), nearest });
+            let nearest = nearest
+                .filter(|claim| common(claim) > 1)
+                .map(|claim| claim.id.clone());
+            return Err(ClaimError::UnknownClaim {
+                id: id.clone(),
+                nearest,
+            });
         }
     }
     if !ids.is_empty() {

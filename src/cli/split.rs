@@ -51,7 +51,11 @@ impl Split {
     pub(super) fn answer(&self) -> Answer {
         let scene = Scene::built_in(&self.scene)?;
         let others = (0..scene.patches().len()).filter(|index| *index != self.patch);
-        let against = if self.against.is_empty() { others.collect() } else { self.against.clone() };
+        let against = if self.against.is_empty() {
+            others.collect()
+        } else {
+            self.against.clone()
+        };
         let axes = match self.axis {
             None => SplitAxis::ALL.to_vec(),
             Some(AxisName::U) => vec![SplitAxis::U],
@@ -62,14 +66,22 @@ impl Split {
             let found = self.along(&scene, &against, axis)?;
             // of equal axes the first
             let margin = 1.0 + tolerance::EQUAL_MAXIMA;
-            if best.as_ref().is_none_or(|best| found.gain > best.gain * margin) {
+            if best
+                .as_ref()
+                .is_none_or(|best| found.gain > best.gain * margin)
+            {
                 best = Some(found);
             }
         }
-        let Some(record) = best else { return Err("no axis to cut across".into()) };
+        let Some(record) = best else {
+            return Err("no axis to cut across".into());
+        };
         let bits = |value: f64| certain_digits(value, tolerance::GAIN * value.abs());
-        let positions: Vec<String> =
-            record.positions.iter().map(|t| certain_digits(*t, tolerance::POSITION)).collect();
+        let positions: Vec<String> = record
+            .positions
+            .iter()
+            .map(|t| certain_digits(*t, tolerance::POSITION))
+            .collect();
         let rows = [
             ("patch", record.patch.to_string()),
             ("axis", record.axis.to_owned()),
@@ -79,8 +91,14 @@ impl Split {
             ("largest gain possible, bits", bits(record.maximum_gain)),
             ("derivative left, bits", scientific(record.residual)),
         ];
-        let rows = rows.map(|(name, value)| vec![name.to_owned(), value]).to_vec();
-        let table = Table { columns: vec!["quantity", "value"], rows, ..Table::default() };
+        let rows = rows
+            .map(|(name, value)| vec![name.to_owned(), value])
+            .to_vec();
+        let table = Table {
+            columns: vec!["quantity", "value"],
+            rows,
+            ..Table::default()
+        };
         self.output.write(&Report::one(table, &record)?)
     }
 

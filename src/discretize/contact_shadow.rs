@@ -35,7 +35,11 @@ impl ContactShadow {
     pub fn try_new(line: f64) -> Result<Self, DiscretizeError> {
         if !(line > 0.0 && line < 1.0) {
             let (parameter, condition) = ("the discontinuity line", "inside (0, 1)");
-            return Err(DiscretizeError::OutOfRange { parameter, value: line, condition });
+            return Err(DiscretizeError::OutOfRange {
+                parameter,
+                value: line,
+                condition,
+            });
         }
         let scene = Scene::built_in("two-squares")?;
         let pair = RectanglePair::try_new(&scene.rectangle(0)?, &scene.rectangle(1)?)?;
@@ -48,8 +52,15 @@ impl ContactShadow {
     /// [`DiscretizeError::FormFactor`] unless `0 < position < 1`.
     pub fn gain(&self, position: f64) -> Result<f64, DiscretizeError> {
         let near = position.min(self.line);
-        let beyond = if position < self.line { self.exchange(position, self.line)? } else { 0.0 };
-        Ok(divergence(&[self.exchange(0.0, near)?, beyond], &[position, 1.0 - position]))
+        let beyond = if position < self.line {
+            self.exchange(position, self.line)?
+        } else {
+            0.0
+        };
+        Ok(divergence(
+            &[self.exchange(0.0, near)?, beyond],
+            &[position, 1.0 - position],
+        ))
     }
 
     /// What the floor and the wall exchange in all, up to the line.
@@ -75,8 +86,16 @@ impl ContactShadow {
     pub fn best_lit_cut(&self) -> Result<Option<f64>, DiscretizeError> {
         let exchange = |from, to| self.exchange(from, to).unwrap_or(f64::NAN);
         let derivative = |t: f64| {
-            let rate = self.pair.strip_exchange(SplitAxis::U, t).unwrap_or(f64::NAN);
-            stationarity(rate, 1.0, exchange(0.0, t) / t, exchange(t, self.line) / (1.0 - t))
+            let rate = self
+                .pair
+                .strip_exchange(SplitAxis::U, t)
+                .unwrap_or(f64::NAN);
+            stationarity(
+                rate,
+                1.0,
+                exchange(0.0, t) / t,
+                exchange(t, self.line) / (1.0 - t),
+            )
         };
         let gain = |t: f64| self.gain(t).unwrap_or(f64::NAN);
         match maximum(gain, derivative, (0.0, self.line), 32) {
@@ -104,6 +123,10 @@ impl ContactShadow {
     }
 
     fn exchange(&self, from: f64, to: f64) -> Result<f64, DiscretizeError> {
-        Ok(self.pair.part(SplitAxis::U, from, to)?.exchange_area()?.value)
+        Ok(self
+            .pair
+            .part(SplitAxis::U, from, to)?
+            .exchange_area()?
+            .value)
     }
 }

@@ -16,7 +16,7 @@
 use super::DiscretizeError;
 use crate::form_factor::{parallel, perpendicular};
 use crate::geometry::Span;
-use crate::numeric::{compensated_sum, maximum_of_many, divergence_kernel};
+use crate::numeric::{compensated_sum, divergence_kernel, maximum_of_many};
 use std::f64::consts::LN_2;
 
 /// Lines `0 < t_1 < … < 1` with `t_k + t_{n+1−k} = 1`, on both axes of all six faces of the unit cube.
@@ -36,14 +36,23 @@ impl CubeGrid {
     /// [`DiscretizeError::OutOfRange`] unless they are symmetric about 1/2.
     pub fn try_new(lines: &[f64]) -> Result<Self, DiscretizeError> {
         let mirrored = lines.iter().zip(lines.iter().rev());
-        if let Some((line, _)) = mirrored.into_iter().find(|(a, b)| (*a + *b - 1.0).abs() > f64::EPSILON) {
+        if let Some((line, _)) = mirrored
+            .into_iter()
+            .find(|(a, b)| (*a + *b - 1.0).abs() > f64::EPSILON)
+        {
             let (parameter, condition) = ("a grid line", "mirrored about 1/2 by another line");
-            return Err(DiscretizeError::OutOfRange { parameter, value: *line, condition });
+            return Err(DiscretizeError::OutOfRange {
+                parameter,
+                value: *line,
+                condition,
+            });
         }
         let from = std::iter::once(0.0).chain(lines.iter().copied());
         let to = lines.iter().copied().chain(std::iter::once(1.0));
-        let cells =
-            from.zip(to).map(|(from, to)| Span::try_new(from, to)).collect::<Result<_, _>>()?;
+        let cells = from
+            .zip(to)
+            .map(|(from, to)| Span::try_new(from, to))
+            .collect::<Result<_, _>>()?;
         Ok(Self { cells })
     }
 
@@ -54,7 +63,11 @@ impl CubeGrid {
     pub fn regular(cells: u32) -> Result<Self, DiscretizeError> {
         if cells == 0 {
             let (parameter, condition) = ("the number of cells", "at least 1");
-            return Err(DiscretizeError::OutOfRange { parameter, value: 0.0, condition });
+            return Err(DiscretizeError::OutOfRange {
+                parameter,
+                value: 0.0,
+                condition,
+            });
         }
         Self::try_new(&super::regular_positions(cells))
     }
@@ -106,7 +119,9 @@ impl CubeGrid {
         self.for_each_pair(|pair| {
             let independent = pair.areas / (TOTAL_AREA * TOTAL_AREA);
             let joint = pair.exchange()? / TOTAL_AREA;
-            terms.push(pair.multiplicity * independent * divergence_kernel(joint / independent - 1.0));
+            terms.push(
+                pair.multiplicity * independent * divergence_kernel(joint / independent - 1.0),
+            );
             Ok(())
         })?;
         // a face does not see itself: x = −1, φ = 1, on six faces
@@ -123,7 +138,9 @@ impl CubeGrid {
         let lines = self.cells.len() - 1;
         let mut terms = vec![Vec::new(); lines];
         self.for_each_pair(|pair| {
-            let rates = (0..lines).map(|k| pair.rate(k)).collect::<Result<Vec<f64>, _>>()?;
+            let rates = (0..lines)
+                .map(|k| pair.rate(k))
+                .collect::<Result<Vec<f64>, _>>()?;
             if rates.iter().all(|rate| rate.abs() <= 0.0) {
                 return Ok(());
             }
@@ -134,7 +151,10 @@ impl CubeGrid {
             }
             Ok(())
         })?;
-        Ok(terms.into_iter().map(|terms| compensated_sum(terms) / LN_2).collect())
+        Ok(terms
+            .into_iter()
+            .map(|terms| compensated_sum(terms) / LN_2)
+            .collect())
     }
 
     fn for_each_pair(
@@ -150,7 +170,14 @@ impl CubeGrid {
                         self.cells[row].length() * self.cells[column].length()
                     };
                     let areas = length(first) * length(second);
-                    visit(CellPair { cells: &self.cells, faces, multiplicity, first, second, areas })?;
+                    visit(CellPair {
+                        cells: &self.cells,
+                        faces,
+                        multiplicity,
+                        first,
+                        second,
+                        areas,
+                    })?;
                 }
             }
         }

@@ -27,7 +27,9 @@ pub enum DiscretizeError {
         patch: usize,
     },
     /// A patch was to be cut against itself.
-    #[error("patch {patch} cannot be cut against itself: it is planar and exchanges nothing with itself")]
+    #[error(
+        "patch {patch} cannot be cut against itself: it is planar and exchanges nothing with itself"
+    )]
     AgainstItself {
         /// The patch.
         patch: usize,

@@ -57,14 +57,24 @@ impl GradientCut {
     /// # Errors
     /// [`DiscretizeError::OutOfRange`] unless both lie in `[1e-6, 1e12]`.
     pub fn try_new(exponent: f64, irradiance_exponent: f64) -> Result<Self, DiscretizeError> {
-        let both = [("the exponent", exponent), ("the irradiance exponent", irradiance_exponent)];
+        let both = [
+            ("the exponent", exponent),
+            ("the irradiance exponent", irradiance_exponent),
+        ];
         for (parameter, value) in both {
             if !EXPONENTS.contains(&value) {
                 let condition = "> 0, from 1e-6 to 1e12";
-                return Err(DiscretizeError::OutOfRange { parameter, value, condition });
+                return Err(DiscretizeError::OutOfRange {
+                    parameter,
+                    value,
+                    condition,
+                });
             }
         }
-        Ok(Self { exponent, irradiance_exponent })
+        Ok(Self {
+            exponent,
+            irradiance_exponent,
+        })
     }
 
     /// The gain of a cut at `e^−τ`, in bits per unit of flux: the expression that §4.2 maximises.
@@ -140,7 +150,12 @@ impl GradientCut {
         let near = (-n * tau).exp() / (n + 1.0);
         let far = -(-(n + 1.0) * tau).exp_m1() / ((n + 1.0) * complement);
         let value = 1.0 / (2.0 * n + 1.0) - l * near * near - complement * far * far;
-        Ok(Cut { position: l, complement, value, residual: condition(tau) })
+        Ok(Cut {
+            position: l,
+            complement,
+            value,
+            residual: condition(tau),
+        })
     }
 
     /// `(1−e^−mτ)/(1−e^−(p+m)τ)`, from m/(p+m) at τ = 0 to 1.

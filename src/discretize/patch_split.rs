@@ -72,7 +72,12 @@ impl PatchSplit {
         if exchanged <= 0.0 {
             return Err(DiscretizeError::NothingToGain { patch });
         }
-        Ok(Self { pairs, axis, area: rectangle.area(), total_area: scene.total_area() })
+        Ok(Self {
+            pairs,
+            axis,
+            area: rectangle.area(),
+            total_area: scene.total_area(),
+        })
     }
 
     /// The gain of cuts at increasing relative positions, in bits.
@@ -121,7 +126,10 @@ impl PatchSplit {
             .iter()
             .map(|pair| pair.exchange_area().map(|exchange| exchange.value))
             .collect::<Result<Vec<f64>, _>>()?;
-        Ok(subdivision_bound(compensated_sum(exchanged) / self.total_area, parts))
+        Ok(subdivision_bound(
+            compensated_sum(exchanged) / self.total_area,
+            parts,
+        ))
     }
 
     /// The cuts into `parts` parts that gain the most.
@@ -137,7 +145,11 @@ impl PatchSplit {
     pub fn best(&self, parts: u32) -> Result<SplitOptimum, DiscretizeError> {
         if parts < 2 {
             let (parameter, condition) = ("the number of parts", "at least 2");
-            return Err(DiscretizeError::OutOfRange { parameter, value: parts.into(), condition });
+            return Err(DiscretizeError::OutOfRange {
+                parameter,
+                value: parts.into(),
+                condition,
+            });
         }
         let positions = if parts == 2 {
             let found = self.searching(|gain, derivative| {
@@ -153,7 +165,9 @@ impl PatchSplit {
             let start = self.best_on_lattice(parts as usize)?;
             self.searching(|_, derivative| {
                 let gradient = |positions: &[f64]| {
-                    (0..positions.len()).map(|k| derivative(positions, k)).collect()
+                    (0..positions.len())
+                        .map(|k| derivative(positions, k))
+                        .collect()
                 };
                 maximum_of_many(gradient, start)
             })?
@@ -162,7 +176,11 @@ impl PatchSplit {
         for k in 0..positions.len() {
             residual = residual.max(self.gain_derivative(&positions, k)?.abs());
         }
-        Ok(SplitOptimum { gain: self.gain(&positions)?, residual, positions })
+        Ok(SplitOptimum {
+            gain: self.gain(&positions)?,
+            residual,
+            positions,
+        })
     }
 
     /// The best cuts whose positions are multiples of a step of an eighth part or less: the gain is a sum over
@@ -233,7 +251,9 @@ impl PatchSplit {
 /// `1/m, 2/m, …`: the regular division into `parts`.
 #[must_use]
 pub fn regular_positions(parts: u32) -> Vec<f64> {
-    (1..parts).map(|k| f64::from(k) / f64::from(parts)).collect()
+    (1..parts)
+        .map(|k| f64::from(k) / f64::from(parts))
+        .collect()
 }
 
 fn parts(positions: &[f64]) -> Vec<(f64, f64)> {

@@ -34,7 +34,13 @@ impl StraightCut {
         let half = 0.5 * self.lean.abs();
         let (from, to) = (self.middle - half, self.middle + half);
         // share of the strip at l on the near side: 1 before `from`, falling to 0 at `to`
-        let share = |l: f64| if half > 0.0 { ((to - l) / (2.0 * half)).clamp(0.0, 1.0) } else { 0.0 };
+        let share = |l: f64| {
+            if half > 0.0 {
+                ((to - l) / (2.0 * half)).clamp(0.0, 1.0)
+            } else {
+                0.0
+            }
+        };
         let near = |power: f64| -> Result<f64, DiscretizeError> {
             let (start, end) = (from.clamp(0.0, 1.0), to.clamp(0.0, 1.0));
             let whole = start.powf(power + 1.0);

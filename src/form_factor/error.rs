@@ -18,7 +18,9 @@ pub enum FormFactorError {
         value: f64,
     },
     /// A plate reaches behind the plane of the other.
-    #[error("a depth starts at {lower}: the part behind the other plate's plane must be clipped first")]
+    #[error(
+        "a depth starts at {lower}: the part behind the other plate's plane must be clipped first"
+    )]
     BehindPlane {
         /// Where the depth starts, < 0.
         lower: f64,

@@ -30,7 +30,10 @@ pub struct Exchange<S> {
 
 impl<S: Scalar> Exchange<S> {
     pub(super) fn new(like: &S) -> Self {
-        Self { value: like.zero(), magnitude: like.zero() }
+        Self {
+            value: like.zero(),
+            magnitude: like.zero(),
+        }
     }
 
     /// Adds a term that is accurate relative to itself.
@@ -60,7 +63,10 @@ impl<S: Scalar> Exchange<S> {
             Sign::Plus => self.value,
             Sign::Minus => -self.value,
         };
-        Self { value: value / &two_pi, magnitude: self.magnitude / &two_pi }
+        Self {
+            value: value / &two_pi,
+            magnitude: self.magnitude / &two_pi,
+        }
     }
 }
 
@@ -115,14 +121,17 @@ pub(super) enum Sign {
 /// `ln r_b² − ln r_a²` from the difference of squares, with the size of its uncertainty over ε.
 ///
 /// `uncertainty` is the magnitude that `difference` was computed from (≥ |difference|).
-pub(super) fn log_ratio<S: Scalar>(
-    difference: &S,
-    uncertainty: &S,
-    r2_a: &S,
-    r2_b: &S,
-) -> (S, S) {
-    let (smaller, larger) = if r2_a < r2_b { (r2_a, r2_b) } else { (r2_b, r2_a) };
+pub(super) fn log_ratio<S: Scalar>(difference: &S, uncertainty: &S, r2_a: &S, r2_b: &S) -> (S, S) {
+    let (smaller, larger) = if r2_a < r2_b {
+        (r2_a, r2_b)
+    } else {
+        (r2_b, r2_a)
+    };
     let size = (difference.abs() / smaller).ln_1p();
-    let log = if *difference < difference.zero() { -size.clone() } else { size.clone() };
+    let log = if *difference < difference.zero() {
+        -size.clone()
+    } else {
+        size.clone()
+    };
     (log, size + &(uncertainty.clone() / larger))
 }

@@ -13,8 +13,8 @@
 //!
 //! Source: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-13.
 
-use super::exchange::{Exchange, Sign, log_ratio};
 use super::FormFactorError;
+use super::exchange::{Exchange, Sign, log_ratio};
 use crate::geometry::Span;
 use crate::numeric::Scalar;
 
@@ -58,7 +58,11 @@ pub fn exchange_area<S: Scalar>(
     let mut sum = Exchange::new(distance);
     for (across, sign_u) in second_difference(x, xi) {
         for (eta, sign_eta) in [(eta.lower(), Sign::Plus), (eta.upper(), Sign::Minus)] {
-            let sign = if sign_u == sign_eta { Sign::Plus } else { Sign::Minus };
+            let sign = if sign_u == sign_eta {
+                Sign::Plus
+            } else {
+                Sign::Minus
+            };
             sum.add_signed(sign, &difference_in_v(&across, y, eta, distance));
         }
     }
@@ -91,7 +95,11 @@ pub fn strip_exchange<S: Scalar>(
             let mut corner = Exchange::new(distance);
             corner.add(u.clone() * &v / &p * &v.atan2(&p));
             corner.add(u.atan2(&q) * &q);
-            let sign = if sign_u == sign_v { Sign::Plus } else { Sign::Minus };
+            let sign = if sign_u == sign_v {
+                Sign::Plus
+            } else {
+                Sign::Minus
+            };
             sum.add_signed(sign, &corner);
         }
     }
@@ -103,7 +111,10 @@ fn positive_distance<S: Scalar>(distance: &S) -> Result<(), FormFactorError> {
     if value.is_finite() && *distance > distance.zero() {
         Ok(())
     } else {
-        Err(FormFactorError::NonPositiveLength { quantity: "the distance", value })
+        Err(FormFactorError::NonPositiveLength {
+            quantity: "the distance",
+            value,
+        })
     }
 }
 

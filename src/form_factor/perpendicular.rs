@@ -34,7 +34,9 @@ impl<S: Scalar> Plate<S> {
     /// [`FormFactorError::BehindPlane`] if the depth starts below 0.
     pub fn try_new(depth: Span<S>, width: Span<S>) -> Result<Self, FormFactorError> {
         if *depth.lower() < depth.lower().zero() {
-            return Err(FormFactorError::BehindPlane { lower: depth.lower().to_f64() });
+            return Err(FormFactorError::BehindPlane {
+                lower: depth.lower().to_f64(),
+            });
         }
         Ok(Self { depth, width })
     }
@@ -63,14 +65,25 @@ impl<S: Scalar> Plate<S> {
 #[must_use]
 pub fn exchange_area<S: Scalar>(first: &Plate<S>, second: &Plate<S>) -> Exchange<S> {
     let lengths = [&first.depth, &second.depth, &first.width, &second.width].map(Span::length);
-    let shortest = (0..4).fold(0, |best, k| if lengths[k] < lengths[best] { k } else { best });
+    let shortest = (0..4).fold(
+        0,
+        |best, k| if lengths[k] < lengths[best] { k } else { best },
+    );
     // exchanging the plates turns z into x and mirrors v, in which G is even
-    let (thin, other) = if shortest % 2 == 0 { (first, second) } else { (second, first) };
+    let (thin, other) = if shortest % 2 == 0 {
+        (first, second)
+    } else {
+        (second, first)
+    };
     let mut sum = Exchange::new(thin.depth.lower());
     if shortest < 2 {
         for (z, sign_z) in ends(&other.depth) {
             for (v, sign_v) in second_difference(&thin.width, &other.width) {
-                let sign = if sign_z == sign_v { Sign::Plus } else { Sign::Minus };
+                let sign = if sign_z == sign_v {
+                    Sign::Plus
+                } else {
+                    Sign::Minus
+                };
                 sum.add_signed(sign, &difference_in_depth(&thin.depth, z, &v));
             }
         }
@@ -108,13 +121,21 @@ pub fn strip_exchange_at_depth<S: Scalar>(
             let r2 = s2 + &v.square();
             let mut corner = Exchange::new(depth);
             // x/s is a cosine; where both vanish the limit x → 0 at z = 0 makes it 1
-            let cosine = if s.is_zero() { depth.constant(1.0) } else { depth.clone() / &s };
+            let cosine = if s.is_zero() {
+                depth.constant(1.0)
+            } else {
+                depth.clone() / &s
+            };
             corner.add(v.atan2(&s) * &v * &cosine);
             if !r2.is_zero() {
                 let coefficient = depth.clone() * &half;
                 corner.add_uncertain(-(r2.ln() * &coefficient), &log_size(&coefficient, &r2));
             }
-            let sign = if sign_z == sign_v { Sign::Plus } else { Sign::Minus };
+            let sign = if sign_z == sign_v {
+                Sign::Plus
+            } else {
+                Sign::Minus
+            };
             sum.add_signed(sign, &corner);
         }
     }
@@ -191,7 +212,10 @@ fn difference_in_depth<S: Scalar>(x: &Span<S>, z: &S, v: &S) -> Exchange<S> {
     // −¼ (s² − v²) ln r²
     let (log, log_ratio_size) = log_ratio(&squares, &squares, &r2_0, &r2_1);
     let difference = (s2_1.clone() - &v2) * &quarter;
-    sum.add_uncertain(-(log * &difference), &(log_ratio_size * &((s2_1 + &v2) * &quarter)));
+    sum.add_uncertain(
+        -(log * &difference),
+        &(log_ratio_size * &((s2_1 + &v2) * &quarter)),
+    );
     let coefficient = squares * &quarter;
     sum.add_uncertain(-(r2_0.ln() * &coefficient), &log_size(&coefficient, &r2_0));
     sum
@@ -231,8 +255,14 @@ fn difference_in_width<S: Scalar>(x: &S, z: &S, y: &Span<S>, eta: &S) -> Exchang
     let squares_size = delta * &(v1.abs() + &v0.abs());
     let (log, log_ratio_size) = log_ratio(&squares, &squares_size, &r2_0, &r2_1);
     let difference = (s2.clone() - &v2_1) * &quarter;
-    sum.add_uncertain(-(log * &difference), &(log_ratio_size * &((s2 + &v2_1) * &quarter)));
+    sum.add_uncertain(
+        -(log * &difference),
+        &(log_ratio_size * &((s2 + &v2_1) * &quarter)),
+    );
     let coefficient = squares_size * &quarter;
-    sum.add_uncertain(r2_0.ln() * &squares * &quarter, &log_size(&coefficient, &r2_0));
+    sum.add_uncertain(
+        r2_0.ln() * &squares * &quarter,
+        &log_size(&coefficient, &r2_0),
+    );
     sum
 }

@@ -27,7 +27,12 @@ enum Second {
     Parallel { spans: [Span; 2], distance: f64 },
     /// In the plane where the coordinate along `across` is `plane`; its front is where that
     /// coordinate is larger (`faces_along`) or smaller. Its width runs along the other axis.
-    Perpendicular { across: SplitAxis, plane: f64, faces_along: bool, plate: Plate },
+    Perpendicular {
+        across: SplitAxis,
+        plane: f64,
+        faces_along: bool,
+        plate: Plate,
+    },
 }
 
 impl RectanglePair {
@@ -51,14 +56,27 @@ impl RectanglePair {
     /// [`FormFactorError::NotResolved`] if rounding leaves no correct digit.
     pub fn exchange_area(&self) -> Result<ExchangeArea, FormFactorError> {
         let exchange = match &self.second {
-            Second::Dark => return Ok(ExchangeArea { value: 0.0, error_bound: 0.0 }),
+            Second::Dark => {
+                return Ok(ExchangeArea {
+                    value: 0.0,
+                    error_bound: 0.0,
+                });
+            }
             Second::Parallel { spans, distance } => {
                 parallel::exchange_area(&self.first, spans, distance)?
             }
-            Second::Perpendicular { across, plane, faces_along, plate } => {
+            Second::Perpendicular {
+                across,
+                plane,
+                faces_along,
+                plate,
+            } => {
                 let depth = self.depth(*across, *plane, *faces_along);
                 let Some(depth) = depth.above(&0.0) else {
-                    return Ok(ExchangeArea { value: 0.0, error_bound: 0.0 });
+                    return Ok(ExchangeArea {
+                        value: 0.0,
+                        error_bound: 0.0,
+                    });
                 };
                 let width = self.first[other(*across) as usize];
                 perpendicular::exchange_area(&Plate::try_new(depth, width)?, plate)
@@ -95,7 +113,12 @@ impl RectanglePair {
                 let spans = if axis == SplitAxis::U { [u, v] } else { [v, u] };
                 strip_exchange(&at, &across, &spans, distance)?
             }
-            Second::Perpendicular { across: normal, plane, faces_along, plate } => {
+            Second::Perpendicular {
+                across: normal,
+                plane,
+                faces_along,
+                plate,
+            } => {
                 if axis == *normal {
                     let depth = if *faces_along { at - plane } else { plane - at };
                     if depth < 0.0 {
@@ -104,7 +127,9 @@ impl RectanglePair {
                     strip_exchange_at_depth(&depth, &across, plate)
                 } else {
                     let depth = self.depth(*normal, *plane, *faces_along);
-                    let Some(depth) = depth.above(&0.0) else { return Ok(0.0) };
+                    let Some(depth) = depth.above(&0.0) else {
+                        return Ok(0.0);
+                    };
                     strip_exchange_at_width(&depth, &at, plate)
                 }
             }
@@ -115,7 +140,11 @@ impl RectanglePair {
     /// The first rectangle's extent as a distance in front of the second one's plane.
     fn depth(&self, across: SplitAxis, plane: f64, faces_along: bool) -> Span {
         let extent = self.first[across as usize];
-        if faces_along { extent.shifted(&-plane) } else { extent.mirrored(&plane) }
+        if faces_along {
+            extent.shifted(&-plane)
+        } else {
+            extent.mirrored(&plane)
+        }
     }
 }
 
@@ -138,14 +167,21 @@ impl TryFrom<&Placement> for Second {
             [Extent::Long(u), Extent::Long(v), Extent::Flat(distance)]
                 if distance > 0.0 && !placement.faces_along =>
             {
-                Ok(Self::Parallel { spans: [u, v], distance })
+                Ok(Self::Parallel {
+                    spans: [u, v],
+                    distance,
+                })
             }
-            [Extent::Flat(plane), Extent::Long(width), Extent::Long(height)] => {
-                perpendicular(SplitAxis::U, plane, width, height)
-            }
-            [Extent::Long(width), Extent::Flat(plane), Extent::Long(height)] => {
-                perpendicular(SplitAxis::V, plane, width, height)
-            }
+            [
+                Extent::Flat(plane),
+                Extent::Long(width),
+                Extent::Long(height),
+            ] => perpendicular(SplitAxis::U, plane, width, height),
+            [
+                Extent::Long(width),
+                Extent::Flat(plane),
+                Extent::Long(height),
+            ] => perpendicular(SplitAxis::V, plane, width, height),
             // coplanar, behind, or turned away
             _ => Ok(Self::Dark),
         }

@@ -39,14 +39,19 @@ impl Patch {
     /// ```
     pub fn try_new(corners: Vec<DVec3>) -> Result<Self, GeometryError> {
         if corners.len() < 3 {
-            return Err(GeometryError::TooFewCorners { corners: corners.len() });
+            return Err(GeometryError::TooFewCorners {
+                corners: corners.len(),
+            });
         }
         if let Some(corner) = corners.iter().position(|c| !c.is_finite()) {
             let DVec3 { x, y, z } = corners[corner];
             return Err(GeometryError::NotFinite { corner, x, y, z });
         }
         let origin = corners[0];
-        let diameter = corners.iter().map(|c| c.distance(origin)).fold(0.0, f64::max);
+        let diameter = corners
+            .iter()
+            .map(|c| c.distance(origin))
+            .fold(0.0, f64::max);
         // in units of a power of two near the diameter, so that products stay in range
         let unit = diameter.log2().round().exp2();
         let doubled: DVec3 = corners
@@ -61,15 +66,26 @@ impl Patch {
         }
         let normal = doubled.normalize();
         let heights = corners.iter().map(|c| (*c - origin).dot(normal).abs());
-        let (corner, deviation) = heights
-            .enumerate()
-            .fold((0, 0.0), |worst, next| if next.1 > worst.1 { next } else { worst });
+        let (corner, deviation) =
+            heights.enumerate().fold(
+                (0, 0.0),
+                |worst, next| if next.1 > worst.1 { next } else { worst },
+            );
         let allowed = tolerance::PLANARITY;
         if deviation > allowed * diameter {
             let relative = deviation / diameter;
-            return Err(GeometryError::NotPlanar { corner, deviation, relative, allowed });
+            return Err(GeometryError::NotPlanar {
+                corner,
+                deviation,
+                relative,
+                allowed,
+            });
         }
-        let patch = Self { corners, normal, area };
+        let patch = Self {
+            corners,
+            normal,
+            area,
+        };
         match patch.crossing_edges(unit) {
             Some((first, second)) => Err(GeometryError::NotSimple { first, second }),
             None => Ok(patch),

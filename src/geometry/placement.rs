@@ -57,7 +57,13 @@ impl Placement {
 
         let normal = second.normal();
         let turned = axes.map(|axis| normal.dot(axis));
-        let flat = (0..3).fold(0, |best, k| if turned[k].abs() > turned[best].abs() { k } else { best });
+        let flat = (0..3).fold(0, |best, k| {
+            if turned[k].abs() > turned[best].abs() {
+                k
+            } else {
+                best
+            }
+        });
         let ranges = [0, 1, 2].map(|k| {
             let coordinates = seen.map(|corner| corner[k]);
             let lower = coordinates.into_iter().fold(f64::INFINITY, f64::min);
@@ -67,22 +73,35 @@ impl Placement {
         // every corner must lie at an end of every range, and the flat range must be flat
         let off = |corner: &[f64; 3], k: usize| {
             let to_ends = (corner[k] - ranges[k].0).min(ranges[k].1 - corner[k]);
-            if k == flat { ranges[k].1 - ranges[k].0 } else { to_ends }
+            if k == flat {
+                ranges[k].1 - ranges[k].0
+            } else {
+                to_ends
+            }
         };
         let deviation = seen
             .iter()
             .flat_map(|corner| (0..3).map(move |k| off(corner, k)))
             .fold(0.0, f64::max);
         // a direction is known from an edge no better than its corners over its length
-        let reach = seen.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let reach = seen
+            .iter()
+            .flatten()
+            .fold(0.0, |most: f64, x| most.max(x.abs()));
         let shortest = lengths.into_iter().fold(f64::INFINITY, f64::min);
         let aligned = allowed * f64::max(1.0, reach / shortest);
         if deviation > aligned || deviation.is_nan() {
-            return Err(GeometryError::NotAligned { deviation, allowed: aligned });
+            return Err(GeometryError::NotAligned {
+                deviation,
+                allowed: aligned,
+            });
         }
         let planes = |k: usize| [0.0, lengths.get(k).copied().unwrap_or(0.0)];
         let snap = |k: usize, value: f64| {
-            planes(k).into_iter().find(|plane| (value - plane).abs() <= allowed).unwrap_or(value)
+            planes(k)
+                .into_iter()
+                .find(|plane| (value - plane).abs() <= allowed)
+                .unwrap_or(value)
         };
         let extent = ranges
             .iter()
@@ -113,4 +132,3 @@ impl Placement {
         })
     }
 }
-

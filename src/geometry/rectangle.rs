@@ -44,7 +44,12 @@ impl Rectangle {
     /// [`GeometryError::NotFinite`], [`GeometryError::NoArea`],
     /// [`GeometryError::NotARectangle`] if the edges are not perpendicular.
     pub fn try_new(origin: DVec3, u: DVec3, v: DVec3) -> Result<Self, GeometryError> {
-        Self::try_from(&Patch::try_new(vec![origin, origin + u, origin + u + v, origin + v])?)
+        Self::try_from(&Patch::try_new(vec![
+            origin,
+            origin + u,
+            origin + u + v,
+            origin + v,
+        ])?)
     }
 
     /// The corner `v0`.
@@ -75,7 +80,12 @@ impl Rectangle {
     #[must_use]
     pub fn corners(&self) -> [DVec3; 4] {
         let [u, v] = self.edges;
-        [self.origin, self.origin + u, self.origin + u + v, self.origin + v]
+        [
+            self.origin,
+            self.origin + u,
+            self.origin + u + v,
+            self.origin + v,
+        ]
     }
 
     /// The part between two relative positions on an axis.
@@ -85,7 +95,11 @@ impl Rectangle {
     pub fn part(&self, axis: SplitAxis, from: f64, to: f64) -> Result<Self, GeometryError> {
         for (position, lower, upper) in [(from, 0.0, 1.0), (to, from, 1.0)] {
             if !(lower..=upper).contains(&position) || to <= from {
-                return Err(GeometryError::PositionOutOfRange { position, lower, upper });
+                return Err(GeometryError::PositionOutOfRange {
+                    position,
+                    lower,
+                    upper,
+                });
             }
         }
         let edge = self.edge(axis);
@@ -110,7 +124,10 @@ impl Rectangle {
     /// # Ok::<(), infoscene::geometry::GeometryError>(())
     /// ```
     pub fn split(&self, axis: SplitAxis, position: f64) -> Result<[Self; 2], GeometryError> {
-        Ok([self.part(axis, 0.0, position)?, self.part(axis, position, 1.0)?])
+        Ok([
+            self.part(axis, 0.0, position)?,
+            self.part(axis, position, 1.0)?,
+        ])
     }
 }
 
@@ -123,17 +140,28 @@ impl TryFrom<&Patch> for Rectangle {
             return not(format!("it has {} corners", patch.corners().len()));
         };
         let (u, v) = (v1 - v0, v3 - v0);
-        let largest = patch.corners().iter().map(|c| c.abs().max_element()).fold(0.0, f64::max);
+        let largest = patch
+            .corners()
+            .iter()
+            .map(|c| c.abs().max_element())
+            .fold(0.0, f64::max);
         let allowed = tolerance::ALIGNMENT * largest;
         let opening = (v2 - v1 - v).length();
         if opening > allowed {
-            return not(format!("opposite edges differ by {opening:e}, {allowed:e} is accepted"));
+            return not(format!(
+                "opposite edges differ by {opening:e}, {allowed:e} is accepted"
+            ));
         }
         let lean = (u.dot(v) / u.length().max(v.length())).abs();
         if lean > allowed {
-            return not(format!("an edge leans by {lean:e}, {allowed:e} is accepted"));
+            return not(format!(
+                "an edge leans by {lean:e}, {allowed:e} is accepted"
+            ));
         }
-        Ok(Self { origin: v0, edges: [u, v] })
+        Ok(Self {
+            origin: v0,
+            edges: [u, v],
+        })
     }
 }
 

@@ -35,9 +35,16 @@ impl<S: Scalar> Span<S> {
     fn checked(lower: S, upper: S, length: S) -> Result<Self, GeometryError> {
         let finite = lower.to_f64().is_finite() && upper.to_f64().is_finite();
         if finite && length > length.zero() && lower < upper {
-            Ok(Self { lower, upper, length })
+            Ok(Self {
+                lower,
+                upper,
+                length,
+            })
         } else {
-            Err(GeometryError::EmptySpan { lower: lower.to_f64(), upper: upper.to_f64() })
+            Err(GeometryError::EmptySpan {
+                lower: lower.to_f64(),
+                upper: upper.to_f64(),
+            })
         }
     }
 
@@ -73,14 +80,22 @@ impl<S: Scalar> Span<S> {
     #[must_use]
     pub fn shifted(&self, shift: &S) -> Self {
         let (lower, upper) = (self.lower.clone() + shift, self.upper.clone() + shift);
-        Self { lower, upper, length: self.length.clone() }
+        Self {
+            lower,
+            upper,
+            length: self.length.clone(),
+        }
     }
 
     /// The same span seen from `origin` in the opposite direction: `origin − upper … origin − lower`.
     #[must_use]
     pub fn mirrored(&self, origin: &S) -> Self {
         let (lower, upper) = (origin.clone() - &self.upper, origin.clone() - &self.lower);
-        Self { lower, upper, length: self.length.clone() }
+        Self {
+            lower,
+            upper,
+            length: self.length.clone(),
+        }
     }
 
     /// The part between two relative positions in `[0, 1]`.

@@ -41,25 +41,29 @@ pub fn divergence(fluxes: &[f64], weights: &[f64]) -> f64 {
     if flux_sum <= 0.0 || weight_sum <= 0.0 {
         return 0.0;
     }
-    let terms = (0..flux.len()).filter(|k| weights[*k].significand > 0.0).map(|k| {
-        // this sub-state's own scale, so that a tiny one keeps its digits
-        let exponent = weights[k].exponent.max(fluxes[k].exponent - flux_unit + weight_unit);
-        let own_weight = weights[k].times_power(-exponent);
-        let own_flux = fluxes[k].times_power(weight_unit - flux_unit - exponent);
-        let share = weight[k] / weight_sum;
-        let independent = flux_sum * own_weight;
-        let quick = own_flux * weight_sum / independent - 1.0;
-        let x = if quick >= FAR_ABOVE {
-            return far_above(flux[k] / flux_sum, share);
-        } else if quick.abs() >= NEARLY_PROPORTIONAL {
-            quick
-        } else {
-            let cross = &Expansion::from(own_flux) * &Expansion::sum(weight.iter().copied());
-            let other = &Expansion::from(own_weight) * &Expansion::sum(flux.iter().copied());
-            (cross - &other).to_f64() / independent
-        };
-        share * divergence_kernel(x)
-    });
+    let terms = (0..flux.len())
+        .filter(|k| weights[*k].significand > 0.0)
+        .map(|k| {
+            // this sub-state's own scale, so that a tiny one keeps its digits
+            let exponent = weights[k]
+                .exponent
+                .max(fluxes[k].exponent - flux_unit + weight_unit);
+            let own_weight = weights[k].times_power(-exponent);
+            let own_flux = fluxes[k].times_power(weight_unit - flux_unit - exponent);
+            let share = weight[k] / weight_sum;
+            let independent = flux_sum * own_weight;
+            let quick = own_flux * weight_sum / independent - 1.0;
+            let x = if quick >= FAR_ABOVE {
+                return far_above(flux[k] / flux_sum, share);
+            } else if quick.abs() >= NEARLY_PROPORTIONAL {
+                quick
+            } else {
+                let cross = &Expansion::from(own_flux) * &Expansion::sum(weight.iter().copied());
+                let other = &Expansion::from(own_weight) * &Expansion::sum(flux.iter().copied());
+                (cross - &other).to_f64() / independent
+            };
+            share * divergence_kernel(x)
+        });
     let sum = compensated_sum(terms) * flux_sum / LN_2;
     Scaled::new(sum).times_power(flux_unit)
 }
@@ -86,29 +90,35 @@ pub fn self_divergence(joint: &[Vec<f64>], weights: &[f64]) -> f64 {
     let m = weights.len();
     let scaled: Vec<Scaled> = weights.iter().map(|weight| Scaled::new(*weight)).collect();
     let (weight, _) = common_scale(&scaled);
-    let entries: Vec<Scaled> = joint.iter().flatten().map(|entry| Scaled::new(*entry)).collect();
+    let entries: Vec<Scaled> = joint
+        .iter()
+        .flatten()
+        .map(|entry| Scaled::new(*entry))
+        .collect();
     let (flux, flux_unit) = common_scale(&entries);
     let (flux_sum, weight_sum) = (flux.iter().sum::<f64>(), weight.iter().sum::<f64>());
     if flux_sum <= 0.0 || weight_sum <= 0.0 {
         return 0.0;
     }
-    let terms = (0..m * m).filter(|kl| weight[kl / m] > 0.0 && weight[kl % m] > 0.0).map(|kl| {
-        let (a, b) = (weight[kl / m], weight[kl % m]);
-        let share = (a / weight_sum) * (b / weight_sum);
-        let quick = (flux[kl] / flux_sum) / share - 1.0;
-        let x = if quick >= FAR_ABOVE {
-            return far_above(flux[kl] / flux_sum, share);
-        } else if quick.abs() >= NEARLY_PROPORTIONAL {
-            quick
-        } else {
-            let total = Expansion::sum(weight.iter().copied());
-            let joint = &Expansion::from(flux[kl]) * &(&total * &total);
-            let product = &Expansion::from(a) * &Expansion::from(b);
-            let independent = &product * &Expansion::sum(flux.iter().copied());
-            (joint - &independent).to_f64() / independent.to_f64()
-        };
-        share * divergence_kernel(x)
-    });
+    let terms = (0..m * m)
+        .filter(|kl| weight[kl / m] > 0.0 && weight[kl % m] > 0.0)
+        .map(|kl| {
+            let (a, b) = (weight[kl / m], weight[kl % m]);
+            let share = (a / weight_sum) * (b / weight_sum);
+            let quick = (flux[kl] / flux_sum) / share - 1.0;
+            let x = if quick >= FAR_ABOVE {
+                return far_above(flux[kl] / flux_sum, share);
+            } else if quick.abs() >= NEARLY_PROPORTIONAL {
+                quick
+            } else {
+                let total = Expansion::sum(weight.iter().copied());
+                let joint = &Expansion::from(flux[kl]) * &(&total * &total);
+                let product = &Expansion::from(a) * &Expansion::from(b);
+                let independent = &product * &Expansion::sum(flux.iter().copied());
+                (joint - &independent).to_f64() / independent.to_f64()
+            };
+            share * divergence_kernel(x)
+        });
     Scaled::new(compensated_sum(terms) * flux_sum / LN_2).times_power(flux_unit)
 }
 
@@ -118,12 +128,19 @@ pub fn self_divergence(joint: &[Vec<f64>], weights: &[f64]) -> f64 {
 #[must_use]
 pub fn refinement_gain(chain: &ReversibleChain, refinement: &StateRefinement) -> f64 {
     let outward = refinement.outward();
-    let pairs = compensated_sum((0..chain.states()).filter(|j| *j != refinement.state()).map(|j| {
-        let fluxes: Vec<f64> = outward.column(j).iter().copied().collect();
-        divergence(&fluxes, refinement.weights())
-    }));
-    let within: Vec<Vec<f64>> =
-        refinement.within().row_iter().map(|row| row.iter().copied().collect()).collect();
+    let pairs = compensated_sum(
+        (0..chain.states())
+            .filter(|j| *j != refinement.state())
+            .map(|j| {
+                let fluxes: Vec<f64> = outward.column(j).iter().copied().collect();
+                divergence(&fluxes, refinement.weights())
+            }),
+    );
+    let within: Vec<Vec<f64>> = refinement
+        .within()
+        .row_iter()
+        .map(|row| row.iter().copied().collect())
+        .collect();
     (2.0 * pairs + self_divergence(&within, refinement.weights())) / chain.total()
 }
 
@@ -148,15 +165,24 @@ impl Scaled {
     fn new(value: f64) -> Self {
         const EXPONENT_MASK: u64 = 0x7ff << 52;
         if value <= 0.0 || !value.is_finite() {
-            return Self { significand: value, exponent: 0 };
+            return Self {
+                significand: value,
+                exponent: 0,
+            };
         }
-        let (normal, shift) =
-            if value < f64::MIN_POSITIVE { (value * 2f64.powi(64), -64) } else { (value, 0) };
+        let (normal, shift) = if value < f64::MIN_POSITIVE {
+            (value * 2f64.powi(64), -64)
+        } else {
+            (value, 0)
+        };
         let bits = normal.to_bits();
         #[allow(clippy::cast_possible_truncation, reason = "eleven bits fit")]
         let exponent = ((bits & EXPONENT_MASK) >> 52) as i32 - 1023;
         let significand = f64::from_bits((bits & !EXPONENT_MASK) | (1023 << 52));
-        Self { significand, exponent: exponent + shift }
+        Self {
+            significand,
+            exponent: exponent + shift,
+        }
     }
 
     /// `value · 2^power`, correctly rounded into `f64`'s range.
@@ -175,5 +201,11 @@ impl Scaled {
 fn common_scale(numbers: &[Scaled]) -> (Vec<f64>, i32) {
     let positive = numbers.iter().filter(|number| number.significand > 0.0);
     let unit = positive.map(|number| number.exponent).max().unwrap_or(0);
-    (numbers.iter().map(|number| number.times_power(-unit)).collect(), unit)
+    (
+        numbers
+            .iter()
+            .map(|number| number.times_power(-unit))
+            .collect(),
+        unit,
+    )
 }

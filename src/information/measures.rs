@@ -25,7 +25,11 @@ pub fn positional_entropy(chain: &ReversibleChain) -> f64 {
 pub fn entropy_rate(chain: &ReversibleChain) -> f64 {
     let sum = (0..chain.states()).map(|j| {
         let column = chain.joint().column(j);
-        compensated_sum(column.iter().map(|joint| x_log2_ratio(*joint, chain.weights()[j])))
+        compensated_sum(
+            column
+                .iter()
+                .map(|joint| x_log2_ratio(*joint, chain.weights()[j])),
+        )
     });
     -compensated_sum(sum) / chain.total()
 }

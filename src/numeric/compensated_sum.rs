@@ -7,9 +7,11 @@ use super::expansion::two_sum;
 /// **Accuracy** relative to `Σ |x|`: ε/2 plus a term of order `n² ε²` (Neumaier 1974).
 #[must_use]
 pub fn compensated_sum(terms: impl IntoIterator<Item = f64>) -> f64 {
-    let (sum, correction) = terms.into_iter().fold((0.0, 0.0), |(sum, correction), term| {
-        let (sum, lost) = two_sum(sum, term);
-        (sum, correction + lost)
-    });
+    let (sum, correction) = terms
+        .into_iter()
+        .fold((0.0, 0.0), |(sum, correction), term| {
+            let (sum, lost) = two_sum(sum, term);
+            (sum, correction + lost)
+        });
     sum + correction
 }

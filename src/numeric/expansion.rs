@@ -21,7 +21,9 @@ impl Expansion {
     /// The sum of `terms`, exactly.
     #[must_use]
     pub fn sum(terms: impl IntoIterator<Item = f64>) -> Self {
-        let mut sum = Self { components: Vec::new() };
+        let mut sum = Self {
+            components: Vec::new(),
+        };
         for term in terms {
             sum.grow(term);
         }
@@ -57,7 +59,9 @@ impl From<f64> for Expansion {
 impl Neg for Expansion {
     type Output = Self;
     fn neg(mut self) -> Self {
-        self.components.iter_mut().for_each(|component| *component = -*component);
+        self.components
+            .iter_mut()
+            .for_each(|component| *component = -*component);
         self
     }
 }
@@ -65,7 +69,10 @@ impl Neg for Expansion {
 impl Add<&Expansion> for Expansion {
     type Output = Self;
     fn add(mut self, other: &Self) -> Self {
-        other.components.iter().for_each(|component| self.grow(*component));
+        other
+            .components
+            .iter()
+            .for_each(|component| self.grow(*component));
         self
     }
 }
@@ -73,7 +80,10 @@ impl Add<&Expansion> for Expansion {
 impl Sub<&Expansion> for Expansion {
     type Output = Self;
     fn sub(mut self, other: &Self) -> Self {
-        other.components.iter().for_each(|component| self.grow(-component));
+        other
+            .components
+            .iter()
+            .for_each(|component| self.grow(-component));
         self
     }
 }
@@ -81,9 +91,10 @@ impl Sub<&Expansion> for Expansion {
 impl Mul for &Expansion {
     type Output = Expansion;
     fn mul(self, other: Self) -> Expansion {
-        let pairs = self.components.iter().flat_map(|a| {
-            other.components.iter().map(move |b| two_product(*a, *b))
-        });
+        let pairs = self
+            .components
+            .iter()
+            .flat_map(|a| other.components.iter().map(move |b| two_product(*a, *b)));
         Expansion::sum(pairs.flat_map(|(product, lost)| [lost, product]))
     }
 }

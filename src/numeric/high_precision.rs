@@ -138,25 +138,42 @@ impl Scalar for HighPrecision {
         // Three pieces of at most 53 bits, largest first: their sum rounds correctly enough
         // for a comparison, to within one unit in the last place.
         let Some((words, _, sign, exponent, _)) = self.0.as_raw_parts() else {
-            return if self.0.is_negative() { f64::NEG_INFINITY } else { f64::INFINITY };
+            return if self.0.is_negative() {
+                f64::NEG_INFINITY
+            } else {
+                f64::INFINITY
+            };
         };
         let mut magnitude = 0.0;
         for word in words.iter().rev().take(2) {
-            #[allow(clippy::cast_precision_loss, reason = "the low bits of a 64-bit word round away")]
+            #[allow(
+                clippy::cast_precision_loss,
+                reason = "the low bits of a 64-bit word round away"
+            )]
             let piece = *word as f64;
-            magnitude = if magnitude > 0.0 { magnitude + piece / 2f64.powi(64) } else { piece };
+            magnitude = if magnitude > 0.0 {
+                magnitude + piece / 2f64.powi(64)
+            } else {
+                piece
+            };
         }
         // the significand is a fraction in [1/2, 1), its leading word has weight 2⁻⁶⁴
         let scale = exponent.clamp(-4000, 4000) - 64;
         let half = scale / 2;
         magnitude = magnitude * 2f64.powi(half) * 2f64.powi(scale - half);
-        if sign == Sign::Neg { -magnitude } else { magnitude }
+        if sign == Sign::Neg {
+            -magnitude
+        } else {
+            magnitude
+        }
     }
     fn sqrt(&self) -> Self {
         Self(self.0.sqrt(PRECISION, NEAREST))
     }
     fn ln(&self) -> Self {
-        Self(with_constants(|constants| self.0.ln(PRECISION, NEAREST, constants)))
+        Self(with_constants(|constants| {
+            self.0.ln(PRECISION, NEAREST, constants)
+        }))
     }
     fn ln_1p(&self) -> Self {
         if self.is_small() {
@@ -167,7 +184,9 @@ impl Scalar for HighPrecision {
         }
     }
     fn exp(&self) -> Self {
-        Self(with_constants(|constants| self.0.exp(PRECISION, NEAREST, constants)))
+        Self(with_constants(|constants| {
+            self.0.exp(PRECISION, NEAREST, constants)
+        }))
     }
     fn exp_m1(&self) -> Self {
         if self.is_small() {
@@ -196,7 +215,9 @@ impl Scalar for HighPrecision {
         }
         let half_pi = self.pi() / Self::new(2.0);
         let complement = |y: &Self| {
-            Self(with_constants(|constants| (x.clone() / y).0.atan(PRECISION, NEAREST, constants)))
+            Self(with_constants(|constants| {
+                (x.clone() / y).0.atan(PRECISION, NEAREST, constants)
+            }))
         };
         if *self > zero {
             half_pi - complement(self)
@@ -217,7 +238,11 @@ impl Scalar for HighPrecision {
             )
         } else {
             let one_plus = Self::new(1.0) + self;
-            if one_plus.is_zero() { -self.clone() } else { one_plus.ln() * &one_plus - self }
+            if one_plus.is_zero() {
+                -self.clone()
+            } else {
+                one_plus.ln() * &one_plus - self
+            }
         }
     }
 }

@@ -62,17 +62,25 @@ pub fn maximum(
             let found = root(&derivative, left.0, right.0)?;
             evaluations += found.evaluations;
             let value = finite(&function, found.position)?;
-            let is_higher = best
-                .is_none_or(|best| value > best.value + tolerance::EQUAL_MAXIMA * value.abs());
+            let is_higher =
+                best.is_none_or(|best| value > best.value + tolerance::EQUAL_MAXIMA * value.abs());
             if is_higher {
                 let (position, residual) = (found.position, found.residual);
-                best = Some(Maximum { position, value, residual, evaluations: 0 });
+                best = Some(Maximum {
+                    position,
+                    value,
+                    residual,
+                    evaluations: 0,
+                });
             }
         }
         left = right;
     }
-    best.map(|best| Maximum { evaluations, ..best })
-        .ok_or(NumericError::NoInteriorMaximum { lower, upper })
+    best.map(|best| Maximum {
+        evaluations,
+        ..best
+    })
+    .ok_or(NumericError::NoInteriorMaximum { lower, upper })
 }
 
 /// The outermost scanned points lie this power of two of the width inside.
@@ -98,8 +106,15 @@ pub fn maximum_of_many(
     let mut position = DVector::from_vec(start);
     let gradient = |position: &DVector<f64>| -> Result<DVector<f64>, NumericError> {
         let gradient = DVector::from_vec(gradient(position.as_slice()));
-        match gradient.iter().zip(position.iter()).find(|(value, _)| !value.is_finite()) {
-            Some((value, at)) => Err(NumericError::NotFinite { position: *at, value: *value }),
+        match gradient
+            .iter()
+            .zip(position.iter())
+            .find(|(value, _)| !value.is_finite())
+        {
+            Some((value, at)) => Err(NumericError::NotFinite {
+                position: *at,
+                value: *value,
+            }),
             None => Ok(gradient),
         }
     };
@@ -144,10 +159,17 @@ fn damping(position: &DVector<f64>, step: &DVector<f64>) -> f64 {
     let n = position.len();
     let at = |v: &DVector<f64>, k: usize, end: f64| if k < n { v[k] } else { end };
     (0..=n).fold(1.0, |factor, k| {
-        let (left, left_step) =
-            if k == 0 { (0.0, 0.0) } else { (position[k - 1], step[k - 1]) };
+        let (left, left_step) = if k == 0 {
+            (0.0, 0.0)
+        } else {
+            (position[k - 1], step[k - 1])
+        };
         let gap = at(position, k, 1.0) - left;
         let closing = left_step - at(step, k, 0.0);
-        if closing > gap / 3.0 { f64::min(factor, gap / (3.0 * closing)) } else { factor }
+        if closing > gap / 3.0 {
+            f64::min(factor, gap / (3.0 * closing))
+        } else {
+            factor
+        }
     })
 }

@@ -60,5 +60,8 @@ pub fn integral(
             residual: output.error_estimate,
         });
     }
-    Ok(Integral { value: output.integral, error_estimate: output.error_estimate })
+    Ok(Integral {
+        value: output.integral,
+        error_estimate: output.error_estimate,
+    })
 }

@@ -46,7 +46,11 @@ impl<F: Fn(f64) -> f64> CostFunction for Guarded<'_, F> {
         if value.is_finite() {
             Ok(value / self.scale)
         } else {
-            Err(NumericError::NotFinite { position: *position, value }.into())
+            Err(NumericError::NotFinite {
+                position: *position,
+                value,
+            }
+            .into())
         }
     }
 }
@@ -76,11 +80,20 @@ pub fn root(function: impl Fn(f64) -> f64, lower: f64, upper: f64) -> Result<Roo
     let at_upper = finite(&function, upper)?;
     for (position, value) in [(lower, at_lower), (upper, at_upper)] {
         if value.abs() <= 0.0 {
-            return Ok(Root { position, residual: value, evaluations: 2 });
+            return Ok(Root {
+                position,
+                residual: value,
+                evaluations: 2,
+            });
         }
     }
     if at_lower.signum() * at_upper.signum() > 0.0 {
-        return Err(NumericError::NoSignChange { lower, at_lower, upper, at_upper });
+        return Err(NumericError::NoSignChange {
+            lower,
+            at_lower,
+            upper,
+            at_upper,
+        });
     }
     let evaluations = Cell::new(2);
     let problem = Guarded {
@@ -103,7 +116,11 @@ pub fn root(function: impl Fn(f64) -> f64, lower: f64, upper: f64) -> Result<Roo
             if iterations >= MAXIMUM_ITERATIONS {
                 return Err(not_converged(iterations, position));
             }
-            Ok(Root { position, residual: function(position), evaluations: evaluations.get() })
+            Ok(Root {
+                position,
+                residual: function(position),
+                evaluations: evaluations.get(),
+            })
         }
         Err(error) => Err(error
             .downcast::<NumericError>()

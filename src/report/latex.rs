@@ -2,7 +2,9 @@
 
 /// `text` with LaTeX's special characters escaped and the symbols used here as commands.
 pub(super) fn escaped(text: &str) -> String {
-    text.chars().map(|c| escape(c).map_or_else(|| c.to_string(), str::to_owned)).collect()
+    text.chars()
+        .map(|c| escape(c).map_or_else(|| c.to_string(), str::to_owned))
+        .collect()
 }
 
 const fn escape(c: char) -> Option<&'static str> {

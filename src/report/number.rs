@@ -22,10 +22,17 @@ pub fn certain_digits(value: f64, error: f64) -> String {
     if error <= 0.0 && value.fract().abs() <= 0.0 {
         return value.to_string();
     }
-    #[allow(clippy::cast_possible_truncation, reason = "decimal exponents of doubles fit")]
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "decimal exponents of doubles fit"
+    )]
     let exponent = |x: f64| x.log10().floor() as i32;
     let by_digits = MOST_DIGITS - 1 - exponent(value.abs());
-    let by_error = if error > 0.0 { -exponent(2.0 * error) - 1 } else { i32::MAX };
+    let by_error = if error > 0.0 {
+        -exponent(2.0 * error) - 1
+    } else {
+        i32::MAX
+    };
     let decimals = by_digits.min(by_error).max(0);
     if value.abs() < 1e-3 {
         let digits = (decimals + exponent(value.abs())).clamp(0, 3);

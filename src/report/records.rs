@@ -51,7 +51,11 @@ impl Report {
     /// # Errors
     /// [`ReportError::Json`] if it is not a struct or map; [`ReportError::NotFinite`].
     pub fn one(table: Table, record: &impl serde::Serialize) -> Result<Self, ReportError> {
-        Ok(Self { table, records: vec![flat(record)?], list_key: None })
+        Ok(Self {
+            table,
+            records: vec![flat(record)?],
+            list_key: None,
+        })
     }
 
     /// An answer that is a list of records, under `key` in JSON.
@@ -64,7 +68,11 @@ impl Report {
         records: &[R],
     ) -> Result<Self, ReportError> {
         let records = records.iter().map(flat).collect::<Result<_, _>>()?;
-        Ok(Self { table, records, list_key: Some(key) })
+        Ok(Self {
+            table,
+            records,
+            list_key: Some(key),
+        })
     }
 
     /// The answer as text, ending in a newline.
@@ -101,22 +109,29 @@ impl Report {
                 Value::Array(list) => list.iter().all(Value::is_number),
                 _ => true,
             };
-            let keys: Vec<&String> =
-                record.iter().filter(|(_, value)| fits(value)).map(|(key, _)| key).collect();
+            let keys: Vec<&String> = record
+                .iter()
+                .filter(|(_, value)| fits(value))
+                .map(|(key, _)| key)
+                .collect();
             writer.write_record(&keys)?;
             for record in &self.records {
                 let cell = |key: &&String| match record.get(*key) {
                     None | Some(Value::Null) => String::new(),
                     Some(Value::String(text)) => text.clone(),
-                    Some(Value::Array(list)) => {
-                        list.iter().map(Value::to_string).collect::<Vec<_>>().join(" ")
-                    }
+                    Some(Value::Array(list)) => list
+                        .iter()
+                        .map(Value::to_string)
+                        .collect::<Vec<_>>()
+                        .join(" "),
                     Some(value) => value.to_string(),
                 };
                 writer.write_record(keys.iter().map(cell))?;
             }
         }
-        let bytes = writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))?;
+        let bytes = writer
+            .into_inner()
+            .map_err(|error| csv::Error::from(error.into_error()))?;
         Ok(String::from_utf8_lossy(&bytes).into_owned())
     }
 }

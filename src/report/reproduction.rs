@@ -56,11 +56,23 @@ impl<'j> From<&'j Judgement> for Record<'j> {
 /// [`ReportError`] if a number is not finite.
 pub fn reproduction_report(judgements: &[Judgement]) -> Result<Report, ReportError> {
     let records: Vec<Record<'_>> = judgements.iter().map(Record::from).collect();
-    if let Some(record) = records.iter().find(|r| r.computed.is_some_and(|x| !x.is_finite())) {
-        return Err(ReportError::NotFinite { key: record.id.to_owned() });
+    if let Some(record) = records
+        .iter()
+        .find(|r| r.computed.is_some_and(|x| !x.is_finite()))
+    {
+        return Err(ReportError::NotFinite {
+            key: record.id.to_owned(),
+        });
     }
     let table = Table {
-        columns: vec!["id", "paper says", "computed", "stated ±", "evidence", "verdict"],
+        columns: vec![
+            "id",
+            "paper says",
+            "computed",
+            "stated ±",
+            "evidence",
+            "verdict",
+        ],
         rows: judgements.iter().map(row).collect(),
         wrapped: Some(1),
         notes: notes(judgements),
@@ -75,7 +87,10 @@ fn notes(judgements: &[Judgement]) -> Vec<(String, String)> {
         let name = judgement.verdict.name().replace('_', " ");
         match notes.iter_mut().find(|(_, note)| note == judgement.note()) {
             Some((names, _)) => *names += &format!(", {}", judgement.claim.id),
-            None => notes.push((format!("{name}, {}", judgement.claim.id), judgement.note().to_owned())),
+            None => notes.push((
+                format!("{name}, {}", judgement.claim.id),
+                judgement.note().to_owned(),
+            )),
         }
     }
     for judgement in judgements.iter().filter(|j| j.verdict != j.recorded()) {
@@ -85,7 +100,12 @@ fn notes(judgements: &[Judgement]) -> Vec<(String, String)> {
     }
     let counts: Vec<String> = Verdict::ALL
         .into_iter()
-        .map(|verdict| (verdict, judgements.iter().filter(|j| j.verdict == verdict).count()))
+        .map(|verdict| {
+            (
+                verdict,
+                judgements.iter().filter(|j| j.verdict == verdict).count(),
+            )
+        })
         .filter(|(_, count)| *count > 0)
         .map(|(verdict, count)| format!("{count} {}", verdict.name().replace('_', " ")))
         .collect();
@@ -95,16 +115,25 @@ fn notes(judgements: &[Judgement]) -> Vec<(String, String)> {
 
 fn row(judgement: &Judgement) -> Vec<String> {
     let claim = &judgement.claim;
-    let printed = claim.printed.as_ref().map_or_else(String::new, |p| format!(": {}", p.text));
+    let printed = claim
+        .printed
+        .as_ref()
+        .map_or_else(String::new, |p| format!(": {}", p.text));
     let says = format!("{}: {}{printed}", claim.place, claim.quantity);
     let [computed, error, evidence] = match &judgement.finding {
         None => ["", "", ""].map(str::to_owned),
         Some(finding) => {
             let (computed, error) = match finding.measure {
                 Measure::Value { value, error } => (certain_digits(value, error), error),
-                Measure::Residual { value, tolerance } => (certain_digits(value, tolerance), tolerance),
+                Measure::Residual { value, tolerance } => {
+                    (certain_digits(value, tolerance), tolerance)
+                }
             };
-            let error = if error > 0.0 { scientific(error) } else { "exact".to_owned() };
+            let error = if error > 0.0 {
+                scientific(error)
+            } else {
+                "exact".to_owned()
+            };
             [computed, error, finding.evidence.name().to_owned()]
         }
     };
@@ -125,13 +154,25 @@ struct Point {
 /// [`ReportError::NotFinite`] if a number is not finite.
 pub fn curve_report(curve: &[[f64; 2]]) -> Result<Report, ReportError> {
     let points: Vec<Point> = curve.iter().map(|[x, y]| Point { x: *x, y: *y }).collect();
-    if points.iter().any(|point| !(point.x.is_finite() && point.y.is_finite())) {
-        return Err(ReportError::NotFinite { key: "a point".to_owned() });
+    if points
+        .iter()
+        .any(|point| !(point.x.is_finite() && point.y.is_finite()))
+    {
+        return Err(ReportError::NotFinite {
+            key: "a point".to_owned(),
+        });
     }
     let row = |point: &Point| {
-        vec![format!("{}", point.x), certain_digits(point.y, 1e-13 * point.y.abs())]
+        vec![
+            format!("{}", point.x),
+            certain_digits(point.y, 1e-13 * point.y.abs()),
+        ]
     };
     let rows = points.iter().map(row).collect();
-    let table = Table { columns: vec!["x", "y"], rows, ..Table::default() };
+    let table = Table {
+        columns: vec!["x", "y"],
+        rows,
+        ..Table::default()
+    };
     Report::list(table, "points", &points)
 }

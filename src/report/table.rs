@@ -77,7 +77,10 @@ impl Table {
             format!("{} \\\\\n", cells.join(" & "))
         };
         let mut text = "% \\usepackage{booktabs}\n".to_owned();
-        text += &format!("\\begin{{tabular}}{{{}}}\n\\toprule\n", "l".repeat(self.columns.len()));
+        text += &format!(
+            "\\begin{{tabular}}{{{}}}\n\\toprule\n",
+            "l".repeat(self.columns.len())
+        );
         text += &line(&mut self.columns.iter().copied());
         text += "\\midrule\n";
         for row in &self.rows {

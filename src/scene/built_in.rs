@@ -85,7 +85,11 @@ impl Scene {
         let parts = rectangle
             .split(axis, position)
             .and_then(|[near, far]| Ok([Patch::try_from(&near)?, Patch::try_from(&far)?]))
-            .map_err(|source| SceneError::Patch { index, name: name.clone(), source })?;
+            .map_err(|source| SceneError::Patch {
+                index,
+                name: name.clone(),
+                source,
+            })?;
         let [near, far] = parts;
         let mut patches = self.patches.clone();
         patches[index] = NamedPatch::new(format!("{name} (near)"), near);
@@ -143,6 +147,10 @@ fn rectangle_patch(
     let shape = Rectangle::try_new(origin, u, v).and_then(|rectangle| Patch::try_from(&rectangle));
     match shape {
         Ok(shape) => Ok(NamedPatch::new(name.to_owned(), shape)),
-        Err(source) => Err(SceneError::Patch { index, name: name.to_owned(), source }),
+        Err(source) => Err(SceneError::Patch {
+            index,
+            name: name.to_owned(),
+            source,
+        }),
     }
 }

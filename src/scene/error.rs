@@ -11,7 +11,9 @@ pub enum SceneError {
     #[error("a scene needs at least one patch")]
     Empty,
     /// The name is not one of the built-in scenes.
-    #[error("there is no built-in scene \"{name}\": use two-squares, three-squares or cube:N (N from 1 to {largest})")]
+    #[error(
+        "there is no built-in scene \"{name}\": use two-squares, three-squares or cube:N (N from 1 to {largest})"
+    )]
     UnknownName {
         /// As given.
         name: String,

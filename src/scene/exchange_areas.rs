@@ -40,21 +40,29 @@ impl Scene {
     /// edges do not run along three common axes.
     pub fn exchange_areas(&self) -> Result<ExchangeAreas, SceneError> {
         let n = self.patches().len();
-        let rectangles: Vec<Rectangle> =
-            (0..n).map(|index| self.rectangle(index)).collect::<Result<_, _>>()?;
+        let rectangles: Vec<Rectangle> = (0..n)
+            .map(|index| self.rectangle(index))
+            .collect::<Result<_, _>>()?;
         let mut values = DMatrix::zeros(n, n);
         let mut error_bounds = DMatrix::zeros(n, n);
         for (first, rectangle) in rectangles.iter().enumerate() {
             for (second, other) in rectangles.iter().enumerate().skip(first + 1) {
                 let ExchangeArea { value, error_bound } = RectanglePair::try_new(rectangle, other)
                     .and_then(|pair| pair.exchange_area())
-                    .map_err(|source| SceneError::Pair { first, second, source })?;
+                    .map_err(|source| SceneError::Pair {
+                        first,
+                        second,
+                        source,
+                    })?;
                 values[(first, second)] = value;
                 values[(second, first)] = value;
                 error_bounds[(first, second)] = error_bound;
                 error_bounds[(second, first)] = error_bound;
             }
         }
-        Ok(ExchangeAreas { values, error_bounds })
+        Ok(ExchangeAreas {
+            values,
+            error_bounds,
+        })
     }
 }

@@ -52,7 +52,11 @@ impl Scene {
     /// # Errors
     /// [`SceneError::Empty`] without a patch.
     pub fn try_new(patches: Vec<NamedPatch>) -> Result<Self, SceneError> {
-        if patches.is_empty() { Err(SceneError::Empty) } else { Ok(Self { patches }) }
+        if patches.is_empty() {
+            Err(SceneError::Empty)
+        } else {
+            Ok(Self { patches })
+        }
     }
 
     /// The patches, in order.
@@ -72,11 +76,14 @@ impl Scene {
     /// # Errors
     /// [`SceneError::NoSuchPatch`]; [`SceneError::Patch`] if it is not a rectangle.
     pub fn rectangle(&self, index: usize) -> Result<Rectangle, SceneError> {
-        let patch = self
-            .patches
-            .get(index)
-            .ok_or(SceneError::NoSuchPatch { index, last: self.patches.len() - 1 })?;
-        Rectangle::try_from(&patch.shape)
-            .map_err(|source| SceneError::Patch { index, name: patch.name.clone(), source })
+        let patch = self.patches.get(index).ok_or(SceneError::NoSuchPatch {
+            index,
+            last: self.patches.len() - 1,
+        })?;
+        Rectangle::try_from(&patch.shape).map_err(|source| SceneError::Patch {
+            index,
+            name: patch.name.clone(),
+            source,
+        })
     }
 }

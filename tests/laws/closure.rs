@@ -12,7 +12,11 @@ fn form_factors_of_a_closed_scene_sum_to_one() {
         let chain = visibility_chain(&scene).unwrap();
         for (weight, patch) in chain.weights().iter().zip(scene.patches()) {
             let sum = weight / patch.shape().area();
-            assert!((sum - 1.0).abs() <= tolerance::CLOSURE, "{cells}: {} sums to {sum}", patch.name());
+            assert!(
+                (sum - 1.0).abs() <= tolerance::CLOSURE,
+                "{cells}: {} sums to {sum}",
+                patch.name()
+            );
         }
     }
 }
@@ -23,7 +27,12 @@ fn an_open_scene_is_refused_with_its_worst_row() {
     let cube = Scene::built_in("cube:1").unwrap();
     let five: Vec<NamedPatch> = cube.patches()[..5].to_vec();
     let refusal = visibility_chain(&Scene::try_new(five).unwrap()).unwrap_err();
-    let ChainError::OpenScene { row, sum, .. } = refusal else { panic!("{refusal}") };
+    let ChainError::OpenScene { row, sum, .. } = refusal else {
+        panic!("{refusal}")
+    };
     // the lacking face is opposite to face 4 and adjacent to the others, and sees 0.2000 of each
-    assert!(row < 5 && (sum - 0.8).abs() < 1e-3, "row {row} sums to {sum}");
+    assert!(
+        row < 5 && (sum - 0.8).abs() < 1e-3,
+        "row {row} sums to {sum}"
+    );
 }

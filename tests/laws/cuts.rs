@@ -25,7 +25,10 @@ fn gain_derivatives_are_derivatives_of_the_gain() {
                 };
                 let difference = (at(step) - at(-step)) / (2.0 * step);
                 let derivative = split.gain_derivative(&cuts, k).unwrap();
-                assert!((derivative - difference).abs() < 1e-9, "{axis:?} {cuts:?} {k}");
+                assert!(
+                    (derivative - difference).abs() < 1e-9,
+                    "{axis:?} {cuts:?} {k}"
+                );
             }
         }
     }
@@ -61,7 +64,10 @@ fn many_parts_come_to_rest() {
 fn useless_cuts_are_refused() {
     let scene = Scene::built_in("cube:2").unwrap();
     let coplanar = PatchSplit::try_new(&scene, 0, &[1], SplitAxis::U).unwrap_err();
-    assert!(coplanar.to_string().contains("exchanges nothing"), "{coplanar}");
+    assert!(
+        coplanar.to_string().contains("exchanges nothing"),
+        "{coplanar}"
+    );
     let itself = PatchSplit::try_new(&scene, 0, &[0], SplitAxis::U).unwrap_err();
     assert!(itself.to_string().contains("against itself"), "{itself}");
     assert!(two_squares(SplitAxis::U).best(1).is_err());
@@ -76,7 +82,10 @@ fn gradient_cuts_are_maxima() {
             let cut = GradientCut::try_new(n, m).unwrap();
             let best = cut.mutual_information_cut().unwrap();
             let tau = -best.position.ln();
-            assert!(best.value > cut.gain_at(tau * 0.99).max(cut.gain_at(tau * 1.01)), "{n} {m}");
+            assert!(
+                best.value > cut.gain_at(tau * 0.99).max(cut.gain_at(tau * 1.01)),
+                "{n} {m}"
+            );
         }
     }
 }
@@ -87,10 +96,20 @@ fn straight_cuts_agree_with_the_closed_form() {
     for (n, m) in [(1.0, 1.0), (3.0, 1.0), (2.0, 2.0)] {
         let cut = GradientCut::try_new(n, m).unwrap();
         let best = cut.mutual_information_cut().unwrap();
-        let straight = StraightCut { middle: best.position, lean: 0.0 }.gain(n, m).unwrap();
+        let straight = StraightCut {
+            middle: best.position,
+            lean: 0.0,
+        }
+        .gain(n, m)
+        .unwrap();
         approx::assert_relative_eq!(straight, best.value, epsilon = 0.0, max_relative = 1e-12);
         // nearly across: quadrature and closed form meet
-        let leaning = StraightCut { middle: best.position, lean: 1e-6 }.gain(n, m).unwrap();
+        let leaning = StraightCut {
+            middle: best.position,
+            lean: 1e-6,
+        }
+        .gain(n, m)
+        .unwrap();
         approx::assert_relative_eq!(leaning, straight, epsilon = 0.0, max_relative = 1e-9);
     }
 }
@@ -125,7 +144,11 @@ fn contact_shadow_changes_sides_at_its_limit() {
     for (line, wins) in [(limit - 1e-3, true), (limit + 1e-3, false)] {
         let shadow = ContactShadow::try_new(line).unwrap();
         let lit = shadow.best_lit_cut().unwrap().unwrap();
-        assert_eq!(shadow.gain(line).unwrap() > shadow.gain(lit).unwrap(), wins, "{line}");
+        assert_eq!(
+            shadow.gain(line).unwrap() > shadow.gain(lit).unwrap(),
+            wins,
+            "{line}"
+        );
     }
 }
 

@@ -8,13 +8,19 @@ use proptest::prelude::*;
 /// `Σ J_k log2( J_k Σw / (w_k ΣJ) )` at 256 bits, from the definition.
 fn exact(fluxes: &[f64], weights: &[f64]) -> HighPrecision {
     let sum = |values: &[f64]| {
-        values.iter().fold(HighPrecision::new(0.0), |sum, x| sum + &HighPrecision::new(*x))
+        values.iter().fold(HighPrecision::new(0.0), |sum, x| {
+            sum + &HighPrecision::new(*x)
+        })
     };
     let (flux, weight) = (sum(fluxes), sum(weights));
-    let terms = fluxes.iter().zip(weights).filter(|(flux, _)| **flux > 0.0).map(|(j, w)| {
-        let (j, w) = (HighPrecision::new(*j), HighPrecision::new(*w));
-        (j.clone() * &weight / &(w * &flux)).ln() * &j
-    });
+    let terms = fluxes
+        .iter()
+        .zip(weights)
+        .filter(|(flux, _)| **flux > 0.0)
+        .map(|(j, w)| {
+            let (j, w) = (HighPrecision::new(*j), HighPrecision::new(*w));
+            (j.clone() * &weight / &(w * &flux)).ln() * &j
+        });
     terms.fold(HighPrecision::new(0.0), |sum, term| sum + &term) / &HighPrecision::new(2.0).ln()
 }
 
@@ -73,13 +79,26 @@ fn self_divergence_has_its_exact_cases() {
 #[test]
 fn divergence_kernel_keeps_its_digits() {
     let magnitudes = (0..4000).map(|k| 10f64.powf(-150.0 + f64::from(k) * 156.0 / 4000.0));
-    let arguments = magnitudes.flat_map(|x| [x, -x]).filter(|x| *x >= -1.0).chain([-1.0]);
+    let arguments = magnitudes
+        .flat_map(|x| [x, -x])
+        .filter(|x| *x >= -1.0)
+        .chain([-1.0]);
     let mut worst: f64 = 0.0;
     for x in arguments {
         let exact = Scalar::divergence_kernel(&HighPrecision::new(x));
-        let error = ((HighPrecision::new(divergence_kernel(x)) - &exact) / &exact).abs().to_f64();
+        let error = ((HighPrecision::new(divergence_kernel(x)) - &exact) / &exact)
+            .abs()
+            .to_f64();
         worst = worst.max(error);
     }
-    assert!(worst <= tolerance::DIVERGENCE_KERNEL, "{:e} is {} ε", worst, worst / f64::EPSILON);
-    assert!(worst >= tolerance::DIVERGENCE_KERNEL / 24.0, "the budget is far too wide: {worst:e}");
+    assert!(
+        worst <= tolerance::DIVERGENCE_KERNEL,
+        "{:e} is {} ε",
+        worst,
+        worst / f64::EPSILON
+    );
+    assert!(
+        worst >= tolerance::DIVERGENCE_KERNEL / 24.0,
+        "the budget is far too wide: {worst:e}"
+    );
 }

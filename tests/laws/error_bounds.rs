@@ -8,7 +8,11 @@ use infoscene::numeric::{HighPrecision, Scalar};
 use proptest::prelude::*;
 
 fn wide(span: &Span) -> Span<HighPrecision> {
-    Span::try_new(HighPrecision::new(*span.lower()), HighPrecision::new(*span.upper())).unwrap()
+    Span::try_new(
+        HighPrecision::new(*span.lower()),
+        HighPrecision::new(*span.upper()),
+    )
+    .unwrap()
 }
 
 /// The error in units of the bound, and the bound relative to the value.
@@ -61,7 +65,11 @@ fn bounds_of_near_rectangles_are_small() {
         let square = [span(0.0, 1.0), span(0.0, 1.0)];
         let exchange = parallel::exchange_area(&square, &square, &distance).unwrap();
         let bound = exchange.in_range(1.0).unwrap().error_bound;
-        assert!(bound <= allowed * exchange.value, "{distance}: {:e}", bound / exchange.value);
+        assert!(
+            bound <= allowed * exchange.value,
+            "{distance}: {:e}",
+            bound / exchange.value
+        );
     }
 }
 

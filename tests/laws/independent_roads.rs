@@ -13,9 +13,21 @@ fn pairs() -> Vec<(&'static str, Rectangle, Rectangle)> {
     };
     let floor = rectangle([0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
     vec![
-        ("facing", floor, rectangle([0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0])),
-        ("facing, offset", floor, rectangle([0.7, -0.2, 0.5], [0.0, 0.4, 0.0], [2.0, 0.0, 0.0])),
-        ("perpendicular", floor, rectangle([-0.5, 0.2, 0.3], [0.0, 2.0, 0.0], [0.0, 0.0, 1.5])),
+        (
+            "facing",
+            floor,
+            rectangle([0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]),
+        ),
+        (
+            "facing, offset",
+            floor,
+            rectangle([0.7, -0.2, 0.5], [0.0, 0.4, 0.0], [2.0, 0.0, 0.0]),
+        ),
+        (
+            "perpendicular",
+            floor,
+            rectangle([-0.5, 0.2, 0.3], [0.0, 2.0, 0.0], [0.0, 0.0, 1.5]),
+        ),
     ]
 }
 
@@ -45,8 +57,15 @@ fn closed_form_agrees_with_quadrature_of_the_kernel() {
             kernel(point(&first, [a, b]), n_x, point(&second, [c, d]), n_y)
         };
         let by_rule = first.area() * second.area() * nested(&f);
-        let closed = RectanglePair::try_new(&first, &second).unwrap().exchange_area().unwrap().value;
-        assert!((by_rule / closed - 1.0).abs() < 1e-6, "{name}: {closed} {by_rule}");
+        let closed = RectanglePair::try_new(&first, &second)
+            .unwrap()
+            .exchange_area()
+            .unwrap()
+            .value;
+        assert!(
+            (by_rule / closed - 1.0).abs() < 1e-6,
+            "{name}: {closed} {by_rule}"
+        );
     }
 }
 
@@ -67,7 +86,11 @@ fn closed_form_agrees_with_sampling() {
         let n = f64::from(count);
         let (mean, areas) = (sum / n, first.area() * second.area());
         let deviation = ((squares / n - mean * mean) / n).sqrt();
-        let closed = RectanglePair::try_new(&first, &second).unwrap().exchange_area().unwrap().value;
+        let closed = RectanglePair::try_new(&first, &second)
+            .unwrap()
+            .exchange_area()
+            .unwrap()
+            .value;
         let off = (areas * mean - closed).abs() / (areas * deviation);
         assert!(off < 5.0, "{name}: {off} standard errors");
     }
@@ -79,13 +102,25 @@ fn closed_form_agrees_with_sampling() {
 fn what_lies_behind_exchanges_nothing() {
     let floor = Rectangle::try_new(DVec3::ZERO, DVec3::X, DVec3::Y).unwrap();
     let value = |other: Rectangle| {
-        RectanglePair::try_new(&floor, &other).unwrap().exchange_area().unwrap().value
+        RectanglePair::try_new(&floor, &other)
+            .unwrap()
+            .exchange_area()
+            .unwrap()
+            .value
     };
     let at = |o, u, v| Rectangle::try_new(o, u, v).unwrap();
     assert_eq!(value(at(DVec3::Z, DVec3::X, DVec3::Y)), 0.0, "turned away");
     assert_eq!(value(at(-DVec3::Z, DVec3::X, DVec3::Y)), 0.0, "behind");
-    assert_eq!(value(at(2.0 * DVec3::X, DVec3::X, DVec3::Y)), 0.0, "coplanar");
+    assert_eq!(
+        value(at(2.0 * DVec3::X, DVec3::X, DVec3::Y)),
+        0.0,
+        "coplanar"
+    );
     let half_below = value(at(-DVec3::Z, DVec3::Y, 2.0 * DVec3::Z));
-    assert_eq!(half_below, value(at(DVec3::ZERO, DVec3::Y, DVec3::Z)), "half below the horizon");
+    assert_eq!(
+        half_below,
+        value(at(DVec3::ZERO, DVec3::Y, DVec3::Z)),
+        "half below the horizon"
+    );
     assert!((half_below - 0.200_043_776_075_403_15).abs() < 1e-15);
 }

@@ -41,7 +41,9 @@ proptest! {
             (v1 - v0).length().min((v3 - v0).length())
         });
         let shortest = sides[0].min(sides[1]);
-        prop_assume!(shortest > 0.01);
+        if shortest < 0.01 {
+            return Ok(()); // the motion's own rounding of a sliver's direction is not the library's
+        }
         let plain = RectanglePair::try_new(&first, &second).unwrap().exchange_area();
         let pair = RectanglePair::try_new(&moved(&first).unwrap(), &moved(&second).unwrap());
         if let (Ok(plain), Ok(moved)) = (plain, pair.unwrap().exchange_area()) {

@@ -1,5 +1,9 @@
 //! One law per file, each with its negative control.
-#![allow(clippy::unwrap_used, clippy::float_cmp, reason = "a test may panic, and compares what is exact")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    reason = "a test may panic, and compares what is exact"
+)]
 
 mod additivity;
 mod closure;

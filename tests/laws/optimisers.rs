@@ -28,14 +28,41 @@ proptest! {
 #[test]
 fn roots_of_nothing_are_refused() {
     let nan = root(|_| f64::NAN, 0.0, 1.0);
-    assert!(matches!(nan, Err(NumericError::NotFinite { .. })), "{nan:?}");
+    assert!(
+        matches!(nan, Err(NumericError::NotFinite { .. })),
+        "{nan:?}"
+    );
     let tiny = root(|x| 1e-300 * (1.0 + x), 0.0, 1.0);
-    assert!(matches!(tiny, Err(NumericError::NoSignChange { .. })), "{tiny:?}");
-    let inside = root(|x| if x > 0.4 && x < 0.6 { f64::NAN } else { x - 0.5 }, 0.0, 1.0);
-    assert!(matches!(inside, Err(NumericError::NotFinite { .. })), "{inside:?}");
-    for (lower, upper) in [(1.0, 0.0), (0.0, 0.0), (f64::NAN, 1.0), (0.0, f64::INFINITY)] {
+    assert!(
+        matches!(tiny, Err(NumericError::NoSignChange { .. })),
+        "{tiny:?}"
+    );
+    let inside = root(
+        |x| {
+            if x > 0.4 && x < 0.6 {
+                f64::NAN
+            } else {
+                x - 0.5
+            }
+        },
+        0.0,
+        1.0,
+    );
+    assert!(
+        matches!(inside, Err(NumericError::NotFinite { .. })),
+        "{inside:?}"
+    );
+    for (lower, upper) in [
+        (1.0, 0.0),
+        (0.0, 0.0),
+        (f64::NAN, 1.0),
+        (0.0, f64::INFINITY),
+    ] {
         let empty = root(|x| x - 0.5, lower, upper);
-        assert!(matches!(empty, Err(NumericError::EmptyInterval { .. })), "{empty:?}");
+        assert!(
+            matches!(empty, Err(NumericError::EmptyInterval { .. })),
+            "{empty:?}"
+        );
     }
 }
 
@@ -70,11 +97,17 @@ fn maxima_in_two_coordinates_are_found() {
         vec![-2.0 * x - y, -2.0 * y - x]
     };
     let found = maximum_of_many(gradient, vec![0.1, 0.9]).unwrap();
-    assert!((found[0] - 0.3).abs() < 1e-14 && (found[1] - 0.6).abs() < 1e-14, "{found:?}");
+    assert!(
+        (found[0] - 0.3).abs() < 1e-14 && (found[1] - 0.6).abs() < 1e-14,
+        "{found:?}"
+    );
     let nan = maximum_of_many(|_| vec![f64::NAN], vec![0.5]);
     assert!(matches!(nan, Err(NumericError::NotFinite { .. })));
     let saddle = maximum_of_many(|t| vec![t[0] - 0.5], vec![0.4]);
-    assert!(matches!(saddle, Err(NumericError::NotConverged { .. })), "{saddle:?}");
+    assert!(
+        matches!(saddle, Err(NumericError::NotConverged { .. })),
+        "{saddle:?}"
+    );
 }
 
 /// `|result − exact| ≤ tolerance` for every tolerance that the rule can be asked for.
@@ -93,9 +126,15 @@ fn integrals_keep_their_tolerance() {
 #[test]
 fn integrals_of_nothing_are_refused() {
     let nan = integral(|x| if x > 0.5 { f64::NAN } else { 1.0 }, (0.0, 1.0), 1e-6);
-    assert!(matches!(nan, Err(NumericError::NotFinite { .. })), "{nan:?}");
+    assert!(
+        matches!(nan, Err(NumericError::NotFinite { .. })),
+        "{nan:?}"
+    );
     let wild = integral(|x| (1e4 * x).sin(), (0.0, 1.0), 1e-9);
-    assert!(matches!(wild, Err(NumericError::NotConverged { .. })), "{wild:?}");
+    assert!(
+        matches!(wild, Err(NumericError::NotConverged { .. })),
+        "{wild:?}"
+    );
 }
 
 /// A sum that loses its last bits term by term, and compensated does not.
@@ -103,5 +142,10 @@ fn integrals_of_nothing_are_refused() {
 fn compensated_sums_do_not_drift() {
     let terms = || std::iter::once(1.0).chain(std::iter::repeat_n(1e-16, 10_000));
     assert_eq!(terms().sum::<f64>(), 1.0);
-    approx::assert_ulps_eq!(compensated_sum(terms()), 1.0 + 1e-12, epsilon = 0.0, max_ulps = 1);
+    approx::assert_ulps_eq!(
+        compensated_sum(terms()),
+        1.0 + 1e-12,
+        epsilon = 0.0,
+        max_ulps = 1
+    );
 }

@@ -23,7 +23,15 @@ proptest! {
 #[test]
 fn a_chain_without_reciprocity_is_refused() {
     let refusal = ReversibleChain::try_new(dmatrix![1.0, 2.0; 2.5, 1.0]).unwrap_err();
-    assert_eq!(refusal, ChainError::NotReciprocal { row: 0, column: 1, value: 2.0, mirrored: 2.5 });
+    assert_eq!(
+        refusal,
+        ChainError::NotReciprocal {
+            row: 0,
+            column: 1,
+            value: 2.0,
+            mirrored: 2.5
+        }
+    );
 }
 
 /// Three states that circulate have a stationary distribution and no reciprocity.
@@ -31,7 +39,10 @@ fn a_chain_without_reciprocity_is_refused() {
 fn a_circulating_chain_is_refused() {
     let circulation = dmatrix![0.0, 1.0, 0.0; 0.0, 0.0, 1.0; 1.0, 0.0, 0.0];
     let refusal = ReversibleChain::try_from_transitions(&[1.0, 1.0, 1.0], &circulation);
-    assert!(matches!(refusal, Err(ChainError::NotReciprocal { .. })), "{refusal:?}");
+    assert!(
+        matches!(refusal, Err(ChainError::NotReciprocal { .. })),
+        "{refusal:?}"
+    );
 }
 
 /// Transition probabilities go in and come out.
@@ -42,8 +53,18 @@ fn transition_probabilities_are_given_back() {
     let weights = [0.5, 1.0 / 3.0, 1.0 / 6.0];
     let chain = ReversibleChain::try_from_transitions(&weights, &transitions).unwrap();
     let back = DMatrix::from_fn(3, 3, |i, j| chain.transition_probability(i, j));
-    approx::assert_relative_eq!(back, transitions, epsilon = 0.0, max_relative = 4.0 * f64::EPSILON);
+    approx::assert_relative_eq!(
+        back,
+        transitions,
+        epsilon = 0.0,
+        max_relative = 4.0 * f64::EPSILON
+    );
     for (i, weight) in weights.iter().enumerate() {
-        approx::assert_ulps_eq!(chain.stationary_probability(i), *weight, epsilon = 0.0, max_ulps = 4);
+        approx::assert_ulps_eq!(
+            chain.stationary_probability(i),
+            *weight,
+            epsilon = 0.0,
+            max_ulps = 4
+        );
     }
 }

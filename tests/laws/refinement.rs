@@ -19,7 +19,10 @@ fn refinement_never_lowers_mutual_information() {
         let refined = refinement.refined(&chain).unwrap();
         let difference = mutual_information(&refined) - mutual_information(&chain);
         assert!(gain >= 0.0);
-        assert!((difference - gain).abs() <= tolerance::IDENTITY, "{difference} {gain}");
+        assert!(
+            (difference - gain).abs() <= tolerance::IDENTITY,
+            "{difference} {gain}"
+        );
     }
 }
 
@@ -43,7 +46,10 @@ fn mutual_information_has_its_exact_ends() {
     assert_eq!(mutual_information(&independent), 0.0);
     let alternating = ReversibleChain::try_new(dmatrix![0.0, 1.0; 1.0, 0.0]).unwrap();
     assert_eq!(mutual_information(&alternating), 1.0);
-    assert_eq!((positional_entropy(&alternating), entropy_rate(&alternating)), (1.0, 0.0));
+    assert_eq!(
+        (positional_entropy(&alternating), entropy_rate(&alternating)),
+        (1.0, 0.0)
+    );
 }
 
 /// A proportional division gains exactly nothing.
@@ -66,10 +72,23 @@ fn without_covering_the_conclusion_fails() {
     let outward = dmatrix![0.5, 0.0; 0.5, 0.0];
     let within = dmatrix![0.0, 0.5; 0.5, 0.0];
     let refusal = StateRefinement::try_new(&chain, 1, outward, within).unwrap_err();
-    assert_eq!(refusal, ChainError::NotCovering { state: 1, other: 1, parts: 1.0, whole: 0.0 });
+    assert_eq!(
+        refusal,
+        ChainError::NotCovering {
+            state: 1,
+            other: 1,
+            parts: 1.0,
+            whole: 0.0
+        }
+    );
     let refined = dmatrix![0.0, 0.5, 0.5; 0.5, 0.0, 0.5; 0.5, 0.5, 0.0];
     let information = mutual_information(&ReversibleChain::try_new(refined).unwrap());
-    approx::assert_relative_eq!(information, 3f64.log2() - 1.0, epsilon = 0.0, max_relative = 1e-15);
+    approx::assert_relative_eq!(
+        information,
+        3f64.log2() - 1.0,
+        epsilon = 0.0,
+        max_relative = 1e-15
+    );
     assert!(information < mutual_information(&chain));
 }
 
@@ -82,12 +101,25 @@ fn refinements_are_checked() {
     let refuse = |state, outward: &DMatrix<f64>, within: &DMatrix<f64>| {
         StateRefinement::try_new(&chain, state, outward.clone(), within.clone()).unwrap_err()
     };
-    assert_eq!(refuse(2, &outward, &within), ChainError::NoSuchState { state: 2, last: 1 });
+    assert_eq!(
+        refuse(2, &outward, &within),
+        ChainError::NoSuchState { state: 2, last: 1 }
+    );
     let lopsided = dmatrix![0.5, 0.25; 0.0, 0.25];
-    assert!(matches!(refuse(0, &outward, &lopsided), ChainError::NotReciprocal { .. }));
+    assert!(matches!(
+        refuse(0, &outward, &lopsided),
+        ChainError::NotReciprocal { .. }
+    ));
     let negative = dmatrix![0.0, 1.5; 0.0, -0.5];
-    let entry = ChainError::InvalidEntry { row: 1, column: 1, value: -0.5 };
+    let entry = ChainError::InvalidEntry {
+        row: 1,
+        column: 1,
+        value: -0.5,
+    };
     assert_eq!(refuse(0, &negative, &within), entry);
-    assert!(matches!(refuse(0, &within, &within), ChainError::InvalidEntry { .. } | ChainError::NotCovering { .. }));
+    assert!(matches!(
+        refuse(0, &within, &within),
+        ChainError::InvalidEntry { .. } | ChainError::NotCovering { .. }
+    ));
     assert!(StateRefinement::try_new(&chain, 0, outward, within).is_ok());
 }

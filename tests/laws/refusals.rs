@@ -8,33 +8,81 @@ use infoscene::scene::{Scene, SceneError};
 use nalgebra::{DMatrix, dmatrix};
 
 fn polygon(corners: &[[f64; 3]]) -> Result<Patch, GeometryError> {
-    Patch::try_new(corners.iter().map(|corner| DVec3::from_array(*corner)).collect())
+    Patch::try_new(
+        corners
+            .iter()
+            .map(|corner| DVec3::from_array(*corner))
+            .collect(),
+    )
 }
 
 #[test]
 fn degenerate_polygons_are_refused() {
-    let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+    let square = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [1.0, 1.0, 0.0],
+        [0.0, 1.0, 0.0],
+    ];
     assert!(polygon(&square).is_ok());
-    assert_eq!(polygon(&square[..2]).unwrap_err(), GeometryError::TooFewCorners { corners: 2 });
+    assert_eq!(
+        polygon(&square[..2]).unwrap_err(),
+        GeometryError::TooFewCorners { corners: 2 }
+    );
     let mut bad = square;
     bad[2] = [f64::NAN, 0.0, 0.0];
-    assert!(matches!(polygon(&bad).unwrap_err(), GeometryError::NotFinite { corner: 2, .. }));
+    assert!(matches!(
+        polygon(&bad).unwrap_err(),
+        GeometryError::NotFinite { corner: 2, .. }
+    ));
     let line = [[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]];
-    assert!(matches!(polygon(&line).unwrap_err(), GeometryError::NoArea { .. }));
+    assert!(matches!(
+        polygon(&line).unwrap_err(),
+        GeometryError::NoArea { .. }
+    ));
     let mut bent = square;
     bent[2][2] = 1e-3;
-    assert!(matches!(polygon(&bent).unwrap_err(), GeometryError::NotPlanar { .. }));
-    let bow_tie = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 2.0, 0.0]];
+    assert!(matches!(
+        polygon(&bent).unwrap_err(),
+        GeometryError::NotPlanar { .. }
+    ));
+    let bow_tie = [
+        [0.0, 0.0, 0.0],
+        [1.0, 1.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.0, 2.0, 0.0],
+    ];
     let crossing = polygon(&bow_tie).unwrap_err();
-    assert!(matches!(crossing, GeometryError::NotSimple { first: 0, second: 2 }), "{crossing}");
+    assert!(
+        matches!(
+            crossing,
+            GeometryError::NotSimple {
+                first: 0,
+                second: 2
+            }
+        ),
+        "{crossing}"
+    );
 }
 
 #[test]
 fn concave_polygons_are_accepted() {
-    let l = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 1.0, 0.0], [1.0, 1.0, 0.0], [1.0, 2.0, 0.0], [0.0, 2.0, 0.0]];
+    let l = [
+        [0.0, 0.0, 0.0],
+        [2.0, 0.0, 0.0],
+        [2.0, 1.0, 0.0],
+        [1.0, 1.0, 0.0],
+        [1.0, 2.0, 0.0],
+        [0.0, 2.0, 0.0],
+    ];
     let patch = polygon(&l).unwrap();
     assert_eq!((patch.area(), patch.normal()), (3.0, DVec3::Z));
-    assert!(Rectangle::try_from(&patch).unwrap_err().to_string().contains("6 corners"));
+    assert!(
+        Rectangle::try_from(&patch)
+            .unwrap_err()
+            .to_string()
+            .contains("6 corners")
+    );
 }
 
 #[test]
@@ -45,9 +93,19 @@ fn rectangles_are_checked() {
     for position in [0.0, 1.0, -0.1, f64::NAN] {
         assert!(square.split(SplitAxis::U, position).is_err(), "{position}");
     }
-    let turned = Rectangle::try_new(DVec3::Z, DVec3::new(1.0, 1.0, 0.0), DVec3::new(1.0, -1.0, 0.0));
+    let turned = Rectangle::try_new(
+        DVec3::Z,
+        DVec3::new(1.0, 1.0, 0.0),
+        DVec3::new(1.0, -1.0, 0.0),
+    );
     let refusal = RectanglePair::try_new(&square, &turned.unwrap()).unwrap_err();
-    assert!(matches!(refusal, FormFactorError::Geometry(GeometryError::NotAligned { .. })), "{refusal}");
+    assert!(
+        matches!(
+            refusal,
+            FormFactorError::Geometry(GeometryError::NotAligned { .. })
+        ),
+        "{refusal}"
+    );
 }
 
 #[test]
@@ -55,9 +113,17 @@ fn distances_and_spans_are_checked() {
     let unit = Span::try_new(0.0, 1.0).unwrap();
     for distance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
         let refusal = parallel::exchange_area(&[unit, unit], &[unit, unit], &distance);
-        assert!(matches!(refusal, Err(FormFactorError::NonPositiveLength { .. })), "{distance}");
+        assert!(
+            matches!(refusal, Err(FormFactorError::NonPositiveLength { .. })),
+            "{distance}"
+        );
     }
-    for (lower, upper) in [(1.0, 1.0), (1.0, 0.0), (f64::NAN, 1.0), (0.0, f64::INFINITY)] {
+    for (lower, upper) in [
+        (1.0, 1.0),
+        (1.0, 0.0),
+        (f64::NAN, 1.0),
+        (0.0, f64::INFINITY),
+    ] {
         assert!(Span::try_new(lower, upper).is_err());
     }
 }
@@ -66,22 +132,49 @@ fn distances_and_spans_are_checked() {
 fn bad_joint_matrices_are_refused_with_the_entry() {
     let refuse = |matrix: DMatrix<f64>| ReversibleChain::try_new(matrix).unwrap_err();
     assert_eq!(refuse(DMatrix::zeros(0, 0)), ChainError::Empty);
-    assert_eq!(refuse(DMatrix::zeros(1, 2)), ChainError::NotSquare { rows: 1, columns: 2 });
-    assert_eq!(refuse(DMatrix::zeros(2, 2)), ChainError::NoMass { total: 0.0 });
+    assert_eq!(
+        refuse(DMatrix::zeros(1, 2)),
+        ChainError::NotSquare {
+            rows: 1,
+            columns: 2
+        }
+    );
+    assert_eq!(
+        refuse(DMatrix::zeros(2, 2)),
+        ChainError::NoMass { total: 0.0 }
+    );
     let entry = |row, column, value| ChainError::InvalidEntry { row, column, value };
     assert_eq!(refuse(dmatrix![1.0, -1.0; -1.0, 1.0]), entry(0, 1, -1.0));
-    assert!(matches!(refuse(dmatrix![1.0, 0.0; 0.0, f64::NAN]), ChainError::InvalidEntry { row: 1, column: 1, .. }));
+    assert!(matches!(
+        refuse(dmatrix![1.0, 0.0; 0.0, f64::NAN]),
+        ChainError::InvalidEntry {
+            row: 1,
+            column: 1,
+            ..
+        }
+    ));
     let halved = dmatrix![0.5, 0.4; 0.5, 0.5];
     let refusal = ReversibleChain::try_from_transitions(&[1.0, 1.0], &halved).unwrap_err();
-    assert!(matches!(refusal, ChainError::RowSumNotOne { row: 0, .. }), "{refusal}");
+    assert!(
+        matches!(refusal, ChainError::RowSumNotOne { row: 0, .. }),
+        "{refusal}"
+    );
 }
 
 #[test]
 fn unknown_scenes_and_patches_are_refused() {
-    for name in ["", "sphere", "cube:", "cube:0", "cube:33", "cube:-1", "cube:1.5"] {
-        assert!(matches!(Scene::built_in(name), Err(SceneError::UnknownName { .. })), "{name}");
+    for name in [
+        "", "sphere", "cube:", "cube:0", "cube:33", "cube:-1", "cube:1.5",
+    ] {
+        assert!(
+            matches!(Scene::built_in(name), Err(SceneError::UnknownName { .. })),
+            "{name}"
+        );
     }
-    let refusal = Scene::built_in("two-squares").unwrap().rectangle(2).unwrap_err();
+    let refusal = Scene::built_in("two-squares")
+        .unwrap()
+        .rectangle(2)
+        .unwrap_err();
     assert_eq!(refusal, SceneError::NoSuchPatch { index: 2, last: 1 });
     assert_eq!(Scene::try_new(Vec::new()).unwrap_err(), SceneError::Empty);
 }

@@ -15,9 +15,15 @@ fn grids(id: &str) -> f64 {
 #[test]
 fn regular_grids_agree_with_29_digits() {
     for cells in [1, 2, 3, 4, 6] {
-        let information = CubeGrid::regular(cells).unwrap().mutual_information().unwrap();
+        let information = CubeGrid::regular(cells)
+            .unwrap()
+            .mutual_information()
+            .unwrap();
         let exact = grids(&format!("cube_regular_{cells}"));
-        assert!((information / exact - 1.0).abs() <= tolerance::GRID_INFORMATION, "{cells}: {information} {exact}");
+        assert!(
+            (information / exact - 1.0).abs() <= tolerance::GRID_INFORMATION,
+            "{cells}: {information} {exact}"
+        );
     }
 }
 
@@ -27,7 +33,10 @@ fn chains_of_cube_scenes_agree_with_29_digits() {
     for cells in [1, 2, 3, 4] {
         let chain = visibility_chain(&Scene::built_in(&format!("cube:{cells}")).unwrap()).unwrap();
         let exact = grids(&format!("cube_regular_{cells}"));
-        assert!((mutual_information(&chain) / exact - 1.0).abs() <= tolerance::GRID_INFORMATION, "{cells}");
+        assert!(
+            (mutual_information(&chain) / exact - 1.0).abs() <= tolerance::GRID_INFORMATION,
+            "{cells}"
+        );
     }
 }
 
@@ -37,22 +46,36 @@ fn best_grids_agree_with_20_digits() {
     let rows = rows("cube_grids.csv");
     let lines = |id: &str| -> Vec<f64> {
         let ids = [format!("{id}_line1"), format!("{id}_line2")];
-        rows.iter().filter(|row| ids.contains(&row.id)).map(|row| row.number("value")).collect()
+        rows.iter()
+            .filter(|row| ids.contains(&row.id))
+            .map(|row| row.number("value"))
+            .collect()
     };
     for (cells, has_middle) in [(3, false), (4, true), (6, true)] {
         let id = format!("cube_optimal_{cells}");
         let half = lines(&id);
         let mirrored = half.iter().rev().map(|line| 1.0 - line);
-        let all: Vec<f64> = half.iter().copied().chain(has_middle.then_some(0.5)).chain(mirrored).collect();
+        let all: Vec<f64> = half
+            .iter()
+            .copied()
+            .chain(has_middle.then_some(0.5))
+            .chain(mirrored)
+            .collect();
         let grid = CubeGrid::try_new(&all).unwrap();
         let information = grid.mutual_information().unwrap();
-        assert!((information / grids(&id) - 1.0).abs() <= tolerance::GRID_INFORMATION, "{cells}: {information}");
+        assert!(
+            (information / grids(&id) - 1.0).abs() <= tolerance::GRID_INFORMATION,
+            "{cells}: {information}"
+        );
         for (k, slope) in grid.gradient().unwrap().into_iter().enumerate() {
             assert!(slope.abs() < 1e-12, "{cells}: slope {slope:e} in line {k}");
         }
         let found = CubeGrid::best(cells).unwrap().lines();
         for (found, exact) in found.into_iter().zip(all) {
-            assert!((found - exact).abs() <= tolerance::POSITION, "{cells}: {found} {exact}");
+            assert!(
+                (found - exact).abs() <= tolerance::POSITION,
+                "{cells}: {found} {exact}"
+            );
         }
     }
 }
@@ -60,9 +83,19 @@ fn best_grids_agree_with_20_digits() {
 /// Fig. 4: lines t and 1 − t with t = x/20.
 #[test]
 fn figure_4_agrees_with_13_digits() {
-    for (x, id) in [(2.0, "fig4_x2"), (6.0, "fig4_x6"), (20.0 / 3.0, "fig4_x6.666667 (regular)")] {
+    for (x, id) in [
+        (2.0, "fig4_x2"),
+        (6.0, "fig4_x6"),
+        (20.0 / 3.0, "fig4_x6.666667 (regular)"),
+    ] {
         let t = x / 20.0;
-        let information = CubeGrid::try_new(&[t, 1.0 - t]).unwrap().mutual_information().unwrap();
-        assert!((information / grids(id) - 1.0).abs() <= tolerance::GRID_INFORMATION, "{id}: {information}");
+        let information = CubeGrid::try_new(&[t, 1.0 - t])
+            .unwrap()
+            .mutual_information()
+            .unwrap();
+        assert!(
+            (information / grids(id) - 1.0).abs() <= tolerance::GRID_INFORMATION,
+            "{id}: {information}"
+        );
     }
 }

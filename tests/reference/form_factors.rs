@@ -27,10 +27,17 @@ fn aligned_pairs() -> Vec<(String, RectanglePair, f64)> {
 #[test]
 fn rectangle_pairs_agree_with_thirty_digits() {
     let pairs = aligned_pairs();
-    assert_eq!(pairs.len(), 2 * 18, "18 rows of the file are pairs of aligned rectangles");
+    assert_eq!(
+        pairs.len(),
+        2 * 18,
+        "18 rows of the file are pairs of aligned rectangles"
+    );
     for (id, pair, exact) in pairs {
         let value = pair.exchange_area().unwrap().value;
-        assert!((value - exact).abs() <= RELATIVE_ERROR * exact, "{id}: {value} against {exact}");
+        assert!(
+            (value - exact).abs() <= RELATIVE_ERROR * exact,
+            "{id}: {value} against {exact}"
+        );
     }
 }
 
@@ -39,8 +46,15 @@ fn rectangle_pairs_agree_with_thirty_digits() {
 fn rectangle_bounds_hold_on_every_row() {
     for (id, pair, exact) in aligned_pairs() {
         let exchange = pair.exchange_area().unwrap();
-        assert!((exchange.value - exact).abs() <= exchange.error_bound, "{id}");
-        assert!(exchange.error_bound <= 1e-11 * exact, "{id}: bound {:e}", exchange.error_bound);
+        assert!(
+            (exchange.value - exact).abs() <= exchange.error_bound,
+            "{id}"
+        );
+        assert!(
+            exchange.error_bound <= 1e-11 * exact,
+            "{id}: bound {:e}",
+            exchange.error_bound
+        );
     }
 }
 
@@ -52,5 +66,9 @@ fn other_polygons_are_refused() {
         let rectangles: Result<Vec<_>, _> = polygons.iter().map(Rectangle::try_from).collect();
         rectangles.map_or(true, |r| RectanglePair::try_new(&r[0], &r[1]).is_err())
     });
-    assert_eq!(refused.count(), 8, "three inclined pairs, three of triangles, an L, a hexagon");
+    assert_eq!(
+        refused.count(),
+        8,
+        "three inclined pairs, three of triangles, an L, a hexagon"
+    );
 }

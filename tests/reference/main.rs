@@ -1,5 +1,9 @@
 //! The library against independent values of 13 to 60 digits (`data/reference`).
-#![allow(clippy::unwrap_used, clippy::float_cmp, reason = "a test may panic, and compares what is exact")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    reason = "a test may panic, and compares what is exact"
+)]
 
 mod cube_grids;
 mod form_factors;

@@ -8,7 +8,11 @@ use infoscene::numeric::{HighPrecision, Scalar, tolerance};
 const COMPLEMENT: f64 = 1e-12;
 
 fn row(n: u32, quantity: &str) -> f64 {
-    let prefix = if quantity.starts_with("mse") { "mse42" } else { "mi42" };
+    let prefix = if quantity.starts_with("mse") {
+        "mse42"
+    } else {
+        "mi42"
+    };
     let suffix = quantity.rsplit(' ').next().unwrap();
     value("section_4_2.csv", &format!("{prefix}_n{n}_{suffix}"))
 }
@@ -37,7 +41,11 @@ fn bisect(f: impl Fn(&HighPrecision) -> HighPrecision, lower: f64, upper: f64) -
     assert!(f(&lower) > zero && f(&upper) < zero, "no change of sign");
     for _ in 0..210 {
         let middle = (lower.clone() + &upper) / HighPrecision::new(2.0);
-        if f(&middle) > zero { lower = middle } else { upper = middle }
+        if f(&middle) > zero {
+            lower = middle
+        } else {
+            upper = middle
+        }
     }
     lower
 }
@@ -59,14 +67,29 @@ fn plain_derivative(p: f64, m: f64, tau: &HighPrecision) -> HighPrecision {
 /// complement to 1e-12 relative, against the 256-bit root of the plain derivative.
 #[test]
 fn cuts_agree_with_their_references() {
-    for n in [0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 4.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6] {
+    for n in [
+        0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 4.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6,
+    ] {
         for m in [1.0, n] {
-            let cut = GradientCut::try_new(n, m).unwrap().mutual_information_cut().unwrap();
-            let tau = bisect(|tau| plain_derivative(n + 1.0, m, tau), 0.1 / (n + 1.0), 3.0 / (n + 1.0));
+            let cut = GradientCut::try_new(n, m)
+                .unwrap()
+                .mutual_information_cut()
+                .unwrap();
+            let tau = bisect(
+                |tau| plain_derivative(n + 1.0, m, tau),
+                0.1 / (n + 1.0),
+                3.0 / (n + 1.0),
+            );
             let position = (-tau.clone()).exp().to_f64();
             let complement = -(-tau).exp_m1().to_f64();
-            assert!((cut.position - position).abs() <= tolerance::POSITION, "n {n} m {m}: {cut:?} {position}");
-            assert!((cut.complement / complement - 1.0).abs() <= COMPLEMENT, "n {n} m {m}: {cut:?}");
+            assert!(
+                (cut.position - position).abs() <= tolerance::POSITION,
+                "n {n} m {m}: {cut:?} {position}"
+            );
+            assert!(
+                (cut.complement / complement - 1.0).abs() <= COMPLEMENT,
+                "n {n} m {m}: {cut:?}"
+            );
         }
     }
 }
@@ -75,7 +98,10 @@ fn cuts_agree_with_their_references() {
 #[test]
 fn mean_square_cuts_agree_with_256_bits() {
     for n in [0.5, 0.7, 1.0, 1.5, 2.0, 10.0, 1e3, 1e6] {
-        let cut = GradientCut::try_new(n, 1.0).unwrap().mean_square_cut().unwrap();
+        let cut = GradientCut::try_new(n, 1.0)
+            .unwrap()
+            .mean_square_cut()
+            .unwrap();
         let number = HighPrecision::new;
         let condition = |tau: &HighPrecision| {
             let power = (-(tau.clone() * &number(n))).exp();
@@ -84,7 +110,13 @@ fn mean_square_cuts_agree_with_256_bits() {
         };
         let tau = bisect(condition, 0.01 / n, 10.0 / n);
         let (position, complement) = ((-tau.clone()).exp().to_f64(), -(-tau).exp_m1().to_f64());
-        assert!((cut.position - position).abs() <= tolerance::POSITION, "n {n}: {cut:?} {position}");
-        assert!((cut.complement / complement - 1.0).abs() <= COMPLEMENT, "n {n}: {cut:?}");
+        assert!(
+            (cut.position - position).abs() <= tolerance::POSITION,
+            "n {n}: {cut:?} {position}"
+        );
+        assert!(
+            (cut.complement / complement - 1.0).abs() <= COMPLEMENT,
+            "n {n}: {cut:?}"
+        );
     }
 }

@@ -14,28 +14,50 @@ fn splits(id: &str) -> f64 {
 fn assert_gain(split: &PatchSplit, scene: &Scene, positions: &[f64], id: &str) {
     let u = 0.5 * scene.total_area() * split.gain(positions).unwrap();
     let exact = splits(id);
-    assert!((u - exact).abs() <= tolerance::GAIN * exact, "{id}: {u} against {exact}");
+    assert!(
+        (u - exact).abs() <= tolerance::GAIN * exact,
+        "{id}: {u} against {exact}"
+    );
 }
 
 fn assert_best(scene: &Scene, against: &[usize], axis: SplitAxis, id: &str) {
     let split = PatchSplit::try_new(scene, 0, against, axis).unwrap();
     let best = split.best(2).unwrap();
     let exact = splits(&format!("{id}_t"));
-    assert!((best.positions[0] - exact).abs() <= tolerance::POSITION, "{id}: {:?} against {exact}", best);
+    assert!(
+        (best.positions[0] - exact).abs() <= tolerance::POSITION,
+        "{id}: {:?} against {exact}",
+        best
+    );
     assert_gain(&split, scene, &best.positions, &format!("{id}_U"));
 }
 
 /// Fig. 2(c): 40 % from the common edge, and the same for a floor twice as deep.
 #[test]
 fn parallel_cuts_of_two_rectangles_agree_with_25_digits() {
-    assert_best(&Scene::floor_and_wall(1.0).unwrap(), &[1], SplitAxis::U, "split_perp_par_bothdepth1");
-    assert_best(&Scene::floor_and_wall(2.0).unwrap(), &[1], SplitAxis::U, "split_perp_par_splitdepth2");
+    assert_best(
+        &Scene::floor_and_wall(1.0).unwrap(),
+        &[1],
+        SplitAxis::U,
+        "split_perp_par_bothdepth1",
+    );
+    assert_best(
+        &Scene::floor_and_wall(2.0).unwrap(),
+        &[1],
+        SplitAxis::U,
+        "split_perp_par_splitdepth2",
+    );
 }
 
 /// Fig. 2(b): the best orthogonal cut lies 12 % from a side edge.
 #[test]
 fn orthogonal_cut_of_two_squares_agrees_with_25_digits() {
-    assert_best(&Scene::floor_and_wall(1.0).unwrap(), &[1], SplitAxis::V, "split_perp_orth_bothdepth1");
+    assert_best(
+        &Scene::floor_and_wall(1.0).unwrap(),
+        &[1],
+        SplitAxis::V,
+        "split_perp_orth_bothdepth1",
+    );
 }
 
 /// Fig. 3: 39 % from the common edge.
@@ -57,10 +79,20 @@ fn curves_agree_with_28_digits() {
     let orthogonal = PatchSplit::try_new(&squares, 0, &[1], SplitAxis::V).unwrap();
     let three = PatchSplit::try_new(&corner, 0, &[1, 2], SplitAxis::U).unwrap();
     for (tenths, t) in [(2, 0.2), (4, 0.4), (6, 0.6), (8, 0.8)] {
-        assert_gain(&parallel, &squares, &[t], &format!("curve_perp_par_t{tenths}"));
+        assert_gain(
+            &parallel,
+            &squares,
+            &[t],
+            &format!("curve_perp_par_t{tenths}"),
+        );
         assert_gain(&three, &corner, &[t], &format!("curve_three_t{tenths}"));
     }
     for (tenths, t) in [(2, 0.2), (4, 0.4)] {
-        assert_gain(&orthogonal, &squares, &[t], &format!("curve_perp_orth_t{tenths}"));
+        assert_gain(
+            &orthogonal,
+            &squares,
+            &[t],
+            &format!("curve_perp_orth_t{tenths}"),
+        );
     }
 }

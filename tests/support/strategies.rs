@@ -39,7 +39,11 @@ pub fn depth() -> impl Strategy<Value = Span> {
 /// A pair of aligned rectangles at most a few sizes apart: parallel ones that face each other, or
 /// perpendicular ones that may share an edge, touch or be clipped.
 pub fn rectangle_pair() -> impl Strategy<Value = (Rectangle, Rectangle)> {
-    let gap = prop_oneof![0.3..2.0f64, Just(1.0), (-4.0..0.0f64).prop_map(|e| 10f64.powf(e))];
+    let gap = prop_oneof![
+        0.3..2.0f64,
+        Just(1.0),
+        (-4.0..0.0f64).prop_map(|e| 10f64.powf(e))
+    ];
     let spans = (span(), span(), span(), span());
     (spans, gap, any::<bool>()).prop_map(|((x, y, s, t), gap, parallel)| {
         let floor = Rectangle::try_new(
@@ -68,12 +72,15 @@ pub fn rectangle_pair() -> impl Strategy<Value = (Rectangle, Rectangle)> {
 /// A rotation and a shift of everything.
 pub fn motion() -> impl Strategy<Value = (DQuat, DVec3)> {
     let angle = || -3.0..3.0f64;
-    ((angle(), angle(), angle()), (-2.0..2.0f64, -2.0..2.0f64, -2.0..2.0f64)).prop_map(
-        |((a, b, c), (x, y, z))| {
-            let turn = DQuat::from_rotation_x(a) * DQuat::from_rotation_y(b) * DQuat::from_rotation_z(c);
-            (turn, DVec3::new(x, y, z))
-        },
+    (
+        (angle(), angle(), angle()),
+        (-2.0..2.0f64, -2.0..2.0f64, -2.0..2.0f64),
     )
+        .prop_map(|((a, b, c), (x, y, z))| {
+            let turn =
+                DQuat::from_rotation_x(a) * DQuat::from_rotation_y(b) * DQuat::from_rotation_z(c);
+            (turn, DVec3::new(x, y, z))
+        })
 }
 
 /// Positive numbers and zeros, at least one of them positive.

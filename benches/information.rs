@@ -1,0 +1,75 @@
+//! Mutual information, gains, best cuts and the whole reproduction.
+#![allow(
+    missing_docs,
+    reason = "criterion's macros write undocumented functions"
+)]
+#![allow(clippy::unwrap_used, reason = "a bench may panic")]
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use infoscene::chain::visibility_chain;
+use infoscene::claims::{judge, registry};
+use infoscene::discretize::{CubeGrid, GradientCut, PatchSplit};
+use infoscene::geometry::SplitAxis;
+use infoscene::information::{divergence, mutual_information};
+use infoscene::scene::Scene;
+use std::hint::black_box;
+
+fn measures(criterion: &mut Criterion) {
+    let chain = visibility_chain(&Scene::built_in("cube:6").unwrap()).unwrap();
+    // 29 digits: data/reference/cube_grids.csv
+    let exact = 1.264_541_832_652_463_3;
+    assert!((mutual_information(&chain) / exact - 1.0).abs() < 1e-13);
+    criterion.bench_function("mutual information, 216 states", |bencher| {
+        bencher.iter(|| mutual_information(black_box(&chain)));
+    });
+    criterion.bench_function("mutual information, 216 states, cells shared", |bencher| {
+        bencher.iter(|| {
+            CubeGrid::regular(black_box(6))
+                .unwrap()
+                .mutual_information()
+                .unwrap()
+        });
+    });
+
+    assert!((divergence(&[1.0, 0.0], &[1.0, 1.0]) - 1.0).abs() < 1e-15);
+    let fluxes = black_box([0.1, 0.4, 0.2]);
+    criterion.bench_function("divergence of three parts", |bencher| {
+        bencher.iter(|| divergence(black_box(&fluxes), &[1.0, 2.0, 3.0]));
+    });
+    let near = black_box([1.0, 2.0 + 1e-12, 3.0]);
+    criterion.bench_function("divergence of three nearly proportional parts", |bencher| {
+        bencher.iter(|| divergence(black_box(&near), &[1.0, 2.0, 3.0]));
+    });
+}
+
+fn cuts(criterion: &mut Criterion) {
+    let squares = Scene::built_in("two-squares").unwrap();
+    let split = PatchSplit::try_new(&squares, 0, &[1], SplitAxis::U).unwrap();
+    // 25 digits: data/reference/splits.csv
+    let position = split.best(2).unwrap().positions[0];
+    assert!((position - 0.399_201_026_045_385_2).abs() < 1e-14);
+    criterion.bench_function("best cut of two squares", |bencher| {
+        bencher.iter(|| split.best(black_box(2)));
+    });
+    let cut = GradientCut::try_new(1e6, 1.0).unwrap();
+    criterion.bench_function("cut across a gradient, n = 1e6", |bencher| {
+        bencher.iter(|| black_box(&cut).mutual_information_cut());
+    });
+}
+
+fn reproduction(criterion: &mut Criterion) {
+    let claims = registry().unwrap();
+    for claim in &claims {
+        let judgement = judge(claim).unwrap();
+        assert_eq!(judgement.verdict, judgement.recorded(), "{}", claim.id);
+    }
+    let mut group = criterion.benchmark_group("claims");
+    group.sample_size(10);
+    group.bench_function("all of them", |bencher| {
+        bencher.iter(|| claims.iter().map(judge).collect::<Vec<_>>());
+    });
+    group.finish();
+}
+
+criterion_group!(benches, measures, cuts, reproduction);
+criterion_main!(benches);

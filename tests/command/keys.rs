@@ -1,0 +1,133 @@
+//! What scripts rely on: the keys of the JSON, and numbers that read back exactly.
+
+use crate::{json, stdout};
+use infoscene::claims::registry;
+use infoscene::discretize::GradientCut;
+
+fn assert_keys(record: &serde_json::Value, keys: &[&str]) {
+    for key in keys {
+        assert!(record.get(key).is_some(), "no key {key} in {record}");
+    }
+}
+
+#[test]
+fn reproduce_writes_every_claim_with_its_keys() {
+    let answer = json(&["reproduce"]);
+    let claims = answer["claims"].as_array().unwrap();
+    assert_eq!(claims.len(), registry().unwrap().len());
+    let keys = [
+        "id", "place", "quantity", "printed", "decimals", "computed", "lower", "upper", "evidence",
+        "verdict", "note",
+    ];
+    for claim in claims {
+        assert_keys(claim, &keys);
+    }
+    let cut = claims
+        .iter()
+        .find(|claim| claim["id"] == "fig2-parallel-cut")
+        .unwrap();
+    assert_eq!(
+        (cut["printed"].as_f64(), cut["decimals"].as_u64()),
+        (Some(0.4), Some(2))
+    );
+    assert_eq!(
+        (&cut["evidence"], &cut["verdict"]),
+        (&"estimate".into(), &"supported".into())
+    );
+    // 25 digits by an independent method: data/reference/splits.csv
+    assert!((cut["computed"].as_f64().unwrap() - 0.399_201_026_045_385_2).abs() <= 1e-14);
+}
+
+#[test]
+fn reproduce_takes_ids_and_keeps_paper_order() {
+    let answer = json(&["reproduce", "fig3-cut", "fig2-parallel-cut"]);
+    let ids: Vec<&str> = answer["claims"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|c| c["id"].as_str().unwrap())
+        .collect();
+    assert_eq!(ids, ["fig2-parallel-cut", "fig3-cut"]);
+}
+
+#[test]
+fn split_finds_the_cuts_of_figures_2_and_3() {
+    let two = json(&["split", "two-squares", "--patch", "0", "--axis", "u"]);
+    assert_keys(
+        &two,
+        &[
+            "patch",
+            "axis",
+            "position",
+            "gain",
+            "gain_at_middle",
+            "maximum_gain",
+        ],
+    );
+    assert!((two["position"].as_f64().unwrap() - 0.399_201_026_045_385_2).abs() <= 1e-14);
+    let three = json(&["split", "three-squares", "--patch", "0"]);
+    assert_eq!(three["axis"], "u");
+    assert!((three["position"].as_f64().unwrap() - 0.393_580_461_894_795).abs() <= 1e-14);
+    let one = json(&[
+        "split",
+        "three-squares",
+        "--patch",
+        "0",
+        "--against",
+        "1",
+        "--axis",
+        "u",
+    ]);
+    assert!((one["position"].as_f64().unwrap() - 0.399_201_026_045_385_2).abs() <= 1e-14);
+    let parts = json(&["split", "two-squares", "--patch", "0", "--parts", "5"]);
+    assert_eq!(parts["positions"].as_array().unwrap().len(), 4);
+}
+
+#[test]
+fn cut_writes_numbers_that_read_back_exactly() {
+    let answer = json(&["cut", "--exponent", "3", "--irradiance-exponent", "3"]);
+    let cut = GradientCut::try_new(3.0, 3.0).unwrap();
+    let [information, square] = [
+        cut.mutual_information_cut().unwrap(),
+        cut.mean_square_cut().unwrap(),
+    ];
+    for (key, value) in [
+        ("exponent", 3.0),
+        ("irradiance_exponent", 3.0),
+        ("mutual_information_cut", information.position),
+        ("mutual_information_complement", information.complement),
+        ("mean_square_cut", square.position),
+        ("mean_square_complement", square.complement),
+    ] {
+        assert_eq!(answer[key].as_f64(), Some(value), "{key}");
+    }
+}
+
+#[test]
+fn curves_are_lists_of_points() {
+    let answer = json(&["curve", "fig2-curve"]);
+    let points = answer["points"].as_array().unwrap();
+    assert_eq!(points.len(), 99);
+    let middle = points.iter().find(|point| point["x"] == 0.4).unwrap();
+    // data/reference/splits.csv, curve_perp_par_t4
+    assert!((middle["y"].as_f64().unwrap() / 0.033_270_868_242_393_25 - 1.0).abs() < 1e-13);
+}
+
+#[test]
+fn every_format_is_written() {
+    let markdown = stdout(&["reproduce", "fig2-parallel-cut", "--format", "markdown"]);
+    assert!(markdown.starts_with("| id | paper says |"));
+    let csv = stdout(&["reproduce", "fig2-parallel-cut", "--format", "csv"]);
+    assert!(csv.starts_with("id,place,quantity,printed,decimals,computed"));
+    assert_eq!(
+        csv::Reader::from_reader(csv.as_bytes()).records().count(),
+        1
+    );
+    let latex = stdout(&["reproduce", "--format", "latex"]);
+    assert!(latex.contains("\\begin{tabular}") && latex.is_ascii());
+    assert!(stdout(&["reproduce", "fig2-parallel-cut"]).contains("0.399201026045"));
+    for shell in ["bash", "zsh", "fish"] {
+        assert!(stdout(&["completions", shell]).contains("infoscene"));
+    }
+    assert!(stdout(&["man"]).contains(".TH infoscene"));
+}

@@ -1,0 +1,34 @@
+//! The command as its users meet it: keys, exit status, refusals.
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    reason = "a test may panic, and compares what is exact"
+)]
+
+mod keys;
+mod refusals;
+
+use assert_cmd::Command;
+
+fn infoscene(arguments: &[&str]) -> Command {
+    let mut command = Command::cargo_bin("infoscene").unwrap();
+    command.args(arguments);
+    command
+}
+
+/// Standard output of a run that succeeds.
+fn stdout(arguments: &[&str]) -> String {
+    let output = infoscene(arguments)
+        .assert()
+        .success()
+        .get_output()
+        .stdout
+        .clone();
+    String::from_utf8(output).unwrap()
+}
+
+fn json(arguments: &[&str]) -> serde_json::Value {
+    let mut arguments = arguments.to_vec();
+    arguments.extend(["--format", "json"]);
+    serde_json::from_str(&stdout(&arguments)).unwrap()
+}

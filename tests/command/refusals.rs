@@ -1,0 +1,90 @@
+//! Bad input: a message that names the mend, exit status 2, and nothing written.
+
+use crate::infoscene;
+
+fn assert_refused(arguments: &[&str], message: &str) {
+    let assertion = infoscene(arguments).assert().code(2);
+    let output = assertion.get_output();
+    let error = String::from_utf8_lossy(&output.stderr);
+    assert!(output.stdout.is_empty(), "{arguments:?} wrote something");
+    assert!(error.contains(message), "{arguments:?} says: {error}");
+}
+
+#[test]
+fn bad_arguments_are_refused() {
+    assert_refused(&["reproduce", "fig9"], "there is no claim \"fig9\"");
+    assert_refused(
+        &["reproduce", "fig2-paralel-cut"],
+        "the nearest is \"fig2-parallel-cut\"",
+    );
+    assert_refused(&["curve", "theorem-1"], "these have one: fig1-dark-part");
+    for exponent in ["0", "-1", "NaN", "inf"] {
+        assert_refused(&["cut", "--exponent", exponent], "it must be > 0");
+        let both = ["cut", "--exponent", "1", "--irradiance-exponent", exponent];
+        assert_refused(&both, "it must be > 0");
+    }
+    assert_refused(&["cut", "--exponent", "one"], "invalid value");
+    assert_refused(&["cut"], "--exponent");
+    assert_refused(
+        &["split", "sphere", "--patch", "0"],
+        "two-squares, three-squares or cube:N",
+    );
+    assert_refused(&["split", "cube:1", "--patch", "6"], "patches 0 to 5");
+    assert_refused(
+        &["split", "cube:1", "--patch", "0", "--against", "0"],
+        "against itself",
+    );
+    assert_refused(
+        &["split", "cube:2", "--patch", "0", "--against", "1"],
+        "exchanges nothing",
+    );
+    assert_refused(
+        &["split", "two-squares", "--patch", "0", "--parts", "1"],
+        "2..=64",
+    );
+    assert_refused(
+        &["split", "two-squares", "--patch", "0", "--against", "7"],
+        "no patch 7",
+    );
+    assert_refused(&["frobnicate"], "unrecognized subcommand");
+}
+
+#[test]
+fn an_output_folder_that_is_not_there_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("missing").join("table.md");
+    assert_refused(
+        &["reproduce", "--output", path.to_str().unwrap()],
+        "its folder does not exist",
+    );
+    let folder_itself = folder.path().to_str().unwrap();
+    assert_refused(&["reproduce", "--output", folder_itself], "it is a folder");
+    assert_eq!(
+        folder.path().read_dir().unwrap().count(),
+        0,
+        "something was left behind"
+    );
+}
+
+#[test]
+fn an_output_file_is_replaced_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("table.json");
+    std::fs::write(&path, "old").unwrap();
+    let arguments = [
+        "reproduce",
+        "--format",
+        "json",
+        "--output",
+        path.to_str().unwrap(),
+    ];
+    infoscene(&arguments).assert().success().stdout("");
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert!(serde_json::from_str::<serde_json::Value>(&text).is_ok());
+    // a run that fails leaves it alone
+    infoscene(&["cut", "--exponent", "0", "--output", path.to_str().unwrap()])
+        .assert()
+        .code(2);
+    assert_eq!(std::fs::read_to_string(&path).unwrap(), text);
+    assert_eq!(folder.path().read_dir().unwrap().count(), 1);
+}
