@@ -11,7 +11,7 @@
 //! uses only modules to its left:
 //!
 //! ```text
-//! numeric → geometry → form_factor → scene → chain → information → discretize → claims → report → cli
+//! numeric → geometry → form_factor → scene → chain → information → discretize → claims → study → report → cli
 //! ```
 //!
 //! ```
@@ -26,8 +26,9 @@
 //! # Ok::<(), infoscene::discretize::DiscretizeError>(())
 //! ```
 //!
-//! Information is in bits, lengths in any one unit, positions relative (0 to 1). Fallible functions return
-//! `Result`; nothing panics on bad input.
+//! Information is in bits, lengths in any one unit, positions relative (0 to 1). Constructors check their
+//! input and return `Result`; a formula states the arguments it is meant for, and an index out of range panics
+//! as it does for a slice. The command never panics.
 
 pub mod chain;
 pub mod claims;
@@ -39,6 +40,7 @@ pub mod information;
 pub mod numeric;
 pub mod report;
 pub mod scene;
+pub mod study;
 
 /// The README's example, run as a test.
 #[cfg(doctest)]

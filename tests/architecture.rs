@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Left to right: a module uses only modules before it.
-const FLOW: [&str; 10] = [
+const FLOW: [&str; 11] = [
     "numeric",
     "geometry",
     "form_factor",
@@ -14,6 +14,7 @@ const FLOW: [&str; 10] = [
     "information",
     "discretize",
     "claims",
+    "study",
     "report",
     "cli",
 ];

@@ -68,6 +68,12 @@ pub enum ChainError {
         /// Largest index.
         last: usize,
     },
+    /// A coarse state has no part in a refinement.
+    #[error("state {state} has no part in the refined chain")]
+    NoPart {
+        /// The state without parts.
+        state: usize,
+    },
     /// Matrices of a refinement have the wrong shape.
     #[error("{what} has {found} entries, {expected} are needed")]
     WrongShape {

@@ -1,173 +1,267 @@
-//! One state divided into sub-states, with the hypotheses of Theorem 1 checked.
+//! States divided into sub-states, with the hypotheses of Theorem 1 checked.
+//!
+//! A refinement is a refined chain and, for each of its states, the coarse state it is a part of. With
+//! `J′` the refined joint matrix the theorem's hypotheses read
 //!
 //! ```text
-//!   (a)  w_ik P_ik,j = w_j P_j,ik       one number J_{ik,j} for both directions
-//!   (b)  P_ji = Σ_k P_j,ik              Σ_k J_{ik,j} = J_ij for every j ≠ i
+//!   (a)  w_ik P_ik,j = w_j P_j,ik       J′ is symmetric: it is a reversible chain
+//!   (b)  P_ji = Σ_k P_j,ik              Σ_{k ∈ i, l ∈ j} J′_kl = J_ij for all i, j, also for j = i
 //! ```
 //!
-//! For the state itself, which the theorem's proof needs too, (b) reads
-//! `Σ_kl J_{ik,il} = J_ii`. That `w_i = Σ_k w_ik` then follows.
+//! That `w_i = Σ_k w_ik` follows. Any number of states may be divided at once, into any number of
+//! sub-states, and refinements can be chained.
 
 use super::{ChainError, ReversibleChain};
 use crate::numeric::{compensated_sum, tolerance};
 use nalgebra::DMatrix;
+use std::fmt;
 
-/// A state of a chain, divided into `m` sub-states.
-#[derive(Debug, Clone, PartialEq)]
-pub struct StateRefinement {
-    state: usize,
-    outward: DMatrix<f64>,
-    within: DMatrix<f64>,
-    weights: Vec<f64>,
+/// A reversible chain, a refinement of it, and which state is a part of which.
+#[derive(Clone, PartialEq)]
+pub struct Refinement {
+    coarse: ReversibleChain,
+    refined: ReversibleChain,
+    parents: Vec<usize>,
 }
 
-impl StateRefinement {
-    /// Divides `state` of `chain` into as many sub-states as `outward` has rows.
-    ///
-    /// **Arguments** `outward`: m × n, entry `(k, j)` is `J_{ik,j}`, what sub-state `k` shares
-    /// with state `j`; the column of the state itself must be zero. `within`: m × m, symmetric,
-    /// entry `(k, l)` is `J_{ik,il}`. Both in the chain's own scale.
+impl Refinement {
+    /// Checks that `refined` refines `coarse`, state `k` of the one being a part of state `parents[k]` of
+    /// the other, both in the same scale.
     ///
     /// # Errors
-    /// [`ChainError::NoSuchState`], [`ChainError::WrongShape`], [`ChainError::InvalidEntry`];
-    /// [`ChainError::NotReciprocal`] where `within` is not symmetric (hypothesis (a));
-    /// [`ChainError::NotCovering`] where the sub-states' sum is off by more than
-    /// m·[`tolerance::RECIPROCITY`] of the entry (hypothesis (b)).
+    /// [`ChainError::WrongShape`], [`ChainError::NoSuchState`];
+    /// [`ChainError::NotCovering`] where the sum over the parts is off by more than
+    /// [`tolerance::RECIPROCITY`] times their number, relative to the entry (hypothesis (b)).
+    /// Hypothesis (a) is checked where `refined` is made: [`ChainError::NotReciprocal`].
     pub fn try_new(
-        chain: &ReversibleChain,
-        state: usize,
-        outward: DMatrix<f64>,
-        within: DMatrix<f64>,
+        coarse: ReversibleChain,
+        refined: ReversibleChain,
+        parents: Vec<usize>,
     ) -> Result<Self, ChainError> {
-        let n = chain.states();
-        if state >= n {
-            return Err(ChainError::NoSuchState { state, last: n - 1 });
-        }
-        let m = outward.nrows();
-        let shape = |what, found, expected| {
-            Err(ChainError::WrongShape {
-                what,
-                found,
-                expected,
-            })
-        };
-        if m == 0 {
-            return shape("the list of sub-states", 0, 1);
-        }
-        if outward.ncols() != n {
-            return shape("the sub-states' outward matrix", outward.len(), m * n);
-        }
-        if within.shape() != (m, m) {
-            return shape("the sub-states' inner matrix", within.len(), m * m);
-        }
-        for matrix in [&outward, &within] {
-            for column in 0..matrix.ncols() {
-                for row in 0..m {
-                    let value = matrix[(row, column)];
-                    if !(value.is_finite() && value >= 0.0) {
-                        return Err(ChainError::InvalidEntry { row, column, value });
-                    }
-                }
-            }
-        }
-        for row in 0..m {
-            for column in 0..row {
-                let (value, mirrored) = (within[(row, column)], within[(column, row)]);
-                if (value - mirrored).abs() > 0.0 {
-                    return Err(ChainError::NotReciprocal {
-                        row,
-                        column,
-                        value,
-                        mirrored,
+        let n = coarse.states();
+        let (sums, counts) = lumped(&refined, &parents, n)?;
+        for state in 0..n {
+            for other in 0..=state {
+                let (parts, whole) = (sums[(state, other)], coarse.joint()[(state, other)]);
+                #[allow(clippy::cast_precision_loss, reason = "no state has 2^53 parts")]
+                let allowed = tolerance::RECIPROCITY * (counts[state] * counts[other]) as f64;
+                if (parts - whole).abs() > allowed * whole {
+                    return Err(ChainError::NotCovering {
+                        state,
+                        other,
+                        parts,
+                        whole,
                     });
                 }
             }
         }
-        #[allow(clippy::cast_precision_loss, reason = "no state has 2^53 sub-states")]
-        let allowed = tolerance::RECIPROCITY * m as f64;
-        for other in 0..n {
-            let (parts, whole) = if other == state {
-                (
-                    compensated_sum(within.iter().copied()),
-                    chain.joint()[(state, state)],
-                )
-            } else {
-                (
-                    compensated_sum(outward.column(other).iter().copied()),
-                    chain.joint()[(state, other)],
-                )
-            };
-            if (parts - whole).abs() > allowed * whole {
-                return Err(ChainError::NotCovering {
-                    state,
-                    other,
-                    parts,
-                    whole,
-                });
-            }
-        }
-        if let Some(row) = (0..m).find(|k| outward[(*k, state)] > 0.0) {
-            let value = outward[(row, state)];
-            return Err(ChainError::InvalidEntry {
-                row,
-                column: state,
-                value,
-            });
-        }
-        let weights = (0..m)
-            .map(|k| compensated_sum(outward.row(k).iter().chain(within.row(k).iter()).copied()))
-            .collect();
         Ok(Self {
-            state,
-            outward,
-            within,
-            weights,
+            coarse,
+            refined,
+            parents,
         })
     }
 
-    /// The state that is divided.
-    #[must_use]
-    pub const fn state(&self) -> usize {
-        self.state
-    }
-
-    /// `J_{ik,j}`: m × n, zero in the column of the state itself.
-    #[must_use]
-    pub const fn outward(&self) -> &DMatrix<f64> {
-        &self.outward
-    }
-
-    /// `J_{ik,il}`: m × m.
-    #[must_use]
-    pub const fn within(&self) -> &DMatrix<f64> {
-        &self.within
-    }
-
-    /// The sub-states' weights `w_ik`, in the chain's scale.
-    #[must_use]
-    pub fn weights(&self) -> &[f64] {
-        &self.weights
-    }
-
-    /// The refined chain: sub-state 0 takes the state's place, the others follow at the end.
+    /// The refinement whose coarse chain is `refined` with the parts of each state put together: state `k`
+    /// becomes a part of state `parents[k]`.
     ///
     /// # Errors
-    /// [`ChainError::NoMass`] if nothing is left of a chain whose total was at the edge of `f64`.
-    pub fn refined(&self, chain: &ReversibleChain) -> Result<ReversibleChain, ChainError> {
-        let n = chain.states();
+    /// [`ChainError::WrongShape`] unless there is a parent for every state and a part for every parent from
+    /// 0 up.
+    ///
+    /// # Examples
+    /// ```
+    /// use infoscene::chain::{Refinement, ReversibleChain};
+    /// use infoscene::information::{mutual_information, refinement_gain};
+    /// use nalgebra::dmatrix;
+    /// let three = ReversibleChain::try_new(dmatrix![0.0, 1.0, 1.0; 1.0, 0.0, 1.0; 1.0, 1.0, 0.0])?;
+    /// let refinement = Refinement::coarsening(three, vec![0, 1, 1])?;
+    /// let difference = mutual_information(refinement.refined()) - mutual_information(refinement.coarse());
+    /// assert!((refinement_gain(&refinement) - difference).abs() < 1e-15);
+    /// # Ok::<(), infoscene::chain::ChainError>(())
+    /// ```
+    pub fn coarsening(refined: ReversibleChain, parents: Vec<usize>) -> Result<Self, ChainError> {
+        let n = parents.iter().max().map_or(0, |most| most + 1);
+        let (sums, _) = lumped(&refined, &parents, n)?;
+        Ok(Self {
+            coarse: ReversibleChain::try_new(sums)?,
+            refined,
+            parents,
+        })
+    }
+
+    /// One state of `chain` divided into as many sub-states as `outward` has rows, as the theorem states
+    /// it; sub-state 0 takes the state's place, the others follow at the end.
+    ///
+    /// **Arguments** `outward`: m × n, entry `(k, j)` is `w_ik P_ik,j`; the column of the state itself is not
+    /// read. `within`: m × m, entry `(k, l)` is `w_ik P_ik,il`. Both in the chain's own scale.
+    ///
+    /// # Errors
+    /// [`ChainError::NoSuchState`], [`ChainError::WrongShape`], [`ChainError::InvalidEntry`];
+    /// [`ChainError::NotReciprocal`] where `within` is not symmetric (hypothesis (a));
+    /// [`ChainError::NotCovering`] (hypothesis (b)).
+    pub fn of_state(
+        chain: &ReversibleChain,
+        state: usize,
+        outward: &DMatrix<f64>,
+        within: &DMatrix<f64>,
+    ) -> Result<Self, ChainError> {
+        let (n, m) = (chain.states(), outward.nrows());
+        if state >= n {
+            return Err(ChainError::NoSuchState { state, last: n - 1 });
+        }
+        for (what, matrix, expected) in [
+            ("the list of sub-states", outward, (m.max(1), n)),
+            ("the sub-states' inner matrix", within, (m, m)),
+        ] {
+            if matrix.shape() != expected {
+                let (found, expected) = (matrix.len(), expected.0 * expected.1);
+                return Err(ChainError::WrongShape {
+                    what,
+                    found,
+                    expected,
+                });
+            }
+        }
         let sub_state = |index: usize| match index {
-            _ if index == self.state => Some(0),
+            _ if index == state => Some(0),
             _ if index >= n => Some(index - n + 1),
             _ => None,
         };
-        let size = n + self.weights.len() - 1;
-        ReversibleChain::try_new(DMatrix::from_fn(size, size, |row, column| {
-            match (sub_state(row), sub_state(column)) {
-                (None, None) => chain.joint()[(row, column)],
-                (Some(k), None) => self.outward[(k, column)],
-                (None, Some(k)) => self.outward[(k, row)],
-                (Some(k), Some(l)) => self.within[(k, l)],
+        let size = n + m - 1;
+        let refined =
+            ReversibleChain::try_new(DMatrix::from_fn(size, size, |row, column| {
+                match (sub_state(row), sub_state(column)) {
+                    (None, None) => chain.joint()[(row, column)],
+                    (Some(k), None) => outward[(k, column)],
+                    (None, Some(k)) => outward[(k, row)],
+                    (Some(k), Some(l)) => within[(k, l)],
+                }
+            }))?;
+        let parents = (0..size)
+            .map(|index| if index < n { index } else { state })
+            .collect();
+        Self::try_new(chain.clone(), refined, parents)
+    }
+
+    /// This refinement, refined further.
+    ///
+    /// # Errors
+    /// [`ChainError::WrongShape`] unless `next` refines as many states as this one has made;
+    /// [`ChainError::NotCovering`] unless it refines the same chain.
+    pub fn then(&self, next: &Self) -> Result<Self, ChainError> {
+        let (found, expected) = (next.coarse.states(), self.refined.states());
+        if found != expected {
+            return Err(ChainError::WrongShape {
+                what: "the further refinement",
+                found,
+                expected,
+            });
+        }
+        let parents = next
+            .parents
+            .iter()
+            .map(|parent| self.parents[*parent])
+            .collect();
+        Self::try_new(self.coarse.clone(), next.refined.clone(), parents)
+    }
+
+    /// The chain before.
+    #[must_use]
+    pub const fn coarse(&self) -> &ReversibleChain {
+        &self.coarse
+    }
+
+    /// The chain after.
+    #[must_use]
+    pub const fn refined(&self) -> &ReversibleChain {
+        &self.refined
+    }
+
+    /// For each state of the refined chain, the coarse state it is a part of.
+    #[must_use]
+    pub fn parents(&self) -> &[usize] {
+        &self.parents
+    }
+
+    /// The parts of each coarse state, in order.
+    #[must_use]
+    pub fn parts(&self) -> Vec<Vec<usize>> {
+        let mut parts = vec![Vec::new(); self.coarse.states()];
+        for (part, parent) in self.parents.iter().enumerate() {
+            parts[*parent].push(part);
+        }
+        parts
+    }
+}
+
+/// The joint matrix of `refined` summed over the parts of each of `n` states, and the numbers of parts.
+fn lumped(
+    refined: &ReversibleChain,
+    parents: &[usize],
+    n: usize,
+) -> Result<(DMatrix<f64>, Vec<usize>), ChainError> {
+    let (found, expected) = (parents.len(), refined.states());
+    if found != expected {
+        return Err(ChainError::WrongShape {
+            what: "the list of parents",
+            found,
+            expected,
+        });
+    }
+    let mut counts = vec![0; n];
+    for parent in parents {
+        match counts.get_mut(*parent) {
+            Some(count) => *count += 1,
+            None => {
+                return Err(ChainError::NoSuchState {
+                    state: *parent,
+                    last: n - 1,
+                });
             }
-        }))
+        }
+    }
+    if let Some(state) = counts.iter().position(|count| *count == 0) {
+        return Err(ChainError::NoPart { state });
+    }
+    let mut terms = vec![Vec::new(); n * n];
+    for (l, column) in refined.joint().column_iter().enumerate() {
+        for (k, entry) in column.iter().enumerate().filter(|(_, entry)| **entry > 0.0) {
+            let (i, j) = (parents[k].max(parents[l]), parents[k].min(parents[l]));
+            terms[i * n + j].push(*entry);
+        }
+    }
+    let sums = DMatrix::from_fn(n, n, |row, column| {
+        let (i, j) = (row.max(column), row.min(column));
+        let sum = compensated_sum(terms[i * n + j].iter().copied());
+        // entries off the diagonal blocks were met from both sides
+        if i == j { sum } else { 0.5 * sum }
+    });
+    Ok((sums, counts))
+}
+
+/// Rust source that makes the refinement again.
+impl fmt::Debug for Refinement {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(formatter, "Refinement::coarsening(")?;
+        writeln!(
+            formatter,
+            "    ReversibleChain::try_new(nalgebra::dmatrix!["
+        )?;
+        let rows: Vec<String> = self
+            .refined
+            .joint()
+            .row_iter()
+            .map(|row| {
+                row.iter()
+                    .map(|entry| format!("{entry:?}"))
+                    .collect::<Vec<_>>()
+                    .join(", ")
+            })
+            .collect();
+        writeln!(formatter, "        {}", rows.join(";\n        "))?;
+        writeln!(formatter, "    ])?,")?;
+        writeln!(formatter, "    vec!{:?},", self.parents)?;
+        write!(formatter, ")?")
     }
 }

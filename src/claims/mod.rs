@@ -10,6 +10,7 @@
 mod appendix;
 mod claim;
 mod error;
+mod extremes;
 mod finding;
 mod inputs;
 mod registry;

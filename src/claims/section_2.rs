@@ -1,5 +1,6 @@
 //! §2: the visibility chain and its measures.
 
+use super::extremes::{larger, largest};
 use super::registry::Computation;
 use super::{ClaimError, Finding, Inputs};
 use crate::chain::random::RandomChains;
@@ -20,17 +21,6 @@ pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
 
 pub(super) fn cube(input: &Inputs) -> Result<Scene, ClaimError> {
     Ok(Scene::built_in(&format!("cube:{}", input.count("cells")?))?)
-}
-
-/// The largest number, NaN counting as infinite.
-pub(super) fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
-    numbers.into_iter().fold(0.0, |largest, x| {
-        if x > largest || x.is_nan() {
-            x
-        } else {
-            largest
-        }
-    })
 }
 
 /// X⁰ in state 0, then `Xᵏ⁺¹ = Xᵏ P`.
@@ -75,7 +65,7 @@ fn form_factors_are_reciprocal(input: &Inputs) -> Result<Finding, ClaimError> {
                     .exchange_area()?
                     .value;
             if there > 0.0 {
-                worst = worst.max((back / there - 1.0).abs());
+                worst = larger(worst, (back / there - 1.0).abs());
             }
         }
     }
@@ -97,7 +87,8 @@ fn information_is_mutual(input: &Inputs) -> Result<Finding, ClaimError> {
     let mut random = RandomChains::new(input.count("seed")?.into());
     let mut worst: f64 = 0.0;
     for _ in 0..input.count("chains")? {
-        let chain = random.chain(8)?;
+        let refinement = random.refinement(8)?;
+        let chain = refinement.coarse();
         let n = chain.states();
         let flow =
             |i: usize, j: usize| chain.joint()[(i, j)] * if j < i { 1.0 + skew } else { 1.0 };
@@ -117,7 +108,7 @@ fn information_is_mutual(input: &Inputs) -> Result<Finding, ClaimError> {
         let previous: f64 = (0..n)
             .map(|j| conditional((0..n).map(|i| flow(i, j)).collect(), weight[j]))
             .sum();
-        worst = worst.max((next - previous).abs() / total);
+        worst = larger(worst, (next - previous).abs() / total);
     }
     Ok(Finding::residual(worst, tolerance::IDENTITY).sampled())
 }

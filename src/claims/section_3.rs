@@ -1,13 +1,14 @@
 //! §3.1 to §3.3: Theorem 1, the increase of a pair, and visibility.
 
+use super::extremes::{larger, largest, smaller};
 use super::registry::Computation;
-use super::section_2::{cube, largest};
+use super::section_2::cube;
 use super::{ClaimError, Finding, Inputs};
 use crate::chain::random::RandomChains;
 use crate::chain::{ReversibleChain, visibility_chain};
 use crate::discretize::{PatchSplit, regular_positions};
 use crate::form_factor::RectanglePair;
-use crate::geometry::SplitAxis;
+use crate::geometry::{Rectangle, SplitAxis};
 use crate::information::{divergence, mutual_information, subdivision_bound};
 use crate::numeric::{compensated_sum, tolerance, x_log2_ratio, x_log2_x};
 use crate::scene::Scene;
@@ -42,8 +43,8 @@ fn theorem_1(input: &Inputs) -> Result<Finding, ClaimError> {
     let mut random = RandomChains::new(input.count("seed")?.into());
     let mut smallest = f64::INFINITY;
     for _ in 0..input.count("chains")? {
-        let chain = random.chain(8)?;
-        let refined = random.refinement(&chain, 4)?.refined(&chain)?;
+        let refinement = random.refinement(8)?;
+        let (chain, refined) = (refinement.coarse(), refinement.refined());
         let weights = refined.weights();
         let independent = |i: usize, j: usize| weights[i] * weights[j] / refined.total();
         let n = refined.states();
@@ -52,7 +53,10 @@ fn theorem_1(input: &Inputs) -> Result<Finding, ClaimError> {
             (1.0 - dilution) * refined.joint()[(i, j)] + dilution * independent(i, j)
         });
         let diluted = ReversibleChain::try_new(joint)?;
-        smallest = smallest.min(mutual_information(&diluted) - mutual_information(&chain));
+        smallest = smaller(
+            smallest,
+            mutual_information(&diluted) - mutual_information(chain),
+        );
     }
     let holds = smallest >= -tolerance::IDENTITY;
     Ok(Finding::statement(holds, smallest, tolerance::IDENTITY).sampled())
@@ -94,42 +98,49 @@ fn destination_weight_drops_out(input: &Inputs) -> Result<Finding, ClaimError> {
     let mut random = RandomChains::new(input.count("seed")?.into());
     let mut worst: f64 = 0.0;
     for _ in 0..input.count("chains")? {
-        let chain = random.chain(8)?;
-        let refinement = random.refinement(&chain, 4)?;
-        let (i, weights) = (refinement.state(), refinement.weights());
-        for j in (0..chain.states()).filter(|j| *j != i) {
-            let mut fluxes: Vec<f64> = refinement.outward().column(j).iter().copied().collect();
-            fluxes[0] *= cover;
-            let (joint, w) = (chain.joint()[(i, j)], chain.weights()[j]);
+        let refinement = random.refinement(8)?;
+        let (chain, refined) = (refinement.coarse(), refinement.refined());
+        let parts = &refinement.parts()[0]; // state 0 is the divided one
+        for j in 1..chain.states() {
             let line = |destination: f64| {
-                let parts = fluxes.iter().zip(weights);
-                let sum = compensated_sum(
-                    parts.map(|(flux, weight)| x_log2_ratio(*flux, weight * destination)),
-                );
-                sum - x_log2_ratio(joint, chain.weights()[i] * destination)
+                let part = |k: &usize| {
+                    let cover = if *k == 0 { cover } else { 1.0 };
+                    let flux = cover * refined.joint()[(*k, j)];
+                    x_log2_ratio(flux, refined.weights()[*k] * destination)
+                };
+                let whole = x_log2_ratio(chain.joint()[(0, j)], chain.weights()[0] * destination);
+                compensated_sum(parts.iter().map(part)) - whole
             };
-            worst = worst.max(2.0 * (line(w) - line(1.0)).abs() / chain.total());
+            let difference = line(chain.weights()[j]) - line(1.0);
+            worst = larger(worst, 2.0 * difference.abs() / chain.total());
         }
     }
     Ok(Finding::residual(worst, tolerance::IDENTITY).sampled())
 }
 
-/// `(w/m) Σ P_k log P_k − w P log P` against `Σ_k w_k P_k log P_k − w P log P`.
+/// `(w/m) Σ P_k log P_k − w P log P`, w = 1, against the gain of fluxes `w_k P_k`; with `lopsidedness` the first
+/// part takes that much more weight.
 fn regular_form(input: &Inputs) -> Result<Finding, ClaimError> {
     let lopsidedness = input.number("lopsidedness")?;
     let mut random = RandomChains::new(input.count("seed")?.into());
     let mut worst: f64 = 0.0;
     for _ in 0..input.count("chains")? {
-        let probabilities = random.chain(8)?;
-        let row: Vec<f64> = probabilities.joint().column(0).iter().copied().collect();
-        #[allow(clippy::cast_precision_loss, reason = "at most 8 states")]
-        let m = row.len() as f64;
-        let regular = compensated_sum(row.iter().map(|p| x_log2_x(*p))) / m;
-        let weighted = row.iter().enumerate().map(|(k, p)| {
-            let weight = if k == 0 { 1.0 + lopsidedness } else { 1.0 };
-            weight / m * x_log2_x(*p)
-        });
-        worst = worst.max((regular - compensated_sum(weighted)).abs());
+        let m = random.count(2, 8);
+        let transitions = random.numbers(m);
+        let mut weights = vec![1.0; m];
+        weights[0] += lopsidedness;
+        let total: f64 = weights.iter().sum();
+        weights.iter_mut().for_each(|weight| *weight /= total);
+        let fluxes: Vec<f64> = transitions
+            .iter()
+            .zip(&weights)
+            .map(|(p, w)| p * w)
+            .collect();
+        let whole: f64 = fluxes.iter().sum();
+        #[allow(clippy::cast_precision_loss, reason = "at most 8 parts")]
+        let parts = compensated_sum(transitions.iter().map(|p| x_log2_x(*p))) / m as f64;
+        let regular = parts - x_log2_x(whole);
+        worst = larger(worst, (regular - divergence(&fluxes, &weights)).abs());
     }
     Ok(Finding::residual(worst, tolerance::IDENTITY).sampled())
 }
@@ -140,28 +151,32 @@ fn subdivision_bound_holds(input: &Inputs) -> Result<Finding, ClaimError> {
     let mut random = RandomChains::new(input.count("seed")?.into());
     let mut largest_ratio: f64 = 0.0;
     for _ in 0..input.count("draws")? {
-        let fluxes: Vec<f64> = random.chain(5)?.joint().column(0).iter().copied().collect();
+        let count = random.count(2, 5);
+        let fluxes = random.numbers(count);
         let mut weights = vec![1.0; fluxes.len()];
         weights[0] -= lopsidedness;
         let joint = compensated_sum(fluxes.iter().copied());
         let parts = u32::try_from(fluxes.len()).unwrap_or(u32::MAX);
         let ratio = 2.0 * divergence(&fluxes, &weights) / subdivision_bound(joint, parts);
-        largest_ratio = largest_ratio.max(ratio);
+        largest_ratio = larger(largest_ratio, ratio);
     }
     let holds = largest_ratio <= 1.0 + tolerance::GAIN;
     Ok(Finding::statement(holds, largest_ratio, tolerance::GAIN).sampled())
 }
 
-/// One of m parts keeps all the flux but `leak` of it.
+/// One of m parts keeps all the flux but `leak` of it; then its own P is `m P_ij`, at most 1.
 fn subdivision_bound_is_attained(input: &Inputs) -> Result<Finding, ClaimError> {
     let leak = input.number("leak")?;
     let deviations = (2..=16u32).map(|parts| {
-        let joint = 0.9 / f64::from(parts); // w_i = 1, P_ij = 0.9/m
+        let probability = 0.9 / f64::from(parts); // m P_ij = 0.9
+        let joint = probability; // w_i = 1
         let others = leak * joint / f64::from(parts - 1);
         let mut fluxes = vec![others; parts as usize];
         fluxes[0] = (1.0 - leak) * joint;
         let weights = vec![1.0 / f64::from(parts); parts as usize];
-        (2.0 * divergence(&fluxes, &weights) / subdivision_bound(joint, parts) - 1.0).abs()
+        let gain = 2.0 * divergence(&fluxes, &weights) / subdivision_bound(joint, parts);
+        let own = fluxes[0] / weights[0] / (f64::from(parts) * probability);
+        larger((gain - 1.0).abs(), (own - 1.0).abs())
     });
     let note = "a sub-state cannot keep more than its own weight, so the bound is out of reach where m P_ij > 1";
     Ok(Finding::residual(largest(deviations), tolerance::GAIN).noting(note))
@@ -204,7 +219,8 @@ fn largest_weight_has_largest_potential(input: &Inputs) -> Result<Finding, Claim
     let count = input.count("chains")?;
     let mut agreeing = 0;
     for _ in 0..count {
-        let chain = random.chain(8)?;
+        let refinement = random.refinement(8)?;
+        let chain = refinement.coarse();
         let potential = |i: usize| {
             compensated_sum(
                 chain
@@ -225,22 +241,34 @@ fn argmax(count: usize, value: impl Fn(usize) -> f64) -> usize {
     (0..count).fold(0, |best, i| if value(i) > value(best) { i } else { best })
 }
 
-/// (a) holds because an exchange area is one number; (b) `Σ_k A_k F_kj = A_i F_ij`, with a `gap` left
-/// between the parts.
+/// (a) `A_k F_kj = A_j F_jk`, each from its own side; (b) `Σ_k A_k F_kj = A_i F_ij`, with a `gap` left between the
+/// parts.
 fn split_patches_fulfil_the_hypotheses(input: &Inputs) -> Result<Finding, ClaimError> {
     let scene = cube(input)?;
     let (position, gap) = (input.number("position")?, input.number("gap")?);
     let first = scene.rectangle(0)?;
     let mut worst: f64 = 0.0;
     for j in 1..scene.patches().len() {
-        let pair = RectanglePair::try_new(&first, &scene.rectangle(j)?)?;
+        let other = scene.rectangle(j)?;
+        let exchange = |a: &Rectangle, b: &Rectangle| -> Result<f64, ClaimError> {
+            Ok(RectanglePair::try_new(a, b)?.exchange_area()?.value)
+        };
+        let whole = exchange(&first, &other)?;
+        if whole <= 0.0 {
+            continue;
+        }
         for axis in SplitAxis::ALL {
-            let near = pair.part(axis, 0.0, position)?.exchange_area()?.value;
-            let far = pair.part(axis, position + gap, 1.0)?.exchange_area()?.value;
-            let whole = pair.exchange_area()?.value;
-            if whole > 0.0 {
-                worst = worst.max(((near + far) / whole - 1.0).abs());
+            let parts = [
+                first.part(axis, 0.0, position)?,
+                first.part(axis, position + gap, 1.0)?,
+            ];
+            let mut sum = 0.0;
+            for part in &parts {
+                let (there, back) = (exchange(part, &other)?, exchange(&other, part)?);
+                worst = larger(worst, (there - back).abs() / whole);
+                sum += there;
             }
+            worst = larger(worst, (sum / whole - 1.0).abs());
         }
     }
     Ok(Finding::residual(worst, tolerance::CLOSURE))
@@ -259,7 +287,7 @@ fn visibility_bound_holds(input: &Inputs) -> Result<Finding, ClaimError> {
             let split = PatchSplit::try_new(&scene, 0, &against, axis)?;
             for m in 2..=parts {
                 let bound = formula * split.maximum_gain(m)?;
-                largest_ratio = largest_ratio.max(split.gain(&regular_positions(m))? / bound);
+                largest_ratio = larger(largest_ratio, split.gain(&regular_positions(m))? / bound);
             }
         }
     }

@@ -1,7 +1,7 @@
 //! §4.2: the cut across a radiosity gradient.
 
+use super::extremes::{larger, largest};
 use super::registry::Computation;
-use super::section_2::largest;
 use super::{ClaimError, Finding, Inputs};
 use crate::discretize::{GradientCut, StraightCut};
 use crate::information::divergence;
@@ -46,23 +46,26 @@ fn objective_follows(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(Finding::residual(largest(deviations), tolerance::IDENTITY).noting(note))
 }
 
-/// Lines through the square that lean by up to its width, against the best cut with `reference_lean`.
+/// Lines through the square at 5° to 85° to the one across the gradient, against the best cut leaning by
+/// `reference_lean`, for n = 1, 2, … up to `largest_exponent`.
 fn best_cut_is_perpendicular(input: &Inputs) -> Result<Finding, ClaimError> {
-    let gradient = cut(input)?;
-    let (n, m) = (
-        input.number("exponent")?,
-        input.number("irradiance_exponent")?,
-    );
-    let middle = gradient.mutual_information_cut()?.position;
-    let reference = StraightCut {
-        middle,
-        lean: input.number("reference_lean")?,
-    }
-    .gain(n, m)?;
+    let m = input.number("irradiance_exponent")?;
     let mut largest_ratio: f64 = 0.0;
-    for lean in (1..=20).map(|k| f64::from(k) / 20.0) {
-        for middle in (1..40).map(|k| f64::from(k) / 40.0) {
-            largest_ratio = largest_ratio.max(StraightCut { middle, lean }.gain(n, m)? / reference);
+    for n in 1..=input.count("largest_exponent")? {
+        let n = f64::from(n);
+        let middle = GradientCut::try_new(n, m)?
+            .mutual_information_cut()?
+            .position;
+        let lean = input.number("reference_lean")?;
+        let reference = StraightCut { middle, lean }.gain(n, m)?;
+        for degrees in (5..=85).step_by(5) {
+            let lean = f64::from(degrees).to_radians().tan();
+            for k in 1..40 {
+                // every line that meets the square
+                let middle = (1.0 + lean) * f64::from(k) / 40.0 - 0.5 * lean;
+                let gain = StraightCut { middle, lean }.gain(n, m)?;
+                largest_ratio = larger(largest_ratio, gain / reference);
+            }
         }
     }
     let holds = largest_ratio < 1.0;
@@ -122,12 +125,12 @@ fn cuts_are_near(input: &Inputs) -> Result<Finding, ClaimError> {
         let cut = GradientCut::try_new(n, m)?;
         Ok((cut.mean_square_cut()?.position - cut.mutual_information_cut()?.position).abs())
     };
-    let exponents = [1.0, 2.0, 3.0, 4.0];
+    let m = input.number("irradiance_exponent")?;
     let mut printed: f64 = 0.0;
     let mut derived: f64 = 0.0;
-    for n in exponents {
-        printed = printed.max(distance(n, 1.0)?);
-        derived = derived.max(distance(n, n)?);
+    for n in [1.0, 2.0, 3.0, 4.0] {
+        printed = larger(printed, distance(n, m)?);
+        derived = larger(derived, distance(n, n)?);
     }
     let near = input.number("near")?;
     let note = format!(

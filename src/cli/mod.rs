@@ -1,13 +1,16 @@
 //! The command line: one file per subcommand, argument parsing and exit status only.
 //!
 //! Data goes to standard output or `--output`, messages to standard error. Exit status: 0 done; 1 a claim's
-//! verdict differs from the recorded one; 2 wrong usage or bad input, and nothing is written.
+//! verdict differs from the recorded one, or fuzzing found a counterexample; 2 wrong usage or bad input, and nothing is written.
 
 mod curve;
 mod cut;
+#[cfg(feature = "proptest")]
+mod fuzz;
 mod output;
 mod reproduce;
 mod split;
+mod study;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use std::error::Error;
@@ -31,6 +34,11 @@ enum Question {
     Split(split::Split),
     /// Find the cuts of a patch whose radiosity grows as a power (§4.2).
     Cut(cut::Cut),
+    /// Throw random refinements at Theorem 1.
+    #[cfg(feature = "proptest")]
+    Fuzz(fuzz::Fuzz),
+    /// Measure error and time of different forms of a formula.
+    Study(study::Study),
     /// Print a completion script for a shell.
     Completions {
         /// The shell.
@@ -45,7 +53,7 @@ enum Question {
 enum Outcome {
     /// All is as expected.
     Done,
-    /// A verdict differs from the one on record.
+    /// A verdict differs from the one on record, or a counterexample was found.
     Differs,
 }
 
@@ -60,6 +68,9 @@ pub fn run() -> ExitCode {
         Question::Curve(question) => question.answer(),
         Question::Split(question) => question.answer(),
         Question::Cut(question) => question.answer(),
+        #[cfg(feature = "proptest")]
+        Question::Fuzz(question) => question.answer(),
+        Question::Study(question) => question.answer(),
         Question::Completions { shell } => completions(shell),
         Question::Man => manual(),
     };

@@ -2,6 +2,7 @@
 
 use super::{Answer, Outcome};
 use crate::report::{Format, Report};
+use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -46,18 +47,48 @@ struct CannotWrite {
 }
 
 impl Output {
+    /// Refuses a place that cannot be written to, before long work begins.
+    #[cfg(feature = "proptest")]
+    pub(super) fn check(&self) -> Result<(), Box<dyn std::error::Error>> {
+        if self.output != Path::new("-") {
+            folder_of(&self.output).map_err(|source| cannot_write(&self.output, source))?;
+        }
+        Ok(())
+    }
+
     /// Writes the whole answer or nothing.
     pub(super) fn write(&self, report: &Report) -> Answer {
         let text = report.render(self.format.into())?;
         if self.output == Path::new("-") {
             print(text.as_bytes())
         } else {
-            replace(&self.output, text.as_bytes()).map_err(|source| CannotWrite {
-                path: self.output.clone(),
-                source,
-            })?;
+            replace(&self.output, text.as_bytes())
+                .map_err(|source| cannot_write(&self.output, source))?;
             Ok(Outcome::Done)
         }
+    }
+
+    /// Writes a file of this name into the folder of the output, or here.
+    #[cfg(feature = "proptest")]
+    pub(super) fn beside(
+        &self,
+        name: &str,
+        text: &[u8],
+    ) -> Result<PathBuf, Box<dyn std::error::Error>> {
+        let path = if self.output == Path::new("-") {
+            PathBuf::from(name)
+        } else {
+            self.output.with_file_name(name)
+        };
+        replace(&path, text).map_err(|source| cannot_write(&path, source))?;
+        Ok(path)
+    }
+}
+
+fn cannot_write(path: &Path, source: io::Error) -> CannotWrite {
+    CannotWrite {
+        path: path.to_owned(),
+        source,
     }
 }
 
@@ -70,8 +101,41 @@ pub(super) fn print(text: &[u8]) -> Answer {
     }
 }
 
-/// Writes beside the file and moves into place, so that no half-written file is ever seen.
+/// Writes beside the file and moves into place, so that no half-written file is ever seen. Links are
+/// followed, an existing file keeps its mode, and a device or a pipe is written to as it is.
 fn replace(path: &Path, text: &[u8]) -> io::Result<()> {
+    folder_of(path)?;
+    let old = fs::metadata(path).ok();
+    if old.as_ref().is_some_and(|old| !old.is_file()) {
+        return fs::OpenOptions::new()
+            .write(true)
+            .open(path)?
+            .write_all(text);
+    }
+    let path = if old.is_some() {
+        fs::canonicalize(path)?
+    } else {
+        path.to_owned()
+    };
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".infoscene-");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // as for any new file: what the process's mask leaves of it
+        builder.permissions(fs::Permissions::from_mode(0o666));
+    }
+    let mut file = builder.tempfile_in(folder_of(&path)?)?;
+    file.write_all(text)?;
+    if let Some(old) = old {
+        file.as_file().set_permissions(old.permissions())?;
+    }
+    file.persist(path)?;
+    Ok(())
+}
+
+/// The folder of a file that is to be written.
+fn folder_of(path: &Path) -> io::Result<&Path> {
     let folder = path
         .parent()
         .filter(|folder| !folder.as_os_str().is_empty());
@@ -88,16 +152,5 @@ fn replace(path: &Path, text: &[u8]) -> io::Result<()> {
             "it is a folder",
         ));
     }
-    let mut file = tempfile::Builder::new()
-        .prefix(".infoscene-")
-        .tempfile_in(folder)?;
-    file.write_all(text)?;
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        file.as_file()
-            .set_permissions(std::fs::Permissions::from_mode(0o644))?;
-    }
-    file.persist(path)?;
-    Ok(())
+    Ok(folder)
 }

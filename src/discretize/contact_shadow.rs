@@ -49,8 +49,16 @@ impl ContactShadow {
     /// The gain of a cut at `position`, in bits (A_T = 2).
     ///
     /// # Errors
-    /// [`DiscretizeError::FormFactor`] unless `0 < position < 1`.
+    /// [`DiscretizeError::OutOfRange`] unless `0 < position < 1`.
     pub fn gain(&self, position: f64) -> Result<f64, DiscretizeError> {
+        if !(position > 0.0 && position < 1.0) {
+            let (parameter, condition) = ("the cut", "inside (0, 1)");
+            return Err(DiscretizeError::OutOfRange {
+                parameter,
+                value: position,
+                condition,
+            });
+        }
         let near = position.min(self.line);
         let beyond = if position < self.line {
             self.exchange(position, self.line)?
@@ -73,6 +81,8 @@ impl ContactShadow {
 
     /// What the floor would gain at the line if every lit point saw the wall equally: flux
     /// proportional to lit area.
+    ///
+    /// **Arguments** `position` inside `(0, 1)`.
     #[must_use]
     pub fn uniform_gain(&self, position: f64) -> f64 {
         let near = position.min(self.line);

@@ -34,6 +34,12 @@ pub enum DiscretizeError {
         /// The patch.
         patch: usize,
     },
+    /// A patch is named twice.
+    #[error("patch {patch} is named twice: it would count double")]
+    NamedTwice {
+        /// The patch.
+        patch: usize,
+    },
     /// An optimiser refused.
     #[error(transparent)]
     Numeric(#[from] NumericError),

@@ -18,8 +18,8 @@
 //! ```
 //!
 //! So the maximum is unique for every p, m > 0. The mean-square error of two constants is stationary where
-//! `B(l)` is the arithmetic mean of the two: `(2n+1)(lⁿ − lⁿ⁺¹) = 1 − lⁿ⁺¹`, l ≠ 1; for whole n that is the
-//! paper's polynomial times (1 − l).
+//! `B(l)` is the arithmetic mean of the two: `2n lⁿ (1 − l) = 1 − lⁿ`, l ≠ 1; for whole n that is the paper's
+//! polynomial times (1 − l).
 //!
 //! **Not covered**: other profiles than powers.
 
@@ -48,7 +48,7 @@ pub struct Cut {
     pub residual: f64,
 }
 
-/// Range of exponents over which the accuracy is tested.
+/// The exponents that are accepted; the accuracy is measured at both ends.
 const EXPONENTS: std::ops::RangeInclusive<f64> = 1e-6..=1e12;
 
 impl GradientCut {
@@ -97,8 +97,8 @@ impl GradientCut {
 
     /// The cut that maximises mutual information.
     ///
-    /// **Accuracy** position to 1e-14 absolute, complement to 1e-12 relative, gain to 1e-13 relative
-    /// for exponents from 0.5 to 1e6, measured by `cuts_agree_with_their_references`.
+    /// **Accuracy** position to 1e-14 absolute, complement to 1e-12 relative, gain to 1e-13 relative,
+    /// measured by `cuts_agree_with_their_references`.
     ///
     /// # Errors
     /// [`DiscretizeError::Numeric`] if a root is not found, which the brackets exclude.
@@ -131,25 +131,24 @@ impl GradientCut {
 
     /// The cut that minimises the mean square error of two constants.
     ///
-    /// **Accuracy** as [`mutual_information_cut`](Self::mutual_information_cut).
+    /// **Accuracy** as [`mutual_information_cut`](Self::mutual_information_cut), measured by
+    /// `mean_square_cuts_agree_with_256_bits`.
     ///
     /// # Errors
     /// [`DiscretizeError::Numeric`] if a root is not found, which the bracket excludes.
     pub fn mean_square_cut(&self) -> Result<Cut, DiscretizeError> {
         let n = self.exponent;
-        // (2n+1) lⁿ = (1 − lⁿ⁺¹)/(1 − l), as a ratio
-        let condition = |tau: f64| {
-            let geometric = (-(n + 1.0) * tau).exp_m1() / (-tau).exp_m1();
-            (2.0 * n + 1.0) * (-n * tau).exp() / geometric - 1.0
-        };
-        // at l = (2n+1)^(−1/n) the left side is 1, the right one larger; near l = 1 it is (2n+1)/(n+1)
+        // 2n lⁿ (1−l)/(1−lⁿ) falls from 2 at l = 1
+        let condition =
+            |tau: f64| 2.0 * n * (-n * tau).exp() * (-tau).exp_m1() / (-n * tau).exp_m1() - 1.0;
+        // at l = (2n+1)^(−1/n) it is 1 − l < 1
         let largest = (2.0 * n).ln_1p() / n;
         let tau = bracketed_root(condition, largest * 1e-3, largest)?;
         let (l, complement) = ((-tau).exp(), -(-tau).exp_m1());
-        // ∫(lⁿ − means)² = ∫ l²ⁿ − l·near² − (1−l)·far²
-        let near = (-n * tau).exp() / (n + 1.0);
-        let far = -(-(n + 1.0) * tau).exp_m1() / ((n + 1.0) * complement);
-        let value = 1.0 / (2.0 * n + 1.0) - l * near * near - complement * far * far;
+        // variance less what the two means explain: [ n²/(2n+1) − l (1−lⁿ)²/(1−l) ] / (n+1)², over n²
+        let drop = -(-n * tau).exp_m1() / n;
+        let share = 1.0 / (2.0 * n + 1.0) - l * drop * drop / complement;
+        let value = share * (n / (n + 1.0)).powi(2);
         Ok(Cut {
             position: l,
             complement,

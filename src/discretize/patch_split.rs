@@ -48,7 +48,8 @@ impl PatchSplit {
     /// # Errors
     /// [`DiscretizeError::Scene`] if a patch does not exist or is not a rectangle;
     /// [`DiscretizeError::FormFactor`] if a pair is not aligned;
-    /// [`DiscretizeError::AgainstItself`]; [`DiscretizeError::NothingToGain`].
+    /// [`DiscretizeError::AgainstItself`]; [`DiscretizeError::NamedTwice`];
+    /// [`DiscretizeError::NothingToGain`].
     pub fn try_new(
         scene: &Scene,
         patch: usize,
@@ -61,6 +62,9 @@ impl PatchSplit {
         for other in against {
             if *other == patch {
                 return Err(DiscretizeError::AgainstItself { patch });
+            }
+            if against.iter().filter(|index| *index == other).count() > 1 {
+                return Err(DiscretizeError::NamedTwice { patch: *other });
             }
             let pair = RectanglePair::try_new(&rectangle, &scene.rectangle(*other)?)?;
             let exchange = pair.exchange_area()?.value;
@@ -104,7 +108,16 @@ impl PatchSplit {
     /// As [`gain`](Self::gain).
     pub fn gain_derivative(&self, positions: &[f64], k: usize) -> Result<f64, DiscretizeError> {
         let parts = parts(positions);
-        let (before, after) = (parts[k], parts[k + 1]);
+        let (Some(before), Some(after)) = (parts.get(k).copied(), parts.get(k + 1).copied()) else {
+            let (parameter, condition) = ("the index of a cut", "that of one of the positions");
+            #[allow(clippy::cast_precision_loss, reason = "only shown")]
+            let value = k as f64;
+            return Err(DiscretizeError::OutOfRange {
+                parameter,
+                value,
+                condition,
+            });
+        };
         let mut derivatives = Vec::with_capacity(self.pairs.len());
         for pair in &self.pairs {
             let ratio = |(from, to): (f64, f64)| {
@@ -222,7 +235,7 @@ impl PatchSplit {
         Ok(positions)
     }
 
-    /// Runs an optimiser that knows only numbers; a refusal inside comes out as itself.
+    /// Runs an optimiser that knows only numbers; where it fails, the first refusal inside is the reason.
     fn searching<T>(
         &self,
         search: impl FnOnce(
@@ -241,10 +254,8 @@ impl PatchSplit {
             &|positions| number(self.gain(positions)),
             &|positions, k| number(self.gain_derivative(positions, k)),
         );
-        match refusal.into_inner() {
-            Some(error) => Err(error),
-            None => Ok(found?),
-        }
+        // a refusal matters only if the optimiser could not do without that point
+        found.map_err(|error| refusal.into_inner().unwrap_or(error.into()))
     }
 }
 

@@ -23,7 +23,7 @@ use crate::numeric::Scalar;
 /// **Arguments** the extents of both along two common axes; `distance` > 0; any one unit.
 /// **Returns** `A_1 F_12 = A_2 F_21`, in squared units, and the magnitude its error is relative to.
 /// **Accuracy** `f64`: within [`RECTANGLE_TERMS`]·ε·magnitude, held by
-/// `rectangle_bound_is_never_below_the_error`.
+/// `parallel_bound_is_never_below_the_error`.
 ///
 /// [`RECTANGLE_TERMS`]: crate::numeric::tolerance::RECTANGLE_TERMS
 ///

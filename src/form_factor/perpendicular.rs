@@ -47,7 +47,7 @@ impl<S: Scalar> Plate<S> {
 /// **Arguments** both plates, in any one unit, widths measured on the same axis.
 /// **Returns** `A_1 F_12 = A_2 F_21`, in squared units, and the magnitude its error is relative to.
 /// **Accuracy** `f64`: within [`RECTANGLE_TERMS`]·ε·magnitude, held by
-/// `rectangle_bound_is_never_below_the_error`. Logarithms are taken of lengths in the given
+/// `perpendicular_bound_is_never_below_the_error`. Logarithms are taken of lengths in the given
 /// unit: a unit near the largest length is best.
 ///
 /// [`RECTANGLE_TERMS`]: crate::numeric::tolerance::RECTANGLE_TERMS

@@ -8,7 +8,7 @@
 use super::parallel::{self, strip_exchange};
 use super::perpendicular::{self, Plate, strip_exchange_at_depth, strip_exchange_at_width};
 use super::{ExchangeArea, FormFactorError};
-use crate::geometry::{Extent, Placement, Rectangle, Span, SplitAxis};
+use crate::geometry::{Extent, GeometryError, Placement, Rectangle, Span, SplitAxis};
 
 /// Two rectangles with edges along three common axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -88,8 +88,11 @@ impl RectanglePair {
     /// The pair in which the first rectangle is only its part between two relative positions.
     ///
     /// # Errors
-    /// [`FormFactorError::Geometry`] unless `from < to`.
+    /// [`FormFactorError::Geometry`] unless `0 ≤ from < to ≤ 1`.
     pub fn part(&self, axis: SplitAxis, from: f64, to: f64) -> Result<Self, FormFactorError> {
+        for position in [from, to] {
+            relative(position)?;
+        }
         let mut part = *self;
         part.first[axis as usize] = self.first[axis as usize].part(&from, &to)?;
         Ok(part)
@@ -101,8 +104,10 @@ impl RectanglePair {
     /// **Arguments** `position` in `[0, 1]`.
     ///
     /// # Errors
+    /// [`FormFactorError::Geometry`] if the position is not in `[0, 1]`;
     /// [`FormFactorError::OutOfRange`] if the value leaves the range of `f64`.
     pub fn strip_exchange(&self, axis: SplitAxis, position: f64) -> Result<f64, FormFactorError> {
+        relative(position)?;
         let along = self.first[axis as usize];
         let at = along.lower() + position * along.length();
         let across = self.first[other(axis) as usize];
@@ -185,6 +190,19 @@ impl TryFrom<&Placement> for Second {
             // coplanar, behind, or turned away
             _ => Ok(Self::Dark),
         }
+    }
+}
+
+fn relative(position: f64) -> Result<(), GeometryError> {
+    let (lower, upper) = (0.0, 1.0);
+    if (lower..=upper).contains(&position) {
+        Ok(())
+    } else {
+        Err(GeometryError::PositionOutOfRange {
+            position,
+            lower,
+            upper,
+        })
     }
 }
 

@@ -5,7 +5,8 @@ use crate::numeric::Scalar;
 
 /// From `lower` to `upper`, `lower < upper`, with its length kept apart.
 ///
-/// Far from the origin `upper − lower` would lose digits of a short length that is known exactly.
+/// Far from the origin `upper − lower` would lose digits of a short length that is known exactly. The ends are
+/// then rounded, and a length below ε of the ends is lost in them: error bounds count the ends as given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span<S = f64> {
     lower: S,

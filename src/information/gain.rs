@@ -1,17 +1,24 @@
-//! The gain in mutual information when a state is refined: equations (5) to (7).
+//! The gain in mutual information when states are refined: equations (5) to (7).
 //!
 //! ```text
-//!   ΔI = (1/Σw) [ 2 Σ_{j≠i} D(J_1j … J_mj ‖ w_1 … w_m) + D(J_kl ‖ w_k w_l) ]
-//!   D(J ‖ w) = J Σ_k p_k log2(p_k/a_k) = J Σ_k a_k φ(x_k)/ln 2,
-//!   p_k = J_k/J,  a_k = w_k/w,  x_k = p_k/a_k − 1,  φ(x) = (1+x) ln(1+x) − x ≥ 0
+//!   ΔI = (1/ΣJ) Σ_ij D( J′_kl, k ∈ i, l ∈ j ‖ w_k w_l )
+//!   D(J ‖ a b) = J Σ_kl p_kl log2( p_kl/(a_k b_l) ) = J Σ_kl a_k b_l φ(x_kl)/ln 2,
+//!   p_kl = J_kl/J,  a, b: shares of the weights,  x = p/(a b) − 1,  φ(x) = (1+x) ln(1+x) − x ≥ 0
 //! ```
 //!
-//! Each term is ≥ 0, so ΔI ≥ 0 in floating point too, and it is never the difference of two mutual
-//! informations. Where p and a nearly agree, `x_k = (J_k w − J w_k)/(J w_k)` is taken from
-//! exact products and sums, so the gain keeps its relative precision however small it is.
+//! over the pairs of states of which one at least is divided; the pair of a divided state with itself is
+//! the self-term of the theorem's proof, eq. (11). Each term is ≥ 0, so ΔI ≥ 0 in floating point too, and it
+//! is never the difference of two mutual informations. Where p and ab nearly agree,
+//! `x = (J_kl A B − J a_k b_l)/(J a_k b_l)` is taken from exact sums and products, so the gain keeps its
+//! relative precision however small it is.
+//!
+//! **Not covered**: relative precision where an entry is below 1e-290 of the largest; an absolute error of
+//! [`tolerance::TINY_GAIN`](crate::numeric::tolerance::TINY_GAIN) bits remains.
 
-use crate::chain::{ReversibleChain, StateRefinement};
+use super::FAR_ABOVE;
+use crate::chain::Refinement;
 use crate::numeric::{Expansion, compensated_sum, divergence_kernel};
+use std::cell::OnceCell;
 use std::f64::consts::LN_2;
 
 /// `D(J ‖ w)`: what a pair gains in one direction when its flux `ΣJ_k` is told apart by sub-states.
@@ -19,11 +26,13 @@ use std::f64::consts::LN_2;
 /// Half of eq. (5), before division by Σw: for fluxes `J_k = w_k P_kj` it is
 /// `Σ_k J_k log2 P_kj − J log2 P_ij`.
 ///
-/// **Arguments** as many fluxes as weights, all finite and ≥ 0; where a weight is 0 so is the flux.
+/// **Arguments** as many fluxes as weights (the shorter list counts), all finite and ≥ 0; where a weight
+/// is 0 so is the flux.
 /// **Returns** bits times the unit of flux, ≥ 0; 0 exactly if the fluxes are proportional to the
 /// weights.
-/// **Accuracy** a few ε relative to the given numbers, taken as exact, as long as they are 0 or
-/// ≥ 1e-290 of the largest.
+/// **Accuracy** within [`GAIN`](crate::numeric::tolerance::GAIN) of the value for the given numbers, taken
+/// as exact, as long as they are 0 or ≥ 1e-290 of the largest: measured against 256 bits by
+/// `divergence_is_non_negative_and_accurate`.
 ///
 /// # Examples
 /// ```
@@ -33,120 +42,162 @@ use std::f64::consts::LN_2;
 /// ```
 #[must_use]
 pub fn divergence(fluxes: &[f64], weights: &[f64]) -> f64 {
-    let fluxes: Vec<Scaled> = fluxes.iter().map(|flux| Scaled::new(*flux)).collect();
-    let weights: Vec<Scaled> = weights.iter().map(|weight| Scaled::new(*weight)).collect();
-    let (flux, flux_unit) = common_scale(&fluxes);
-    let (weight, weight_unit) = common_scale(&weights);
-    let (flux_sum, weight_sum) = (flux.iter().sum::<f64>(), weight.iter().sum::<f64>());
-    if flux_sum <= 0.0 || weight_sum <= 0.0 {
-        return 0.0;
+    let exact = |k: usize| Expansion::from(weights[k]);
+    let count = fluxes.len().min(weights.len());
+    let rows = Side::new(&weights[..count], &exact);
+    let (value, unit) = block_divergence(&|k, _| fluxes[k], &rows, &Side::whole());
+    Scaled::new(value).times_power(unit)
+}
+
+/// The gain `ΔI = I′ − I` of a refinement, eqs. (5), (7) and (11).
+///
+/// **Returns** bits, ≥ 0 by construction (Theorem 1); 0 exactly if every division is proportional.
+/// **Accuracy** within [`GAIN`](crate::numeric::tolerance::GAIN) of the value for the refined joint entries,
+/// taken as exact, wherever the smallest positive one is ≥ 1e-290 of their sum.
+#[must_use]
+pub fn refinement_gain(refinement: &Refinement) -> f64 {
+    let refined = refinement.refined();
+    let joint = refined.joint();
+    let sums: Vec<OnceCell<Expansion>> = vec![OnceCell::new(); refined.states()];
+    let exact_weight = |k: usize| {
+        sums[k]
+            .get_or_init(|| Expansion::sum(joint.column(k).iter().copied()))
+            .clone()
+    };
+    let parts = refinement.parts();
+    let exact: Vec<_> = parts
+        .iter()
+        .map(|parts| |k: usize| exact_weight(parts[k]))
+        .collect();
+    let sides: Vec<Side<'_>> = parts
+        .iter()
+        .zip(&exact)
+        .map(|(parts, exact)| match parts.as_slice() {
+            [_] => Side::whole(),
+            parts => {
+                let weights: Vec<f64> = parts.iter().map(|k| refined.weights()[*k]).collect();
+                Side::new(&weights, exact)
+            }
+        })
+        .collect();
+    // relative to the total, so that a small gain of small entries does not underflow on the way
+    let total = Scaled::new(refined.total());
+    let mut terms = Vec::new();
+    for i in 0..parts.len() {
+        for j in 0..=i {
+            if parts[i].len() > 1 || parts[j].len() > 1 {
+                let entry = |k: usize, l: usize| joint[(parts[i][k], parts[j][l])];
+                let both_ways = if i == j { 1.0 } else { 2.0 };
+                let (value, unit) = block_divergence(&entry, &sides[i], &sides[j]);
+                terms.push(both_ways * Scaled::new(value).times_power(unit - total.exponent));
+            }
+        }
     }
-    let terms = (0..flux.len())
-        .filter(|k| weights[*k].significand > 0.0)
-        .map(|k| {
-            // this sub-state's own scale, so that a tiny one keeps its digits
-            let exponent = weights[k]
-                .exponent
-                .max(fluxes[k].exponent - flux_unit + weight_unit);
-            let own_weight = weights[k].times_power(-exponent);
-            let own_flux = fluxes[k].times_power(weight_unit - flux_unit - exponent);
-            let share = weight[k] / weight_sum;
-            let independent = flux_sum * own_weight;
-            let quick = own_flux * weight_sum / independent - 1.0;
-            let x = if quick >= FAR_ABOVE {
-                return far_above(flux[k] / flux_sum, share);
-            } else if quick.abs() >= NEARLY_PROPORTIONAL {
-                quick
-            } else {
-                let cross = &Expansion::from(own_flux) * &Expansion::sum(weight.iter().copied());
-                let other = &Expansion::from(own_weight) * &Expansion::sum(flux.iter().copied());
-                (cross - &other).to_f64() / independent
-            };
-            share * divergence_kernel(x)
-        });
-    let sum = compensated_sum(terms) * flux_sum / LN_2;
-    Scaled::new(sum).times_power(flux_unit)
+    compensated_sum(terms) / total.significand
+}
+
+/// The weights of a state's parts.
+struct Side<'w> {
+    scaled: Vec<Scaled>,
+    /// In units of a power of two near the largest.
+    values: Vec<f64>,
+    unit: i32,
+    sum: f64,
+    exact: &'w dyn Fn(usize) -> Expansion,
+    exact_sum: OnceCell<Expansion>,
+}
+
+impl<'w> Side<'w> {
+    fn new(weights: &[f64], exact: &'w dyn Fn(usize) -> Expansion) -> Self {
+        let scaled: Vec<Scaled> = weights.iter().map(|weight| Scaled::new(*weight)).collect();
+        let (values, unit) = common_scale(&scaled);
+        let sum = values.iter().sum();
+        Self {
+            scaled,
+            values,
+            unit,
+            sum,
+            exact,
+            exact_sum: OnceCell::new(),
+        }
+    }
+
+    /// A state that is not divided.
+    fn whole() -> Self {
+        Self::new(&[1.0], &|_| Expansion::from(1.0))
+    }
+
+    fn share(&self, k: usize) -> f64 {
+        self.values[k] / self.sum
+    }
+
+    /// The power of two of weight `k`, relative to the unit.
+    fn power(&self, k: usize) -> i32 {
+        self.scaled[k].exponent - self.unit
+    }
+
+    /// Weight `k` in its own power of two.
+    fn exact(&self, k: usize) -> Expansion {
+        (self.exact)(k).times_power(-self.scaled[k].exponent)
+    }
+
+    /// All weights in units.
+    fn exact_sum(&self) -> &Expansion {
+        self.exact_sum.get_or_init(|| {
+            (0..self.values.len())
+                .map(|k| (self.exact)(k).times_power(-self.unit))
+                .fold(Expansion::sum([]), |sum, weight| sum + &weight)
+        })
+    }
 }
 
 /// Below this |x| the quotient's own rounding would be seen in φ: exact products take over.
 const NEARLY_PROPORTIONAL: f64 = 0.125;
 
-/// From this x on `a φ(x) = p (ln(p/a) − 1) + a` is used, which cannot overflow.
-const FAR_ABOVE: f64 = 4.0;
-
-fn far_above(p: f64, a: f64) -> f64 {
-    p * ((p / a).ln() - 1.0) + a
-}
-
-/// `D(J_kl ‖ w_k w_l)`: what a state gains with itself.
-///
-/// The self-term of the theorem's proof, eq. (11): `Σ_kl J_kl log2(J_kl/(w_k w_l)) − J log2(J/w²)`.
-///
-/// **Arguments** a square matrix in rows, and as many weights as it has rows; all finite and ≥ 0.
-/// **Returns** bits times the unit of flux, ≥ 0.
-/// **Accuracy** as [`divergence`].
-#[must_use]
-pub fn self_divergence(joint: &[Vec<f64>], weights: &[f64]) -> f64 {
-    let m = weights.len();
-    let scaled: Vec<Scaled> = weights.iter().map(|weight| Scaled::new(*weight)).collect();
-    let (weight, _) = common_scale(&scaled);
-    let entries: Vec<Scaled> = joint
-        .iter()
-        .flatten()
-        .map(|entry| Scaled::new(*entry))
+/// `J Σ_kl a_k b_l φ(x_kl)/ln 2` for the parts of two states, as a number and a power of two.
+fn block_divergence(
+    joint: &dyn Fn(usize, usize) -> f64,
+    rows: &Side<'_>,
+    columns: &Side<'_>,
+) -> (f64, i32) {
+    let (m, n) = (rows.values.len(), columns.values.len());
+    let entries: Vec<Scaled> = (0..m * n)
+        .map(|kl| Scaled::new(joint(kl / n, kl % n)))
         .collect();
-    let (flux, flux_unit) = common_scale(&entries);
-    let (flux_sum, weight_sum) = (flux.iter().sum::<f64>(), weight.iter().sum::<f64>());
-    if flux_sum <= 0.0 || weight_sum <= 0.0 {
-        return 0.0;
+    let (fluxes, unit) = common_scale(&entries);
+    let flux: f64 = fluxes.iter().sum();
+    if flux <= 0.0 {
+        return (0.0, 0);
     }
-    let terms = (0..m * m)
-        .filter(|kl| weight[kl / m] > 0.0 && weight[kl % m] > 0.0)
-        .map(|kl| {
-            let (a, b) = (weight[kl / m], weight[kl % m]);
-            let share = (a / weight_sum) * (b / weight_sum);
-            let quick = (flux[kl] / flux_sum) / share - 1.0;
-            let x = if quick >= FAR_ABOVE {
-                return far_above(flux[kl] / flux_sum, share);
-            } else if quick.abs() >= NEARLY_PROPORTIONAL {
-                quick
-            } else {
-                let total = Expansion::sum(weight.iter().copied());
-                let joint = &Expansion::from(flux[kl]) * &(&total * &total);
-                let product = &Expansion::from(a) * &Expansion::from(b);
-                let independent = &product * &Expansion::sum(flux.iter().copied());
-                (joint - &independent).to_f64() / independent.to_f64()
-            };
-            share * divergence_kernel(x)
-        });
-    Scaled::new(compensated_sum(terms) * flux_sum / LN_2).times_power(flux_unit)
-}
-
-/// The gain `ΔI = I′ − I` of a refinement, eqs. (5), (7) and the self-term of (11).
-///
-/// **Returns** bits, ≥ 0 by construction (Theorem 1).
-#[must_use]
-pub fn refinement_gain(chain: &ReversibleChain, refinement: &StateRefinement) -> f64 {
-    let outward = refinement.outward();
-    let pairs = compensated_sum(
-        (0..chain.states())
-            .filter(|j| *j != refinement.state())
-            .map(|j| {
-                let fluxes: Vec<f64> = outward.column(j).iter().copied().collect();
-                divergence(&fluxes, refinement.weights())
-            }),
-    );
-    let within: Vec<Vec<f64>> = refinement
-        .within()
-        .row_iter()
-        .map(|row| row.iter().copied().collect())
-        .collect();
-    (2.0 * pairs + self_divergence(&within, refinement.weights())) / chain.total()
+    let exact_flux = OnceCell::new();
+    let positive = |kl: &usize| rows.values[kl / n] > 0.0 && columns.values[kl % n] > 0.0;
+    let terms = (0..m * n).filter(positive).map(|kl| {
+        let (k, l) = (kl / n, kl % n);
+        let (a, b) = (rows.share(k), columns.share(l));
+        // in the parts' own powers of two, so that tiny ones keep their digits
+        let own_flux = entries[kl].times_power(-unit - rows.power(k) - columns.power(l));
+        let [own_row, own_column] = [rows.scaled[k].significand, columns.scaled[l].significand];
+        let independent = flux * own_row * own_column;
+        let quick = own_flux * rows.sum * columns.sum / independent - 1.0;
+        let x = if quick >= FAR_ABOVE {
+            let p = fluxes[kl] / flux;
+            return p * (p.ln() - a.ln() - b.ln() - 1.0) + a * b;
+        } else if quick.abs() >= NEARLY_PROPORTIONAL {
+            quick
+        } else {
+            let flux = exact_flux.get_or_init(|| Expansion::sum(fluxes.iter().copied()));
+            let cross = &(&Expansion::from(own_flux) * rows.exact_sum()) * columns.exact_sum();
+            let other = &(flux * &rows.exact(k)) * &columns.exact(l);
+            (cross - &other).to_f64() / independent
+        };
+        a * b * divergence_kernel(x)
+    });
+    (compensated_sum(terms) * flux / LN_2, unit)
 }
 
 /// The largest gain that a regular division into `parts` can bring to a pair, eq. (6).
 ///
-/// **Arguments** `joint`: `w_i P_ij`, in units of Σw.
+/// **Arguments** `joint`: `w_i P_ij`, in units of Σw; `parts` ≥ 1.
 /// **Returns** `2 w_i P_ij log2 m`, in bits. It is attained when all flux leaves from one part,
 /// which needs `m P_ij ≤ 1`.
 #[must_use]

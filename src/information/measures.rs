@@ -6,6 +6,7 @@
 //!   x_ij = J_ij/(w_i w_j) − 1        (total mass 1)
 //! ```
 
+use super::FAR_ABOVE;
 use crate::chain::ReversibleChain;
 use crate::numeric::{compensated_sum, divergence_kernel, x_log2_ratio, x_log2_x};
 use std::f64::consts::LN_2;
@@ -52,12 +53,18 @@ pub fn mutual_information(chain: &ReversibleChain) -> f64 {
     let (weights, total) = (chain.weights(), chain.total());
     let sum = (0..chain.states()).filter(|j| weights[*j] > 0.0).map(|j| {
         let column = chain.joint().column(j);
-        let scale = weights[j] / total;
+        let probability = weights[j] / total;
         // the upper triangle twice, the diagonal once
         let above = (0..j).filter(|i| weights[*i] > 0.0);
         let term = |i: usize| {
-            let independent = weights[i] * scale;
-            independent * divergence_kernel((column[i] - independent) / independent)
+            let transition = column[i] / weights[i];
+            let x = transition / probability - 1.0;
+            if x < FAR_ABOVE {
+                weights[i] * probability * divergence_kernel(x)
+            } else {
+                // w_i w_j φ(x) without the product and the quotient, which may leave the range
+                column[i] * (transition.ln() - probability.ln() - 1.0) + weights[i] * probability
+            }
         };
         2.0 * compensated_sum(above.map(term)) + term(j)
     });

@@ -8,5 +8,8 @@
 mod gain;
 mod measures;
 
-pub use gain::{divergence, refinement_gain, self_divergence, subdivision_bound};
+pub use gain::{divergence, refinement_gain, subdivision_bound};
 pub use measures::{entropy_rate, mutual_information, positional_entropy};
+
+/// From this x on `a φ(x) = p (ln(p/a) − 1) + a` is used, whose factors cannot overflow.
+const FAR_ABOVE: f64 = 4.0;

@@ -36,6 +36,18 @@ impl Expansion {
         self.components.iter().sum()
     }
 
+    /// Times a power of two, exactly unless a component leaves `f64`'s normal range.
+    #[must_use]
+    pub fn times_power(mut self, power: i32) -> Self {
+        // in two steps, so that no factor leaves the range before the product does
+        let power = power.clamp(-2200, 2200);
+        let factors = [power / 2, power - power / 2].map(|power| 2f64.powi(power));
+        for component in &mut self.components {
+            *component = *component * factors[0] * factors[1];
+        }
+        self
+    }
+
     fn grow(&mut self, term: f64) {
         let mut carry = term;
         self.components.retain_mut(|component| {

@@ -30,6 +30,12 @@ impl HighPrecision {
     /// The number `value`, exactly.
     #[must_use]
     pub fn new(value: f64) -> Self {
+        if value.abs() < f64::MIN_POSITIVE {
+            // `from_f64` loses a factor of two on subnormals: scaled into the normal range and back
+            let scale = 2f64.powi(64);
+            let scaled = Self(BigFloat::from_f64(value * scale, PRECISION));
+            return scaled / Self(BigFloat::from_f64(scale, PRECISION));
+        }
         Self(BigFloat::from_f64(value, PRECISION))
     }
 
@@ -135,8 +141,7 @@ impl Scalar for HighPrecision {
         if self.0.is_nan() {
             return f64::NAN;
         }
-        // Three pieces of at most 53 bits, largest first: their sum rounds correctly enough
-        // for a comparison, to within one unit in the last place.
+        // the two leading 64-bit words: right to within one unit in the last place
         let Some((words, _, sign, exponent, _)) = self.0.as_raw_parts() else {
             return if self.0.is_negative() {
                 f64::NEG_INFINITY

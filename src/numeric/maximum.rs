@@ -27,9 +27,9 @@ pub struct Maximum {
 
 /// The highest maximum of `function` inside `(lower, upper)`.
 ///
-/// The derivative is scanned at the ends of `intervals` equal pieces (at most 256), and by powers of
-/// two towards either end; the ends themselves, where it need not be finite, are never evaluated. Of
-/// maxima that are equal within rounding the leftmost is returned.
+/// The derivative is scanned at the ends of `intervals` equal pieces, and by powers of two towards either
+/// end. The ends themselves are never evaluated, and within 2⁻⁸ of them a point where the derivative is not
+/// finite is passed over. Of maxima that are equal within rounding the leftmost is returned.
 ///
 /// # Errors
 /// [`NumericError::NoInteriorMaximum`] if the derivative never turns from plus to minus, and
@@ -45,18 +45,27 @@ pub fn maximum(
     }
     let width = upper - lower;
     // equally spaced inside, and by powers of two towards either end
-    let towards_ends = (SMALLEST_POWER..=-8).map(|power| f64::from(power).exp2());
-    let shares: Vec<f64> = towards_ends
-        .clone()
-        .chain((1..intervals).map(|k| f64::from(k) / f64::from(intervals)))
-        .chain(towards_ends.rev().map(|share| 1.0 - share))
+    let towards_end = |power: i32| f64::from(power).exp2();
+    let mut shares: Vec<f64> = (1..intervals)
+        .map(|k| f64::from(k) / f64::from(intervals))
         .collect();
+    shares.extend((SMALLEST_POWER..=-2).map(towards_end));
+    shares.extend((SMALLEST_POWER..=-2).map(|power| 1.0 - towards_end(power)));
+    shares.sort_by(f64::total_cmp);
+    shares.dedup();
     let point = |share: f64| lower + width * share;
     let mut best: Option<Maximum> = None;
     let mut evaluations = 0;
     let mut left = (lower, f64::NEG_INFINITY);
     for share in shares {
-        let right = (point(share), finite(&derivative, point(share))?);
+        let right = (point(share), derivative(point(share)));
+        if !right.1.is_finite() {
+            // next to an end a derivative may not be computable; further inside it must be
+            if share.min(1.0 - share) < INNERMOST {
+                continue;
+            }
+            finite(&derivative, right.0)?;
+        }
         evaluations += 1;
         if left.1 > 0.0 && right.1 <= 0.0 {
             let found = root(&derivative, left.0, right.0)?;
@@ -85,6 +94,9 @@ pub fn maximum(
 
 /// The outermost scanned points lie this power of two of the width inside.
 const SMALLEST_POWER: i32 = -40;
+
+/// Nearer to an end than this share a point may be passed over.
+const INNERMOST: f64 = 1.0 / 256.0;
 
 /// A maximum in several ordered coordinates `0 < t_1 < … < t_n < 1`, as the root of the gradient.
 ///

@@ -32,7 +32,7 @@ pub trait Scalar:
     /// π at the precision of `self`.
     #[must_use]
     fn pi(&self) -> Self;
-    /// The nearest `f64`.
+    /// This number as an `f64`, to within one unit in the last place.
     #[must_use]
     fn to_f64(&self) -> f64;
     /// Square root of a number ≥ 0.

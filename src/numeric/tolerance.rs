@@ -66,3 +66,7 @@ pub const CLOSURE: f64 = 1e-12;
 /// What a gain that vanishes by symmetry may leave, in bits: (a) the square of 64 ε, the relative
 /// difference of two equal form factors computed apart.
 pub const VANISHING_GAIN: f64 = 1e-27;
+
+/// Absolute error of a gain in bits where entries below 1e-290 of the sum take part: (a) such an entry enters
+/// with at most itself times the logarithm of the smallest double, and products of it may be lost.
+pub const TINY_GAIN: f64 = 1e-280;

@@ -5,12 +5,16 @@
 //!
 //! **Not here**: computing; the numbers come finished.
 
+mod campaign;
 mod latex;
 mod number;
 mod records;
 mod reproduction;
 mod table;
 
+#[cfg(feature = "proptest")]
+pub use campaign::fuzz_report;
+pub use campaign::study_report;
 pub use number::{certain_digits, scientific};
 pub use records::{Format, Report, ReportError};
 pub use reproduction::{curve_report, reproduction_report};

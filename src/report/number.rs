@@ -5,7 +5,8 @@ const MOST_DIGITS: i32 = 12;
 
 /// `value` with as many decimals as its error leaves certain.
 ///
-/// The last decimal shown is off by at most one unit; a value below its error is `0`.
+/// The last decimal shown is off by at most one unit; a value below its error is `0`. Meant for errors
+/// below 0.1: no digit before the point is ever left out.
 ///
 /// # Examples
 /// ```

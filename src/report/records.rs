@@ -43,6 +43,7 @@ pub struct Report {
     table: Table,
     records: Vec<Map<String, Value>>,
     list_key: Option<&'static str>,
+    title: Option<(&'static str, &'static str)>,
 }
 
 impl Report {
@@ -55,6 +56,7 @@ impl Report {
             table,
             records: vec![flat(record)?],
             list_key: None,
+            title: None,
         })
     }
 
@@ -72,7 +74,15 @@ impl Report {
             table,
             records,
             list_key: Some(key),
+            title: None,
         })
+    }
+
+    /// The same, with a name under `key` before the list of records in JSON.
+    #[must_use]
+    pub const fn entitled(mut self, key: &'static str, name: &'static str) -> Self {
+        self.title = Some((key, name));
+        self
     }
 
     /// The answer as text, ending in a newline.
@@ -90,10 +100,10 @@ impl Report {
                     (None, [record]) => Value::Object(record.clone()),
                     (key, records) => {
                         let list = records.iter().cloned().map(Value::Object).collect();
-                        Value::Object(Map::from_iter([(
-                            key.unwrap_or("records").to_owned(),
-                            Value::Array(list),
-                        )]))
+                        let title = self.title.into_iter();
+                        let title = title.map(|(key, name)| (key.to_owned(), Value::from(name)));
+                        let key = key.unwrap_or("records").to_owned();
+                        Value::Object(title.chain([(key, Value::Array(list))]).collect())
                     }
                 };
                 serde_json::to_string_pretty(&value)? + "\n"

@@ -57,6 +57,20 @@ impl Scene {
         ])
     }
 
+    /// The inside of a box: six patches, the floor and the ceiling first.
+    ///
+    /// # Errors
+    /// [`SceneError::Patch`] unless all edges are finite and > 0.
+    pub fn inside_of_box(x: f64, y: f64, z: f64) -> Result<Self, SceneError> {
+        let faces = box_faces(x * DVec3::X, y * DVec3::Y, z * DVec3::Z);
+        let patches = faces.into_iter().enumerate();
+        Self::try_new(
+            patches
+                .map(|(index, (name, origin, u, v))| rectangle_patch(index, name, origin, u, v))
+                .collect::<Result<_, _>>()?,
+        )
+    }
+
     /// Two aligned unit squares that face each other at a distance.
     ///
     /// # Errors
@@ -110,15 +124,7 @@ fn corner() -> Result<Scene, SceneError> {
 
 /// The six faces of the unit cube, fronts inward, each cut into n × n squares.
 fn cube(n: usize) -> Result<Scene, SceneError> {
-    let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
-    let faces = [
-        ("floor", DVec3::ZERO, x, y),
-        ("ceiling", z, y, x),
-        ("left", DVec3::ZERO, y, z),
-        ("right", x, z, y),
-        ("front", DVec3::ZERO, z, x),
-        ("back", y, x, z),
-    ];
+    let faces = box_faces(DVec3::X, DVec3::Y, DVec3::Z);
     #[allow(clippy::cast_precision_loss, reason = "n is at most LARGEST_CUBE")]
     let line = |k: usize| k as f64 / n as f64;
     let mut patches = Vec::with_capacity(6 * n * n);
@@ -135,6 +141,18 @@ fn cube(n: usize) -> Result<Scene, SceneError> {
         }
     }
     Scene::try_new(patches)
+}
+
+/// Name, corner and edges of the faces of a box, fronts inward.
+fn box_faces(x: DVec3, y: DVec3, z: DVec3) -> [(&'static str, DVec3, DVec3, DVec3); 6] {
+    [
+        ("floor", DVec3::ZERO, x, y),
+        ("ceiling", z, y, x),
+        ("left", DVec3::ZERO, y, z),
+        ("right", x, z, y),
+        ("front", DVec3::ZERO, z, x),
+        ("back", y, x, z),
+    ]
 }
 
 fn rectangle_patch(

@@ -1,7 +1,7 @@
 //! The gain's building block is non-negative, exact at proportional shares, and keeps its digits.
 
 use crate::support::strategies::shares;
-use infoscene::information::{divergence, self_divergence};
+use infoscene::information::divergence;
 use infoscene::numeric::{HighPrecision, Scalar, divergence_kernel, tolerance};
 use proptest::prelude::*;
 
@@ -64,15 +64,6 @@ proptest! {
         fluxes[0] = fluxes[0].next_up();
         prop_assert!(divergence(&fluxes, &weights) > 0.0);
     }
-}
-
-/// The self-term of independent sub-states vanishes, that of separate ones is one bit.
-#[test]
-fn self_divergence_has_its_exact_cases() {
-    let independent = [vec![1.0, 3.0], vec![3.0, 9.0]];
-    assert_eq!(self_divergence(&independent, &[1.0, 3.0]), 0.0);
-    let separate = [vec![0.5, 0.0], vec![0.0, 0.5]];
-    assert_eq!(self_divergence(&separate, &[1.0, 1.0]), 1.0);
 }
 
 /// `φ(x) = (1+x) ln(1+x) − x` against 256 bits, from −1 to 1e6 and down to |x| = 1e-150.

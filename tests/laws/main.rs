@@ -12,6 +12,7 @@ mod divergence;
 mod error_bounds;
 mod independent_roads;
 mod invariance;
+mod negative_controls;
 mod optimisers;
 mod reciprocity;
 mod refinement;

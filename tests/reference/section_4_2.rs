@@ -1,7 +1,7 @@
 //! The cuts of §4.2 against 28-digit values, and against 256-bit roots for other exponents.
 
 use crate::support::references::{rows, value};
-use infoscene::discretize::GradientCut;
+use infoscene::discretize::{Cut, GradientCut};
 use infoscene::numeric::{HighPrecision, Scalar, tolerance};
 
 /// Relative error of a complement, the crate's promise up to exponents of 1e6.
@@ -63,60 +63,88 @@ fn plain_derivative(p: f64, m: f64, tau: &HighPrecision) -> HighPrecision {
     weight_rate * &(a.clone() - &b) - &((a / b).ln() * &g * &number(p))
 }
 
-/// Exponents from 0.5 to 1e6, printed (m = 1) and derived (m = n) reading: position to 1e-14,
-/// complement to 1e-12 relative, against the 256-bit root of the plain derivative.
+/// The objective itself, plainly: `G log2(G/W) + (1−G) log2((1−G)/(1−W))`.
+fn plain_gain(p: f64, m: f64, tau: &HighPrecision) -> HighPrecision {
+    let number = HighPrecision::new;
+    let g = (-(tau.clone() * &number(p))).exp();
+    let w = (-(tau.clone() * &number(p) + &(tau.clone() * &number(m)))).exp();
+    let one = number(1.0);
+    let (rest_g, rest_w) = (one.clone() - &g, one - &w);
+    let near = (g.clone() / &w).ln() * &g;
+    (near + &((rest_g.clone() / &rest_w).ln() * &rest_g)) / &number(2.0).ln()
+}
+
+/// Exponents from one end of the range to the other, printed (m = 1) and derived (m = n) reading: position to
+/// 1e-14, complement to 1e-12 relative, gain to 1e-13 relative, against the 256-bit root of the plain derivative.
 #[test]
 fn cuts_agree_with_their_references() {
-    for n in [
-        0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 4.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6,
-    ] {
+    let small = [1e-6, 1e-3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 4.0];
+    let large = [10.0, 100.0, 1e3, 1e4, 1e5, 1e6, 1e9, 1e12];
+    for n in small.into_iter().chain(large) {
         for m in [1.0, n] {
             let cut = GradientCut::try_new(n, m)
                 .unwrap()
                 .mutual_information_cut()
                 .unwrap();
+            let scale = 1.0 / (n + 1.0);
             let tau = bisect(
                 |tau| plain_derivative(n + 1.0, m, tau),
-                0.1 / (n + 1.0),
-                3.0 / (n + 1.0),
+                0.1 * scale,
+                3.0 * scale,
             );
-            let position = (-tau.clone()).exp().to_f64();
-            let complement = -(-tau).exp_m1().to_f64();
+            let gain = plain_gain(n + 1.0, m, &tau).to_f64();
             assert!(
-                (cut.position - position).abs() <= tolerance::POSITION,
-                "n {n} m {m}: {cut:?} {position}"
+                (cut.value / gain - 1.0).abs() <= tolerance::GAIN,
+                "n {n} m {m}: {cut:?} {gain}"
             );
-            assert!(
-                (cut.complement / complement - 1.0).abs() <= COMPLEMENT,
-                "n {n} m {m}: {cut:?}"
-            );
+            assert_cut(&cut, &tau);
         }
     }
 }
 
-/// The same for the mean-square condition `(2n+1) lⁿ − 2n lⁿ⁺¹ = 1`.
+/// The same for the mean-square condition `(2n+1) lⁿ − 2n lⁿ⁺¹ = 1`, and for the error that is left,
+/// `1/(2n+1) − l m² − (1−l) m′²` with the two means.
 #[test]
 fn mean_square_cuts_agree_with_256_bits() {
-    for n in [0.5, 0.7, 1.0, 1.5, 2.0, 10.0, 1e3, 1e6] {
+    for n in [
+        1e-6, 1e-3, 0.5, 0.7, 1.0, 1.5, 2.0, 10.0, 1e3, 1e6, 1e9, 1e12,
+    ] {
         let cut = GradientCut::try_new(n, 1.0)
             .unwrap()
             .mean_square_cut()
             .unwrap();
-        let number = HighPrecision::new;
+        let [one, exponent] = [1.0, n].map(HighPrecision::new);
+        let doubled = exponent.clone() + &exponent;
+        let power = |tau: &HighPrecision| (-(tau.clone() * &exponent)).exp();
         let condition = |tau: &HighPrecision| {
-            let power = (-(tau.clone() * &number(n))).exp();
-            let next = power.clone() * &(-tau.clone()).exp();
-            number(2.0 * n + 1.0) * &power - &(number(2.0 * n) * &next) - &number(1.0)
+            let l = (-tau.clone()).exp();
+            (doubled.clone() + &one) * &power(tau) - &(doubled.clone() * &power(tau) * &l) - &one
         };
-        let tau = bisect(condition, 0.01 / n, 10.0 / n);
-        let (position, complement) = ((-tau.clone()).exp().to_f64(), -(-tau).exp_m1().to_f64());
+        let tau = bisect(condition, 0.01 / (n + 0.1), 10.0 / (n + 0.1));
+        let l = (-tau.clone()).exp();
+        let rest = one.clone() - &l;
+        let near = power(&tau) / &(exponent.clone() + &one);
+        let far = (one.clone() - &(power(&tau) * &l)) / &rest / &(exponent.clone() + &one);
+        let explained = l * &near.square() + &(rest * &far.square());
+        let error = (one.clone() / &(doubled.clone() + &one) - &explained).to_f64();
         assert!(
-            (cut.position - position).abs() <= tolerance::POSITION,
-            "n {n}: {cut:?} {position}"
+            (cut.value / error - 1.0).abs() <= tolerance::GAIN,
+            "n {n}: {cut:?} {error:e}"
         );
-        assert!(
-            (cut.complement / complement - 1.0).abs() <= COMPLEMENT,
-            "n {n}: {cut:?}"
-        );
+        assert_cut(&cut, &tau);
     }
+}
+
+/// The position and its complement against `e^−τ` and `1 − e^−τ`.
+fn assert_cut(cut: &Cut, tau: &HighPrecision) {
+    let position = (-tau.clone()).exp().to_f64();
+    let complement = -(-tau.clone()).exp_m1().to_f64();
+    assert!(
+        (cut.position - position).abs() <= tolerance::POSITION,
+        "{cut:?} {position}"
+    );
+    assert!(
+        (cut.complement / complement - 1.0).abs() <= COMPLEMENT,
+        "{cut:?} {complement}"
+    );
 }

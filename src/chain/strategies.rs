@@ -1,0 +1,105 @@
+//! Proptest strategies for reversible chains and their refinements.
+//!
+//! Everything is valid by construction: nothing is rejected, and shrinking leads to few states and simple
+//! numbers. A refinement prints as Rust source that makes it again, to be pasted into a test.
+//!
+//! | family | weight | what it is hard for |
+//! |---|---|---|
+//! | [`ChainFamily::Dense`] | 3 | nothing |
+//! | [`ChainFamily::Sparse`] | 2 | zeros |
+//! | [`ChainFamily::Decomposable`] | 2 | a second eigenvalue within 1e-12 of 1 |
+//! | [`ChainFamily::Spread`] | 2 | weights from 1 to 1e-300 |
+//! | [`ChainFamily::Room`] | 1 | form factors of a closed room |
+//! | [`DivisionFamily::Free`], [`DivisionFamily::Equal`] | 2, 1 | nothing |
+//! | [`DivisionFamily::Lopsided`] | 2 | shares of 1e-15 |
+//! | [`DivisionFamily::WithEmpty`] | 2 | a part of no weight |
+//! | [`DivisionFamily::NearlyProportional`] | 2 | gains near 1e-30 |
+//! | [`DivisionFamily::Proportional`] | 1 | a gain of exactly 0 |
+//!
+//! ```
+//! use infoscene::chain::strategies::refinement;
+//! use infoscene::information::{mutual_information, refinement_gain};
+//! use proptest::prelude::*;
+//!
+//! proptest!(|(refinement in refinement(12))| {
+//!     let (coarse, refined) = (refinement.coarse(), refinement.refined());
+//!     let difference = mutual_information(refined) - mutual_information(coarse);
+//!     prop_assert!(refinement_gain(&refinement) >= 0.0);
+//!     prop_assert!((refinement_gain(&refinement) - difference).abs() < 1e-12);
+//! });
+//! ```
+
+use super::recipe::{ChainFamily, DivisionFamily, Recipe};
+use super::{Refinement, ReversibleChain};
+use proptest::prelude::*;
+
+/// Codes enough for 12 states of which three are divided by four.
+const CODES: usize = 320;
+
+/// Recipes of refinements of at most `most_states` (≥ 2) states; two in five have 8 or more, if that many are
+/// allowed.
+pub fn recipe(most_states: usize) -> impl Strategy<Value = Recipe> {
+    let most = most_states.max(2);
+    let states = if most > 8 {
+        prop_oneof![3 => 2..8usize, 2 => 8..=most].boxed()
+    } else {
+        (2..=most).boxed()
+    };
+    let parts = prop_oneof![
+        3 => (2..=4usize).prop_map(|parts| vec![parts]),
+        1 => proptest::collection::vec(2..=4usize, 2..=3),
+    ];
+    let codes = proptest::collection::vec(any::<u8>(), CODES);
+    (chain_family(), division_family(), states, parts, codes).prop_map(
+        |(chain, division, states, mut parts, codes)| {
+            parts.truncate(states);
+            Recipe {
+                chain,
+                division,
+                states,
+                parts,
+                codes,
+            }
+        },
+    )
+}
+
+/// Refinements of chains of at most `most_states` states: one to three states divided, each into two to
+/// four parts.
+pub fn refinement(most_states: usize) -> impl Strategy<Value = Refinement> {
+    recipe(most_states).prop_map(|recipe| built(&recipe))
+}
+
+/// Reversible chains of at most `most_states` states.
+pub fn reversible_chain(most_states: usize) -> impl Strategy<Value = ReversibleChain> {
+    refinement(most_states).prop_map(|refinement| refinement.coarse().clone())
+}
+
+/// A recipe that cannot be built is a defect of this crate.
+fn built(recipe: &Recipe) -> Refinement {
+    match recipe.refinement() {
+        Ok(refinement) => refinement,
+        Err(error) => panic!("{recipe:?} cannot be built: {error}"),
+    }
+}
+
+fn chain_family() -> impl Strategy<Value = ChainFamily> {
+    prop_oneof![
+        3 => Just(ChainFamily::Dense),
+        2 => Just(ChainFamily::Sparse),
+        2 => Just(ChainFamily::Decomposable),
+        2 => Just(ChainFamily::Spread),
+        1 => Just(ChainFamily::Room),
+    ]
+}
+
+fn division_family() -> impl Strategy<Value = DivisionFamily> {
+    prop_oneof![
+        2 => Just(DivisionFamily::Free),
+        1 => Just(DivisionFamily::Equal),
+        2 => Just(DivisionFamily::Lopsided),
+        2 => Just(DivisionFamily::WithEmpty),
+        2 => Just(DivisionFamily::NearlyProportional),
+        1 => Just(DivisionFamily::Proportional),
+    ]
+}

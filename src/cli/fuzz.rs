@@ -1,0 +1,69 @@
+//! `infoscene fuzz`.
+
+use super::output::Output;
+use super::{Answer, Outcome};
+use crate::report::fuzz_report;
+use crate::study::fuzz::{Campaign, Sabotage, run};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::time::Instant;
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Fuzz {
+    /// Random refinements to try.
+    #[arg(long, value_name = "N", default_value_t = 100_000,
+        value_parser = clap::value_parser!(u32).range(1..))]
+    cases: u32,
+    /// The same seed makes the same cases, whatever the number of threads.
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    seed: u64,
+    /// Most states before the division.
+    #[arg(long, value_name = "MAX", default_value_t = 12,
+        value_parser = clap::value_parser!(u64).range(2..=64))]
+    states: u64,
+    /// Break a hypothesis on purpose, to see a counterexample found.
+    #[arg(long, value_enum, hide = true)]
+    sabotage: Option<Broken>,
+    #[command(flatten)]
+    output: Output,
+}
+
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+enum Broken {
+    Reciprocity,
+    Covering,
+}
+
+impl Fuzz {
+    pub(super) fn answer(&self) -> Answer {
+        let campaign = Campaign {
+            cases: self.cases,
+            seed: self.seed,
+            states: usize::try_from(self.states)?,
+            sabotage: self.sabotage.map(|broken| match broken {
+                Broken::Reciprocity => Sabotage::Reciprocity,
+                Broken::Covering => Sabotage::Covering,
+            }),
+        };
+        self.output.check()?;
+        // drawn on a terminal only
+        let bar = ProgressBar::new(self.cases.into());
+        bar.set_style(ProgressStyle::with_template(
+            "{wide_bar} {pos}/{len} cases, {eta} left",
+        )?);
+        let start = Instant::now();
+        let findings = run(campaign, &|cases| bar.inc(cases));
+        bar.finish_and_clear();
+        let report = fuzz_report(campaign, &findings, start.elapsed().as_secs_f64())?;
+        if findings.counterexamples.is_empty() {
+            return self.output.write(&report);
+        }
+        let text = serde_json::to_string_pretty(&findings.counterexamples)? + "\n";
+        let path = self.output.beside("counterexample.json", text.as_bytes())?;
+        self.output.write(&report)?;
+        eprintln!(
+            "infoscene: a counterexample was found, see {}",
+            path.display()
+        );
+        Ok(Outcome::Differs)
+    }
+}

@@ -1,0 +1,36 @@
+//! `infoscene study stability`.
+
+use super::Answer;
+use super::output::Output;
+use crate::report::study_report;
+use crate::study::stability::gain_stability;
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Study {
+    /// What is studied.
+    #[arg(value_enum)]
+    subject: Subject,
+    /// Fewer repetitions for the timings.
+    #[arg(long)]
+    quick: bool,
+    #[command(flatten)]
+    output: Output,
+}
+
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+enum Subject {
+    /// What naive forms lose in stiff and extreme cases.
+    Stability,
+}
+
+impl Study {
+    pub(super) fn answer(&self) -> Answer {
+        let repetitions = if self.quick { 1 } else { 10_000 };
+        match self.subject {
+            Subject::Stability => {
+                let rows = gain_stability(repetitions)?;
+                self.output.write(&study_report("stability", &rows)?)
+            }
+        }
+    }
+}

@@ -1,0 +1,330 @@
+//! Theorem 1 under fire: random refinements until one breaks a promise.
+//!
+//! Each case is a random refinement ([`strategies::recipe`]); it must be buildable, gain `≥ 0`, and its gain must
+//! be the difference of the two mutual informations to [`tolerance::IDENTITY`]. A sample is recomputed at 256
+//! bits: there the gain must be right to [`tolerance::GAIN`] of itself, or, where an entry is below 1e-290 of
+//! the sum, to [`tolerance::TINY_GAIN`] bit. What fails is shrunk to few states and simple numbers.
+//!
+//! The cases depend on the seed alone, not on the number of threads.
+
+use super::exact_gain::{RESOLUTION, exact_gain};
+use crate::chain::recipe::{ChainFamily, DivisionFamily, Recipe};
+use crate::chain::{Refinement, ReversibleChain, strategies};
+use crate::information::{mutual_information, refinement_gain};
+use crate::numeric::{HighPrecision, Scalar, tolerance, x_log2_ratio};
+use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, TestRng, TestRunner};
+use rayon::prelude::*;
+use std::cell::RefCell;
+
+/// How long and how large.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Campaign {
+    /// Cases to run.
+    pub cases: u32,
+    /// Seed.
+    pub seed: u64,
+    /// Most states before the division, ≥ 2.
+    pub states: usize,
+    /// What is broken on purpose.
+    pub sabotage: Option<Sabotage>,
+}
+
+/// A hypothesis broken on purpose, to see that a counterexample is found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sabotage {
+    /// Hypothesis (a): what leaves a sub-state ignores where it came from.
+    Reciprocity,
+    /// Hypothesis (b): the sub-states are mixed with independent ones and no longer add up.
+    Covering,
+}
+
+/// How often each kind of case came up.
+#[derive(Debug, Clone, PartialEq, Eq, Default, serde::Serialize)]
+pub struct Histograms {
+    /// By states before the division: 0, 1, 2, ….
+    pub states: Vec<u64>,
+    /// By share of zero entries of the refined chain, in tenths.
+    pub zero_tenths: Vec<u64>,
+    /// By `⌊log10 ΔI⌋`: the first for exactly 0, then below −60, −60 to −51, …, −10 to −1, 0 and above.
+    pub gain_decades: Vec<u64>,
+    /// By family of chains, in the order of [`ChainFamily::ALL`].
+    pub chain_families: Vec<u64>,
+    /// By family of divisions, in the order of [`DivisionFamily::ALL`].
+    pub division_families: Vec<u64>,
+}
+
+/// A refinement that broke a promise.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct Counterexample {
+    /// Which promise.
+    pub reason: String,
+    /// Joint matrix of the refined chain, in rows.
+    pub joint: Vec<Vec<f64>>,
+    /// For each of its states, the coarse state it is a part of.
+    pub parents: Vec<usize>,
+    /// Rust source that makes the refinement.
+    pub source: String,
+}
+
+/// What a campaign found.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Findings {
+    /// Cases run.
+    pub cases: u64,
+    /// The smallest gain, in bits.
+    pub minimum_gain: f64,
+    /// The smallest gain above 0, in bits.
+    pub minimum_positive_gain: f64,
+    /// The largest error of a sampled gain, in units of what is promised: below 1 the promise holds.
+    pub worst_margin: f64,
+    /// Gains recomputed at 256 bits.
+    pub recomputed: u64,
+    /// What came up how often.
+    pub histograms: Histograms,
+    /// Shrunk counterexamples, one per block of cases that had any.
+    pub counterexamples: Vec<Counterexample>,
+}
+
+/// Cases per block; a block has its own random numbers.
+const BLOCK: u32 = 500;
+/// One case in this many is recomputed at 256 bits.
+const SAMPLED: u64 = 500;
+
+/// Runs a campaign on all threads; `progress` is told the cases of each finished block.
+#[must_use]
+pub fn run(campaign: Campaign, progress: &(impl Fn(u64) + Sync)) -> Findings {
+    let blocks = campaign.cases.div_ceil(BLOCK);
+    let found = (0..blocks).into_par_iter().map(|block| {
+        let findings = run_block(campaign, block, BLOCK.min(campaign.cases - block * BLOCK));
+        progress(findings.cases);
+        findings
+    });
+    found
+        .collect::<Vec<_>>()
+        .into_iter()
+        .fold(Findings::empty(), Findings::and)
+}
+
+fn run_block(campaign: Campaign, block: u32, cases: u32) -> Findings {
+    let mut seed = [0; 32];
+    seed[..8].copy_from_slice(&campaign.seed.to_le_bytes());
+    seed[8..12].copy_from_slice(&block.to_le_bytes());
+    let config = Config {
+        cases,
+        failure_persistence: None,
+        ..Config::default()
+    };
+    let source = TestRng::from_seed(RngAlgorithm::ChaCha, &seed);
+    let findings = RefCell::new(Findings::empty());
+    let outcome = TestRunner::new_with_rng(config, source).run(
+        &strategies::recipe(campaign.states),
+        |recipe| {
+            let mut findings = findings.borrow_mut();
+            examine(&recipe, campaign.sabotage, &mut findings).map_err(TestCaseError::fail)
+        },
+    );
+    let mut findings = findings.into_inner();
+    match outcome {
+        Ok(()) => {}
+        Err(TestError::Fail(reason, recipe)) => {
+            findings
+                .counterexamples
+                .push(Counterexample::new(reason.to_string(), &recipe));
+        }
+        Err(TestError::Abort(reason)) => {
+            let reason = format!("the campaign gave up: {reason}");
+            findings.counterexamples.push(Counterexample {
+                reason,
+                ..Counterexample::none()
+            });
+        }
+    }
+    findings
+}
+
+/// One case: what it breaks, if anything.
+fn examine(
+    recipe: &Recipe,
+    sabotage: Option<Sabotage>,
+    findings: &mut Findings,
+) -> Result<(), String> {
+    let refinement = recipe
+        .refinement()
+        .map_err(|error| format!("not a refinement: {error}"))?;
+    let gain = refinement_gain(&refinement);
+    let difference = match sabotage {
+        None => mutual_information(refinement.refined()) - mutual_information(refinement.coarse()),
+        Some(sabotage) => {
+            sabotaged_information(&refinement, sabotage) - mutual_information(refinement.coarse())
+        }
+    };
+    findings.count(recipe, &refinement, gain);
+    if !(gain.is_finite() && gain >= 0.0) {
+        return Err(format!("the gain is {gain:e}"));
+    }
+    if difference.is_nan() || difference < -tolerance::IDENTITY {
+        return Err(format!("mutual information falls by {:e} bit", -difference));
+    }
+    if sabotage.is_none() {
+        if (difference - gain).abs() > tolerance::IDENTITY {
+            return Err(format!("the gain is {gain:e}, I' - I is {difference:e}"));
+        }
+        if findings.cases.is_multiple_of(SAMPLED) {
+            let exact = exact_gain(&refinement);
+            let error = (HighPrecision::new(gain) - &exact).abs().to_f64();
+            let promised = tolerance::GAIN * exact.to_f64() + tiny(&refinement) + RESOLUTION;
+            findings.recomputed += 1;
+            findings.worst_margin = findings.worst_margin.max(error / promised);
+            if error > promised {
+                return Err(format!("the gain {gain:e} is off by {error:e} bit"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The absolute error that entries below 1e-290 of the sum leave, else 0.
+fn tiny(refinement: &Refinement) -> f64 {
+    let refined = refinement.refined();
+    let least = 1e-290 * refined.total();
+    let is_tiny = refined
+        .joint()
+        .iter()
+        .any(|entry| *entry > 0.0 && *entry < least);
+    if is_tiny { tolerance::TINY_GAIN } else { 0.0 }
+}
+
+/// Eq. (8) of a refined chain with one hypothesis broken, in bits.
+fn sabotaged_information(refinement: &Refinement, sabotage: Sabotage) -> f64 {
+    let refined = refinement.refined();
+    let parts = refinement.parts();
+    let divided = |k: usize| parts[refinement.parents()[k]].len() > 1;
+    let w = |k: usize| refined.stationary_probability(k);
+    let transition = |k: usize, l: usize| match sabotage {
+        Sabotage::Reciprocity if divided(k) => w(l),
+        Sabotage::Covering if divided(k) || divided(l) => {
+            0.5 * (refined.transition_probability(k, l) + w(l))
+        }
+        _ => refined.transition_probability(k, l),
+    };
+    let n = refined.states();
+    let pairs = (0..n).flat_map(|k| (0..n).map(move |l| (k, l)));
+    let possible = pairs.filter(|(k, l)| w(*k) > 0.0 && w(*l) > 0.0);
+    possible
+        .map(|(k, l)| w(k) * x_log2_ratio(transition(k, l), w(l)))
+        .sum()
+}
+
+impl Counterexample {
+    fn none() -> Self {
+        let (reason, source) = (String::new(), String::new());
+        Self {
+            reason,
+            joint: Vec::new(),
+            parents: Vec::new(),
+            source,
+        }
+    }
+
+    fn new(reason: String, recipe: &Recipe) -> Self {
+        match recipe.refinement() {
+            Err(_) => Self {
+                reason,
+                source: format!("{recipe:?}"),
+                ..Self::none()
+            },
+            Ok(refinement) => Self {
+                reason,
+                joint: rows(refinement.refined()),
+                parents: refinement.parents().to_vec(),
+                source: format!("{refinement:?}"),
+            },
+        }
+    }
+}
+
+fn rows(chain: &ReversibleChain) -> Vec<Vec<f64>> {
+    chain
+        .joint()
+        .row_iter()
+        .map(|row| row.iter().copied().collect())
+        .collect()
+}
+
+impl Findings {
+    fn empty() -> Self {
+        let infinite = f64::INFINITY;
+        Self {
+            minimum_gain: infinite,
+            minimum_positive_gain: infinite,
+            ..Self::default()
+        }
+    }
+
+    fn count(&mut self, recipe: &Recipe, refinement: &Refinement, gain: f64) {
+        self.cases += 1;
+        self.minimum_gain = self.minimum_gain.min(gain);
+        if gain > 0.0 {
+            self.minimum_positive_gain = self.minimum_positive_gain.min(gain);
+        }
+        let joint = refinement.refined().joint();
+        let zeros = joint.iter().filter(|entry| **entry <= 0.0).count();
+        let histograms = &mut self.histograms;
+        increment(&mut histograms.states, refinement.coarse().states());
+        increment(&mut histograms.zero_tenths, 10 * zeros / joint.len());
+        increment(&mut histograms.gain_decades, decade(gain));
+        let chain = ChainFamily::ALL
+            .iter()
+            .position(|family| *family == recipe.chain);
+        let division = DivisionFamily::ALL
+            .iter()
+            .position(|family| *family == recipe.division);
+        increment(&mut histograms.chain_families, chain.unwrap_or(0));
+        increment(&mut histograms.division_families, division.unwrap_or(0));
+    }
+
+    fn and(mut self, other: Self) -> Self {
+        self.cases += other.cases;
+        self.minimum_gain = self.minimum_gain.min(other.minimum_gain);
+        self.minimum_positive_gain = self.minimum_positive_gain.min(other.minimum_positive_gain);
+        self.worst_margin = self.worst_margin.max(other.worst_margin);
+        self.recomputed += other.recomputed;
+        let (own, others) = (&mut self.histograms, other.histograms);
+        for (own, others) in [
+            (&mut own.states, others.states),
+            (&mut own.zero_tenths, others.zero_tenths),
+            (&mut own.gain_decades, others.gain_decades),
+            (&mut own.chain_families, others.chain_families),
+            (&mut own.division_families, others.division_families),
+        ] {
+            own.resize(own.len().max(others.len()), 0);
+            own.iter_mut()
+                .zip(others)
+                .for_each(|(own, other)| *own += other);
+        }
+        self.counterexamples.extend(other.counterexamples);
+        self
+    }
+}
+
+fn increment(counts: &mut Vec<u64>, index: usize) {
+    if counts.len() <= index {
+        counts.resize(index + 1, 0);
+    }
+    counts[index] += 1;
+}
+
+/// 0 for a gain of 0, 1 below 1e-60, then one step for ten powers of ten, 8 from 1 on.
+fn decade(gain: f64) -> usize {
+    if gain <= 0.0 {
+        return 0;
+    }
+    let steps = ((gain.log10() + 60.0) / 10.0).floor().clamp(-1.0, 6.0);
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "from 1 to 8"
+    )]
+    let index = (steps + 2.0) as usize;
+    index
+}
