@@ -6,11 +6,11 @@
 #![allow(clippy::unwrap_used, reason = "a bench may panic")]
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use infoscene::chain::visibility_chain;
+use infoscene::chain::{ReversibleChain, visibility_chain};
 use infoscene::claims::{judge, registry};
 use infoscene::discretize::{CubeGrid, GradientCut, PatchSplit};
 use infoscene::geometry::SplitAxis;
-use infoscene::information::{divergence, mutual_information};
+use infoscene::information::{divergence, entropy_rate, mutual_information, positional_entropy};
 use infoscene::scene::Scene;
 use std::hint::black_box;
 
@@ -42,6 +42,32 @@ fn measures(criterion: &mut Criterion) {
     });
 }
 
+/// 2000 states, a joint matrix of 32 MB, in multiples of reading it and taking one logarithm per entry.
+fn large_chain(criterion: &mut Criterion) {
+    let n = 2000;
+    // w_i P_ij = 1 + 1/(i+j+1): a known chain, symmetric, far from independent in one corner only
+    #[allow(clippy::cast_precision_loss, reason = "small indices")]
+    let joint = nalgebra::DMatrix::from_fn(n, n, |i, j| 1.0 + 1.0 / (i + j + 1) as f64);
+    let chain = ReversibleChain::try_new(joint).unwrap();
+    let difference = positional_entropy(&chain) - entropy_rate(&chain);
+    assert!((mutual_information(&chain) - difference).abs() < 1e-12);
+    let mut group = criterion.benchmark_group("2000 states");
+    group.sample_size(20);
+    group.bench_function("read, one logarithm per entry", |bencher| {
+        bencher.iter(|| {
+            black_box(&chain)
+                .joint()
+                .iter()
+                .map(|entry| entry.ln())
+                .sum::<f64>()
+        });
+    });
+    group.bench_function("mutual information", |bencher| {
+        bencher.iter(|| mutual_information(black_box(&chain)));
+    });
+    group.finish();
+}
+
 fn cuts(criterion: &mut Criterion) {
     let squares = Scene::built_in("two-squares").unwrap();
     let split = PatchSplit::try_new(&squares, 0, &[1], SplitAxis::U).unwrap();
@@ -71,5 +97,5 @@ fn reproduction(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, measures, cuts, reproduction);
+criterion_group!(benches, measures, large_chain, cuts, reproduction);
 criterion_main!(benches);

@@ -102,7 +102,7 @@ fn a_use_to_the_right_is_seen() {
     assert_eq!(used_modules("use crate::{numeric, chain::X};"), [0, 4]);
     assert_eq!(
         used_modules("let x = crate::report::certain_digits(1.0, 0.0);"),
-        [8]
+        [9]
     );
     assert_eq!(used_modules("/// [`crate::cli`]"), [] as [usize; 0]);
 }
@@ -131,4 +131,36 @@ fn files_are_short_and_well_named() {
             "{name}"
         );
     }
+}
+
+/// A doc comment that cites a test by name, after "by", cites one that exists.
+#[test]
+fn cited_tests_exist() {
+    let tests: Vec<String> = sources("tests")
+        .iter()
+        .map(|path| fs::read_to_string(path).unwrap())
+        .collect();
+    let mut cited = 0;
+    for path in sources("src") {
+        let text = fs::read_to_string(&path).unwrap();
+        let text = text
+            .replace("\n    ///", "")
+            .replace("\n///", "")
+            .replace("\n//!", "");
+        for after in text.split("by `").skip(1) {
+            let name = after.split('`').next().unwrap();
+            let is_test_name =
+                name.len() > 15 && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+            if is_test_name {
+                cited += 1;
+                let definition = format!("fn {name}(");
+                assert!(
+                    tests.iter().any(|test| test.contains(&definition)),
+                    "{} cites {name}",
+                    path.display()
+                );
+            }
+        }
+    }
+    assert!(cited >= 8, "only {cited} citations are seen");
 }

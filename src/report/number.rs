@@ -42,8 +42,12 @@ pub fn certain_digits(value: f64, error: f64) -> String {
     format!("{value:.*}", usize::try_from(decimals).unwrap_or(0))
 }
 
-/// One significant digit in scientific notation, `1e-12`.
+/// One significant digit in scientific notation, `1e-12`; 0 is `0`.
 #[must_use]
 pub fn scientific(value: f64) -> String {
-    format!("{value:.0e}")
+    if value.abs() > 0.0 {
+        format!("{value:.0e}")
+    } else {
+        "0".to_owned()
+    }
 }

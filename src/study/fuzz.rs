@@ -14,7 +14,7 @@ use crate::information::{mutual_information, refinement_gain};
 use crate::numeric::{HighPrecision, Scalar, tolerance, x_log2_ratio};
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, TestRng, TestRunner};
 use rayon::prelude::*;
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 /// How long and how large.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -87,6 +87,8 @@ pub struct Findings {
 
 /// Cases per block; a block has its own random numbers.
 const BLOCK: u32 = 500;
+/// Attempts to make a counterexample simpler.
+const SHRINKING: u32 = 50_000;
 /// One case in this many is recomputed at 256 bits.
 const SAMPLED: u64 = 500;
 
@@ -112,15 +114,27 @@ fn run_block(campaign: Campaign, block: u32, cases: u32) -> Findings {
     let config = Config {
         cases,
         failure_persistence: None,
+        max_shrink_iters: SHRINKING,
         ..Config::default()
     };
     let source = TestRng::from_seed(RngAlgorithm::ChaCha, &seed);
     let findings = RefCell::new(Findings::empty());
+    let has_failed = Cell::new(false);
     let outcome = TestRunner::new_with_rng(config, source).run(
         &strategies::recipe(campaign.states),
         |recipe| {
             let mut findings = findings.borrow_mut();
-            examine(&recipe, campaign.sabotage, &mut findings).map_err(TestCaseError::fail)
+            // what follows a failure is shrinking, and does not count
+            let mut shrinking = Findings::empty();
+            let own = if has_failed.get() {
+                &mut shrinking
+            } else {
+                &mut *findings
+            };
+            examine(&recipe, campaign.sabotage, own).map_err(|reason| {
+                has_failed.set(true);
+                TestCaseError::fail(reason)
+            })
         },
     );
     let mut findings = findings.into_inner();

@@ -83,6 +83,28 @@ fn split_finds_the_cuts_of_figures_2_and_3() {
     assert_eq!(parts["positions"].as_array().unwrap().len(), 4);
 }
 
+/// Every patch of the cubes of figs. 4 and 5 can be cut, along either axis.
+#[test]
+fn split_serves_every_patch_of_a_cube() {
+    for (cells, patches) in [(1, 6), (3, 54)] {
+        let scene = format!("cube:{cells}");
+        for patch in (0..patches).step_by(cells) {
+            for axis in ["u", "v"] {
+                let patch = patch.to_string();
+                let answer = json(&["split", &scene, "--patch", &patch, "--axis", axis]);
+                let (gain, most) = (
+                    answer["gain"].as_f64().unwrap(),
+                    answer["maximum_gain"].as_f64().unwrap(),
+                );
+                assert!(
+                    gain > 0.0 && gain <= most,
+                    "{scene} {patch} {axis}: {answer}"
+                );
+            }
+        }
+    }
+}
+
 #[test]
 fn cut_writes_numbers_that_read_back_exactly() {
     let answer = json(&["cut", "--exponent", "3", "--irradiance-exponent", "3"]);

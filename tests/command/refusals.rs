@@ -46,6 +46,12 @@ fn bad_arguments_are_refused() {
         &["split", "two-squares", "--patch", "0", "--against", "7"],
         "no patch 7",
     );
+    let twice = ["split", "cube:1", "--patch", "0", "--against", "1,1"];
+    assert_refused(&twice, "named twice");
+    assert_refused(&["fuzz", "--cases", "0"], "1..");
+    assert_refused(&["fuzz", "--states", "1"], "2..=64");
+    assert_refused(&["fuzz", "--cases", "-3"], "unexpected argument");
+    assert_refused(&["study", "astrology"], "stability");
     assert_refused(&["frobnicate"], "unrecognized subcommand");
 }
 
@@ -81,6 +87,28 @@ fn an_output_file_is_replaced_whole() {
     infoscene(&arguments).assert().success().stdout("");
     let text = std::fs::read_to_string(&path).unwrap();
     assert!(serde_json::from_str::<serde_json::Value>(&text).is_ok());
+    // links are followed, modes are kept
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::{PermissionsExt, symlink};
+        let link = folder.path().join("link.json");
+        symlink(&path, &link).unwrap();
+        std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o600)).unwrap();
+        let arguments = [
+            "reproduce",
+            "--format",
+            "json",
+            "--output",
+            link.to_str().unwrap(),
+        ];
+        infoscene(&arguments).assert().success();
+        assert!(link.symlink_metadata().unwrap().is_symlink());
+        assert_eq!(path.metadata().unwrap().permissions().mode() & 0o777, 0o600);
+        std::fs::remove_file(link).unwrap();
+        infoscene(&["cut", "--exponent", "1", "--output", "/dev/null"])
+            .assert()
+            .success();
+    }
     // a run that fails leaves it alone
     infoscene(&["cut", "--exponent", "0", "--output", path.to_str().unwrap()])
         .assert()
