@@ -1,7 +1,7 @@
 //! Appendices A (proof of Theorem 1) and B (discontinuity meshing).
 
 use super::extremes::{largest, smaller};
-use super::registry::Computation;
+use super::finding::Computation;
 use super::{ClaimError, Finding, Inputs};
 use crate::chain::random::RandomChains;
 use crate::chain::{Refinement, ReversibleChain};

@@ -1,5 +1,10 @@
 //! What a computation found out about a claim, and how strong the evidence is.
 
+use super::{ClaimError, Inputs};
+
+/// A function that computes a claim.
+pub type Computation = fn(&Inputs) -> Result<Finding, ClaimError>;
+
 /// The grade of evidence, weakest first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 #[serde(rename_all = "lowercase")]

@@ -23,7 +23,7 @@ mod verdict;
 
 pub use claim::{Claim, Printed, Task};
 pub use error::ClaimError;
-pub use finding::{Evidence, Finding, Measure};
+pub use finding::{Computation, Evidence, Finding, Measure};
 pub use inputs::Inputs;
-pub use registry::{Computation, Judgement, computations, judge, judge_control, registry};
+pub use registry::{Judgement, computations, judge, judge_control, registry};
 pub use verdict::Verdict;

@@ -1,11 +1,9 @@
 //! All claims in paper order, and their judgement.
 
 use super::claim::{Claim, Entry, Printed, Task};
+use super::finding::Computation;
 use super::{ClaimError, Finding, Inputs, Verdict};
 use super::{appendix, section_2, section_3, section_4_1, section_4_2, section_5};
-
-/// A function that computes a claim.
-pub type Computation = fn(&Inputs) -> Result<Finding, ClaimError>;
 
 const FILES: [(&str, &str); 6] = [
     (

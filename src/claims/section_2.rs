@@ -1,7 +1,7 @@
 //! §2: the visibility chain and its measures.
 
 use super::extremes::{larger, largest};
-use super::registry::Computation;
+use super::finding::Computation;
 use super::{ClaimError, Finding, Inputs};
 use crate::chain::random::RandomChains;
 use crate::chain::visibility_chain;

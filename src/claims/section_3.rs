@@ -1,7 +1,7 @@
 //! §3.1 to §3.3: Theorem 1, the increase of a pair, and visibility.
 
 use super::extremes::{larger, largest, smaller};
-use super::registry::Computation;
+use super::finding::Computation;
 use super::section_2::cube;
 use super::{ClaimError, Finding, Inputs};
 use crate::chain::random::RandomChains;

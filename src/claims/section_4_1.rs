@@ -1,7 +1,7 @@
 //! §4.1: figures 1 to 5.
 
 use super::extremes::larger;
-use super::registry::Computation;
+use super::finding::Computation;
 use super::{ClaimError, Finding, Inputs};
 use crate::discretize::{ContactShadow, CubeGrid, PatchSplit};
 use crate::geometry::SplitAxis;

@@ -1,7 +1,7 @@
 //! §4.2: the cut across a radiosity gradient.
 
 use super::extremes::{larger, largest};
-use super::registry::Computation;
+use super::finding::Computation;
 use super::{ClaimError, Finding, Inputs};
 use crate::discretize::{GradientCut, StraightCut};
 use crate::information::divergence;

@@ -1,7 +1,7 @@
 //! §5: the potential gain, the real gain, and the logarithm.
 
 use super::extremes::smaller;
-use super::registry::Computation;
+use super::finding::Computation;
 use super::{ClaimError, Finding, Inputs};
 use crate::chain::visibility_chain;
 use crate::discretize::{PatchSplit, regular_positions};

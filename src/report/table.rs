@@ -19,6 +19,9 @@ pub struct Table {
 /// Width of a terminal table, in characters.
 const TERMINAL_WIDTH: u16 = 140;
 
+/// Rows beyond which a LaTeX table breaks over pages.
+const ROWS_PER_PAGE: usize = 40;
+
 /// Rules above, below, and under the headings; none between rows.
 const STYLE: TableStyle = TableStyle::new()
     .top_border(LineStyle::none().fill('─').junction('─'))
@@ -69,24 +72,40 @@ impl Table {
         trimmed(&text)
     }
 
-    /// The table as a LaTeX `tabular` with `booktabs` rules, in plain ASCII.
+    /// The table in LaTeX with `booktabs` rules and in plain ASCII: a `tabular`, or a `longtable` where it
+    /// would not fit on a page.
     #[must_use]
     pub fn to_latex(&self) -> String {
         let line = |cells: &mut dyn Iterator<Item = &str>| {
             let cells: Vec<String> = cells.map(latex::escaped).collect();
             format!("{} \\\\\n", cells.join(" & "))
         };
-        let mut text = "% \\usepackage{booktabs}\n".to_owned();
-        text += &format!(
-            "\\begin{{tabular}}{{{}}}\n\\toprule\n",
-            "l".repeat(self.columns.len())
-        );
+        let is_long = self.rows.len() > ROWS_PER_PAGE;
+        let environment = if is_long { "longtable" } else { "tabular" };
+        let kind = |index| {
+            if self.wrapped == Some(index) {
+                r"p{0.4\linewidth}"
+            } else {
+                "l"
+            }
+        };
+        let kinds: String = (0..self.columns.len()).map(kind).collect();
+        let mut text = "% \\usepackage{booktabs}".to_owned();
+        text += if is_long {
+            ", \\usepackage{longtable}\n"
+        } else {
+            "\n"
+        };
+        text += &format!("\\begin{{{environment}}}{{{kinds}}}\n\\toprule\n");
         text += &line(&mut self.columns.iter().copied());
         text += "\\midrule\n";
+        if is_long {
+            text += "\\endhead\n";
+        }
         for row in &self.rows {
             text += &line(&mut row.iter().map(String::as_str));
         }
-        text += "\\bottomrule\n\\end{tabular}\n";
+        text += &format!("\\bottomrule\n\\end{{{environment}}}\n");
         for (name, note) in &self.notes {
             text += &format!("% {}: {}\n", latex::escaped(name), latex::escaped(note));
         }

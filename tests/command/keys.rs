@@ -146,7 +146,12 @@ fn every_format_is_written() {
         1
     );
     let latex = stdout(&["reproduce", "--format", "latex"]);
-    assert!(latex.contains("\\begin{tabular}") && latex.is_ascii());
+    assert!(latex.contains("\\begin{longtable}") && latex.is_ascii());
+    let short = stdout(&["reproduce", "fig2-parallel-cut", "--format", "latex"]);
+    assert!(
+        short.contains("\\begin{tabular}{lp{0.4\\linewidth}llll}"),
+        "{short}"
+    );
     assert!(stdout(&["reproduce", "fig2-parallel-cut"]).contains("0.399201026045"));
     for shell in ["bash", "zsh", "fish"] {
         assert!(stdout(&["completions", shell]).contains("infoscene"));

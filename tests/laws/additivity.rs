@@ -1,8 +1,9 @@
 //! Exchange areas add up over the parts of a patch.
 
 use crate::support::strategies::rectangle_pair;
+use glam::DVec3;
 use infoscene::form_factor::RectanglePair;
-use infoscene::geometry::SplitAxis;
+use infoscene::geometry::{Rectangle, SplitAxis};
 use proptest::prelude::*;
 
 proptest! {
@@ -50,4 +51,31 @@ fn parts_with_a_gap_between_them_do_not_add_up() {
     let whole = pair.exchange_area().unwrap();
     let gap = whole.value - part(0.0, 0.4).value - part(0.4001, 1.0).value;
     assert!(gap > 1e-6 && gap > whole.error_bound);
+}
+
+/// A part 2⁻⁴⁰ wide exchanges what its strip does: its width is not recomputed from its rounded ends, which
+/// would be off by 1e-4 of it.
+#[test]
+fn thin_parts_keep_their_digits() {
+    let floor = Rectangle::try_new(DVec3::ZERO, 0.7 * DVec3::X, 0.9 * DVec3::Y).unwrap();
+    let wall = Rectangle::try_new(DVec3::ZERO, 0.9 * DVec3::Y, DVec3::Z).unwrap();
+    let ceiling = Rectangle::try_new(DVec3::Z, DVec3::Y, DVec3::X).unwrap();
+    let width = 2f64.powi(-40);
+    for other in [wall, ceiling] {
+        let pair = RectanglePair::try_new(&floor, &other).unwrap();
+        for axis in SplitAxis::ALL {
+            let part = pair
+                .part(axis, 0.5, 0.5 + width)
+                .unwrap()
+                .exchange_area()
+                .unwrap();
+            let strip = pair.strip_exchange(axis, 0.5).unwrap() * width;
+            // the strip changes by its relative slope, of order one, times the width
+            assert!(
+                (part.value / strip - 1.0).abs() < 1e-11,
+                "{axis:?}: {} {strip}",
+                part.value
+            );
+        }
+    }
 }
