@@ -20,6 +20,9 @@ use std::process::ExitCode;
 #[derive(Debug, Parser)]
 #[command(name = "infoscene", version, about, max_term_width = 100)]
 struct Arguments {
+    /// Threads to use, all if not given; the answer does not depend on it.
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
     #[command(subcommand)]
     question: Question,
 }
@@ -63,7 +66,28 @@ type Answer = Result<Outcome, Box<dyn Error>>;
 #[must_use]
 pub fn run() -> ExitCode {
     let arguments = Arguments::parse();
-    let answer = match arguments.question {
+    let answer = with_threads(arguments.threads).and_then(|()| answer(arguments.question));
+    match answer {
+        Ok(Outcome::Done) => ExitCode::SUCCESS,
+        Ok(Outcome::Differs) => ExitCode::from(1),
+        Err(error) => {
+            eprintln!("infoscene: {error}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn with_threads(threads: Option<u16>) -> Result<(), Box<dyn Error>> {
+    if let Some(threads) = threads {
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(threads.into())
+            .build_global()?;
+    }
+    Ok(())
+}
+
+fn answer(question: Question) -> Answer {
+    match question {
         Question::Reproduce(question) => question.answer(),
         Question::Curve(question) => question.answer(),
         Question::Split(question) => question.answer(),
@@ -73,14 +97,6 @@ pub fn run() -> ExitCode {
         Question::Study(question) => question.answer(),
         Question::Completions { shell } => completions(shell),
         Question::Man => manual(),
-    };
-    match answer {
-        Ok(Outcome::Done) => ExitCode::SUCCESS,
-        Ok(Outcome::Differs) => ExitCode::from(1),
-        Err(error) => {
-            eprintln!("infoscene: {error}");
-            ExitCode::from(2)
-        }
     }
 }
 

@@ -22,6 +22,9 @@ impl Reproduce {
         let mut claims = selected(&self.ids)?;
         if self.printed {
             claims.retain(|claim| claim.printed.is_some());
+            if claims.is_empty() {
+                return Err("none of the claims named prints a number; leave out --printed".into());
+            }
         }
         let judgements = claims.iter().map(judge).collect::<Result<Vec<_>, _>>()?;
         self.output.write(&reproduction_report(&judgements)?)?;

@@ -46,6 +46,11 @@ fn bad_arguments_are_refused() {
         &["split", "two-squares", "--patch", "0", "--against", "7"],
         "no patch 7",
     );
+    assert_refused(
+        &["reproduce", "theorem-1", "--printed"],
+        "none of the claims named",
+    );
+    assert_refused(&["reproduce", "--threads", "0"], "1..");
     let twice = ["split", "cube:1", "--patch", "0", "--against", "1,1"];
     assert_refused(&twice, "named twice");
     assert_refused(&["fuzz", "--cases", "0"], "1..");
