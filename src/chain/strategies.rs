@@ -33,8 +33,11 @@ use super::recipe::{ChainFamily, DivisionFamily, Recipe};
 use super::{Refinement, ReversibleChain};
 use proptest::prelude::*;
 
-/// Codes enough for 12 states of which three are divided by four.
-const CODES: usize = 320;
+/// Codes enough for every entry of `states` states and of what three of them divided by four make of it.
+fn codes(states: usize) -> usize {
+    let entries = |states: usize| states * (states + 1) / 2;
+    (entries(states) + entries(states + 9) + 4 * states).max(320)
+}
 
 /// Recipes of refinements of at most `most_states` (≥ 2) states; two in five have 8 or more, if that many are
 /// allowed.
@@ -49,7 +52,7 @@ pub fn recipe(most_states: usize) -> impl Strategy<Value = Recipe> {
         3 => (2..=4usize).prop_map(|parts| vec![parts]),
         1 => proptest::collection::vec(2..=4usize, 2..=3),
     ];
-    let codes = proptest::collection::vec(any::<u8>(), CODES);
+    let codes = proptest::collection::vec(any::<u8>(), codes(most));
     (chain_family(), division_family(), states, parts, codes).prop_map(
         |(chain, division, states, mut parts, codes)| {
             parts.truncate(states);
