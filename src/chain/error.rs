@@ -27,6 +27,24 @@ pub enum ChainError {
         /// As given.
         value: f64,
     },
+    /// A weight is NaN, infinite or negative.
+    #[error("weight {state} is {value}: it must be finite and ≥ 0")]
+    InvalidWeight {
+        /// The state, from 0.
+        state: usize,
+        /// As given.
+        value: f64,
+    },
+    /// A product of a weight and a transition probability is too small.
+    #[error(
+        "weight {row} times the probability of going to {column} leaves f64's normal range: scale the weights up"
+    )]
+    Underflow {
+        /// The state left.
+        row: usize,
+        /// The state entered.
+        column: usize,
+    },
     /// Two entries that must be equal are not: the chain is not reversible.
     #[error(
         "entry ({row}, {column}) is {value:e} and ({column}, {row}) is {mirrored:e}: \

@@ -46,6 +46,12 @@ impl Refinement {
                 #[allow(clippy::cast_precision_loss, reason = "no state has 2^53 parts")]
                 let allowed = tolerance::RECIPROCITY * (counts[state] * counts[other]) as f64;
                 if (parts - whole).abs() > allowed * whole {
+                    // the divided one of the two is the one to mend
+                    let (state, other) = if counts[state] > 1 {
+                        (state, other)
+                    } else {
+                        (other, state)
+                    };
                     return Err(ChainError::NotCovering {
                         state,
                         other,
@@ -81,6 +87,16 @@ impl Refinement {
     /// # Ok::<(), infoscene::chain::ChainError>(())
     /// ```
     pub fn coarsening(refined: ReversibleChain, parents: Vec<usize>) -> Result<Self, ChainError> {
+        if let Some(state) = parents
+            .iter()
+            .copied()
+            .find(|parent| *parent >= parents.len())
+        {
+            return Err(ChainError::NoSuchState {
+                state,
+                last: parents.len() - 1,
+            });
+        }
         let n = parents.iter().max().map_or(0, |most| most + 1);
         let (sums, _) = lumped(&refined, &parents, n)?;
         Ok(Self {

@@ -80,7 +80,8 @@ impl ReversibleChain {
     /// The chain with stationary weights `w` (in any scale) and transition probabilities `P`.
     ///
     /// # Errors
-    /// As [`try_new`](Self::try_new); [`ChainError::RowSumNotOne`] beyond n·16 ε;
+    /// As [`try_new`](Self::try_new); [`ChainError::InvalidWeight`]; [`ChainError::RowSumNotOne`] beyond n·16 ε;
+    /// [`ChainError::Underflow`] where a product `w_i P_ij` leaves `f64`'s normal range;
     /// [`ChainError::NotReciprocal`] where `w_i P_ij` and `w_j P_ji` differ by more than
     /// [`tolerance::RECIPROCITY`] of the larger; their mean is stored otherwise.
     pub fn try_from_transitions(
@@ -111,10 +112,23 @@ impl ReversibleChain {
                 });
             }
         }
+        if let Some(state) = weights
+            .iter()
+            .position(|weight| !(weight.is_finite() && *weight >= 0.0))
+        {
+            return Err(ChainError::InvalidWeight {
+                state,
+                value: weights[state],
+            });
+        }
         let flow = |row: usize, column: usize| weights[row] * transitions[(row, column)];
         for row in 0..rows {
-            for column in 0..row {
+            for column in 0..rows {
                 let (value, mirrored) = (flow(row, column), flow(column, row));
+                let factors = [weights[row], transitions[(row, column)]];
+                if factors.iter().all(|factor| *factor > 0.0) && value < f64::MIN_POSITIVE {
+                    return Err(ChainError::Underflow { row, column });
+                }
                 if (value - mirrored).abs()
                     > tolerance::RECIPROCITY * value.abs().max(mirrored.abs())
                 {
@@ -128,7 +142,11 @@ impl ReversibleChain {
             }
         }
         Self::try_new(DMatrix::from_fn(rows, rows, |row, column| {
-            0.5 * (flow(row, column) + flow(column, row))
+            let (value, mirrored) = (
+                flow(row.min(column), row.max(column)),
+                flow(row.max(column), row.min(column)),
+            );
+            value + 0.5 * (mirrored - value)
         }))
     }
 

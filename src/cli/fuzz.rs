@@ -31,6 +31,7 @@ pub(super) struct Fuzz {
 enum Broken {
     Reciprocity,
     Covering,
+    Gain,
 }
 
 impl Fuzz {
@@ -42,6 +43,7 @@ impl Fuzz {
             sabotage: self.sabotage.map(|broken| match broken {
                 Broken::Reciprocity => Sabotage::Reciprocity,
                 Broken::Covering => Sabotage::Covering,
+                Broken::Gain => Sabotage::Gain,
             }),
         };
         self.output.check()?;

@@ -17,7 +17,7 @@
 
 use super::FAR_ABOVE;
 use crate::chain::Refinement;
-use crate::numeric::{Expansion, compensated_sum, divergence_kernel};
+use crate::numeric::{Expansion, Scaled, common_scale, compensated_sum, divergence_kernel};
 use std::cell::OnceCell;
 use std::f64::consts::LN_2;
 
@@ -111,7 +111,7 @@ impl<'w> Side<'w> {
     fn new(weights: &[f64], exact: &'w dyn Fn(usize) -> Expansion) -> Self {
         let scaled: Vec<Scaled> = weights.iter().map(|weight| Scaled::new(*weight)).collect();
         let (values, unit) = common_scale(&scaled);
-        let sum = values.iter().sum();
+        let sum = compensated_sum(values.iter().copied());
         Self {
             scaled,
             values,
@@ -165,7 +165,7 @@ fn block_divergence(
         .map(|kl| Scaled::new(joint(kl / n, kl % n)))
         .collect();
     let (fluxes, unit) = common_scale(&entries);
-    let flux: f64 = fluxes.iter().sum();
+    let flux = compensated_sum(fluxes.iter().copied());
     if flux <= 0.0 {
         return (0.0, 0);
     }
@@ -181,7 +181,17 @@ fn block_divergence(
         let quick = own_flux * rows.sum * columns.sum / independent - 1.0;
         let x = if quick >= FAR_ABOVE {
             let p = fluxes[kl] / flux;
-            return p * (p.ln() - a.ln() - b.ln() - 1.0) + a * b;
+            let log_ratio = if quick.is_finite() {
+                quick.ln_1p()
+            } else {
+                let sums = (rows.sum * columns.sum / flux).ln();
+                let exponents = rows.unit + columns.unit - unit;
+                entries[kl].ln() - rows.scaled[k].ln() - columns.scaled[l].ln()
+                    + sums
+                    + f64::from(exponents) * LN_2
+            };
+            // p is 0 where the flux is below all that f64 can tell from the block's
+            return p * (log_ratio - 1.0) + a * b;
         } else if quick.abs() >= NEARLY_PROPORTIONAL {
             quick
         } else {
@@ -203,60 +213,4 @@ fn block_divergence(
 #[must_use]
 pub fn subdivision_bound(joint: f64, parts: u32) -> f64 {
     2.0 * joint * f64::from(parts).log2()
-}
-
-/// A double as `significand · 2^exponent`, significand 0 or in [1, 2).
-#[derive(Debug, Clone, Copy)]
-struct Scaled {
-    significand: f64,
-    exponent: i32,
-}
-
-impl Scaled {
-    fn new(value: f64) -> Self {
-        const EXPONENT_MASK: u64 = 0x7ff << 52;
-        if value <= 0.0 || !value.is_finite() {
-            return Self {
-                significand: value,
-                exponent: 0,
-            };
-        }
-        let (normal, shift) = if value < f64::MIN_POSITIVE {
-            (value * 2f64.powi(64), -64)
-        } else {
-            (value, 0)
-        };
-        let bits = normal.to_bits();
-        #[allow(clippy::cast_possible_truncation, reason = "eleven bits fit")]
-        let exponent = ((bits & EXPONENT_MASK) >> 52) as i32 - 1023;
-        let significand = f64::from_bits((bits & !EXPONENT_MASK) | (1023 << 52));
-        Self {
-            significand,
-            exponent: exponent + shift,
-        }
-    }
-
-    /// `value · 2^power`, correctly rounded into `f64`'s range.
-    fn times_power(self, power: i32) -> f64 {
-        let power = (self.exponent + power).clamp(-2200, 2200);
-        // in two steps only where one power would leave the range
-        if (-1022..=1023).contains(&power) {
-            self.significand * 2f64.powi(power)
-        } else {
-            self.significand * 2f64.powi(power / 2) * 2f64.powi(power - power / 2)
-        }
-    }
-}
-
-/// The numbers divided by the power of two of the largest, and that power.
-fn common_scale(numbers: &[Scaled]) -> (Vec<f64>, i32) {
-    let positive = numbers.iter().filter(|number| number.significand > 0.0);
-    let unit = positive.map(|number| number.exponent).max().unwrap_or(0);
-    (
-        numbers
-            .iter()
-            .map(|number| number.times_power(-unit))
-            .collect(),
-        unit,
-    )
 }

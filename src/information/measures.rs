@@ -8,7 +8,7 @@
 
 use super::FAR_ABOVE;
 use crate::chain::ReversibleChain;
-use crate::numeric::{compensated_sum, divergence_kernel, x_log2_ratio, x_log2_x};
+use crate::numeric::{Scaled, compensated_sum, divergence_kernel, x_log2_ratio, x_log2_x};
 use std::f64::consts::LN_2;
 
 /// Positional entropy `H_p` of the stationary distribution, eq. (1).
@@ -16,7 +16,7 @@ use std::f64::consts::LN_2;
 /// **Returns** bits, from 0 (one state) to log2 n (equal weights).
 #[must_use]
 pub fn positional_entropy(chain: &ReversibleChain) -> f64 {
-    -compensated_sum((0..chain.states()).map(|i| x_log2_x(chain.stationary_probability(i))))
+    0.0 - compensated_sum((0..chain.states()).map(|i| x_log2_x(chain.stationary_probability(i))))
 }
 
 /// Entropy rate `H_s`: the uncertainty about the next state, given this one, eq. (2).
@@ -24,21 +24,24 @@ pub fn positional_entropy(chain: &ReversibleChain) -> f64 {
 /// **Returns** bits, from 0 to `H_p`.
 #[must_use]
 pub fn entropy_rate(chain: &ReversibleChain) -> f64 {
+    let unit = Unit::of(chain);
     let sum = (0..chain.states()).map(|j| {
+        let weight = unit.times(chain.weights()[j]);
         let column = chain.joint().column(j);
         compensated_sum(
             column
                 .iter()
-                .map(|joint| x_log2_ratio(*joint, chain.weights()[j])),
+                .map(|joint| x_log2_ratio(unit.times(*joint), weight)),
         )
     });
-    -compensated_sum(sum) / chain.total()
+    0.0 - compensated_sum(sum) / unit.times(chain.total())
 }
 
 /// Mutual information `I = H_p − H_s` between two successive states, eq. (3).
 ///
 /// **Returns** bits, ≥ 0 by construction, at most `H_p`.
-/// **Accuracy** each term is non-negative and computed to a few ε of itself plus 2 ε of `w_i w_j`.
+/// **Accuracy** each term is non-negative and computed to a few ε of itself plus 2 ε of `w_i w_j`; what is below
+/// 1e-308 of the total may be lost.
 ///
 /// # Examples
 /// ```
@@ -50,23 +53,46 @@ pub fn entropy_rate(chain: &ReversibleChain) -> f64 {
 /// ```
 #[must_use]
 pub fn mutual_information(chain: &ReversibleChain) -> f64 {
-    let (weights, total) = (chain.weights(), chain.total());
+    let unit = Unit::of(chain);
+    let total = unit.times(chain.total());
+    let weights: Vec<f64> = chain
+        .weights()
+        .iter()
+        .map(|weight| unit.times(*weight))
+        .collect();
     let sum = (0..chain.states()).filter(|j| weights[*j] > 0.0).map(|j| {
         let column = chain.joint().column(j);
         let probability = weights[j] / total;
         // the upper triangle twice, the diagonal once
         let above = (0..j).filter(|i| weights[*i] > 0.0);
         let term = |i: usize| {
-            let transition = column[i] / weights[i];
+            let joint = unit.times(column[i]);
+            let transition = joint / weights[i];
             let x = transition / probability - 1.0;
             if x < FAR_ABOVE {
                 weights[i] * probability * divergence_kernel(x)
             } else {
                 // w_i w_j φ(x) without the product and the quotient, which may leave the range
-                column[i] * (transition.ln() - probability.ln() - 1.0) + weights[i] * probability
+                joint * (transition.ln() - probability.ln() - 1.0) + weights[i] * probability
             }
         };
         2.0 * compensated_sum(above.map(term)) + term(j)
     });
     compensated_sum(sum) / (total * LN_2)
+}
+
+/// A power of two that brings the chain's total near 1, as two factors that `f64` can hold.
+#[derive(Debug, Clone, Copy)]
+struct Unit([f64; 2]);
+
+impl Unit {
+    fn of(chain: &ReversibleChain) -> Self {
+        let power = -Scaled::new(chain.total()).exponent;
+        Self([power / 2, power - power / 2].map(|power| 2f64.powi(power)))
+    }
+
+    /// Exact, but for what is below 1e-308 of the total.
+    fn times(self, value: f64) -> f64 {
+        value * self.0[0] * self.0[1]
+    }
 }

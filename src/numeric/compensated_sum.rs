@@ -13,5 +13,10 @@ pub fn compensated_sum(terms: impl IntoIterator<Item = f64>) -> f64 {
             let (sum, lost) = two_sum(sum, term);
             (sum, correction + lost)
         });
-    sum + correction
+    // an infinite sum has no correction
+    if sum.is_finite() {
+        sum + correction
+    } else {
+        sum
+    }
 }

@@ -26,7 +26,16 @@ pub fn x_log2_x(x: f64) -> f64 {
 /// **Arguments** `x` ≥ 0, and `y` > 0 wherever `x` > 0.
 #[must_use]
 pub fn x_log2_ratio(x: f64, y: f64) -> f64 {
-    if x > 0.0 { x * (x / y).log2() } else { 0.0 * x }
+    if x <= 0.0 {
+        return 0.0 * x;
+    }
+    let ratio = x / y;
+    // a quotient that leaves the normal range has lost its digits
+    x * if ratio.is_normal() {
+        ratio.log2()
+    } else {
+        x.log2() - y.log2()
+    }
 }
 
 /// Below this |x| the plain form of φ loses more than three bits.

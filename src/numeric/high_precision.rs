@@ -1,4 +1,4 @@
-//! 256-bit arithmetic, rounded to nearest: reference values, never enclosures.
+//! Arithmetic with 256 bits or any other number, rounded to nearest: reference values, never enclosures.
 //!
 //! A thin dress around `astro-float`, so that a closed form can be evaluated
 //! with some 75 digits and its `f64` value judged.
@@ -11,8 +11,6 @@ use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Bits of the significand.
-const PRECISION: usize = 256;
 const NEAREST: RoundingMode = RoundingMode::ToEven;
 
 thread_local! {
@@ -20,30 +18,33 @@ thread_local! {
     static CONSTANTS: RefCell<Option<Consts>> = RefCell::new(Consts::new().ok());
 }
 
-/// A real number with a 256-bit significand and a 32-bit exponent.
+/// A real number with a significand of `BITS` bits and a 32-bit exponent.
 ///
 /// An operation without a result (0/0, ln of a negative number) gives NaN, as in `f64`.
 #[derive(Debug, Clone)]
-pub struct HighPrecision(BigFloat);
+pub struct BigReal<const BITS: usize>(BigFloat);
 
-impl HighPrecision {
+/// 256 bits, some 75 digits.
+pub type HighPrecision = BigReal<256>;
+
+impl<const BITS: usize> BigReal<BITS> {
     /// The number `value`, exactly.
     #[must_use]
     pub fn new(value: f64) -> Self {
         if value.abs() < f64::MIN_POSITIVE {
             // `from_f64` loses a factor of two on subnormals: scaled into the normal range and back
             let scale = 2f64.powi(64);
-            let scaled = Self(BigFloat::from_f64(value * scale, PRECISION));
-            return scaled / Self(BigFloat::from_f64(scale, PRECISION));
+            let scaled = Self(BigFloat::from_f64(value * scale, BITS));
+            return scaled / Self(BigFloat::from_f64(scale, BITS));
         }
-        Self(BigFloat::from_f64(value, PRECISION))
+        Self(BigFloat::from_f64(value, BITS))
     }
 
-    /// The decimal `text`, rounded to 256 bits; `None` if it is not a finite number.
+    /// The decimal `text`, rounded to `BITS` bits; `None` if it is not a finite number.
     #[must_use]
     pub fn parse(text: &str) -> Option<Self> {
         let value = with_constants(|constants| {
-            BigFloat::parse(text.trim(), Radix::Dec, PRECISION, NEAREST, constants)
+            BigFloat::parse(text.trim(), Radix::Dec, BITS, NEAREST, constants)
         });
         (!value.is_nan() && !value.is_inf()).then_some(Self(value))
     }
@@ -62,7 +63,7 @@ impl HighPrecision {
         let mut sum = self.zero();
         for k in start.. {
             let term = power.clone() / Self::new(coefficient(k));
-            let done = term.is_negligible_beside(&sum) || k > 400;
+            let done = term.is_negligible_beside(&sum) || k as usize > 2 * BITS;
             sum = sum + term;
             if done {
                 break;
@@ -76,7 +77,8 @@ impl HighPrecision {
         match (self.0.exponent(), sum.0.exponent()) {
             _ if self.0.is_zero() => true,
             (Some(term), Some(total)) if !sum.0.is_zero() => {
-                i64::from(term) < i64::from(total) - 270
+                i64::from(term)
+                    < i64::from(total) - (i64::try_from(BITS).unwrap_or(i64::MAX / 2) + 14)
             }
             _ => false,
         }
@@ -92,16 +94,16 @@ fn with_constants(compute: impl FnOnce(&mut Consts) -> BigFloat) -> BigFloat {
 
 macro_rules! operator {
     ($trait:ident, $method:ident) => {
-        impl $trait for HighPrecision {
+        impl<const BITS: usize> $trait for BigReal<BITS> {
             type Output = Self;
             fn $method(self, other: Self) -> Self {
-                Self(self.0.$method(&other.0, PRECISION, NEAREST))
+                Self(self.0.$method(&other.0, BITS, NEAREST))
             }
         }
-        impl $trait<&HighPrecision> for HighPrecision {
+        impl<const BITS: usize> $trait<&BigReal<BITS>> for BigReal<BITS> {
             type Output = Self;
             fn $method(self, other: &Self) -> Self {
-                Self(self.0.$method(&other.0, PRECISION, NEAREST))
+                Self(self.0.$method(&other.0, BITS, NEAREST))
             }
         }
     };
@@ -111,31 +113,31 @@ operator!(Sub, sub);
 operator!(Mul, mul);
 operator!(Div, div);
 
-impl Neg for HighPrecision {
+impl<const BITS: usize> Neg for BigReal<BITS> {
     type Output = Self;
     fn neg(self) -> Self {
         Self(self.0.neg())
     }
 }
 
-impl PartialEq for HighPrecision {
+impl<const BITS: usize> PartialEq for BigReal<BITS> {
     fn eq(&self, other: &Self) -> bool {
         self.partial_cmp(other) == Some(Ordering::Equal)
     }
 }
 
-impl PartialOrd for HighPrecision {
+impl<const BITS: usize> PartialOrd for BigReal<BITS> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         self.0.cmp(&other.0).map(|sign| sign.cmp(&0))
     }
 }
 
-impl Scalar for HighPrecision {
+impl<const BITS: usize> Scalar for BigReal<BITS> {
     fn constant(&self, value: f64) -> Self {
         Self::new(value)
     }
     fn pi(&self) -> Self {
-        Self(with_constants(|constants| constants.pi(PRECISION, NEAREST)))
+        Self(with_constants(|constants| constants.pi(BITS, NEAREST)))
     }
     fn to_f64(&self) -> f64 {
         if self.0.is_nan() {
@@ -173,11 +175,11 @@ impl Scalar for HighPrecision {
         }
     }
     fn sqrt(&self) -> Self {
-        Self(self.0.sqrt(PRECISION, NEAREST))
+        Self(self.0.sqrt(BITS, NEAREST))
     }
     fn ln(&self) -> Self {
         Self(with_constants(|constants| {
-            self.0.ln(PRECISION, NEAREST, constants)
+            self.0.ln(BITS, NEAREST, constants)
         }))
     }
     fn ln_1p(&self) -> Self {
@@ -190,7 +192,7 @@ impl Scalar for HighPrecision {
     }
     fn exp(&self) -> Self {
         Self(with_constants(|constants| {
-            self.0.exp(PRECISION, NEAREST, constants)
+            self.0.exp(BITS, NEAREST, constants)
         }))
     }
     fn exp_m1(&self) -> Self {
@@ -198,13 +200,13 @@ impl Scalar for HighPrecision {
             // Σ x^k/k!; the factorials leave f64's integers at 18!, so the sum runs on the ratio
             let mut term = self.clone();
             let mut sum = self.zero();
-            for k in 2..200 {
+            for k in 2..BITS {
                 let done = term.is_negligible_beside(&sum);
                 sum = sum + &term;
                 if done {
                     break;
                 }
-                term = term * self / Self::new(f64::from(k));
+                term = term * self / Self::new(k as f64);
             }
             sum
         } else {
@@ -215,13 +217,13 @@ impl Scalar for HighPrecision {
         let zero = self.zero();
         if *x > zero {
             return Self(with_constants(|constants| {
-                (self.clone() / x).0.atan(PRECISION, NEAREST, constants)
+                (self.clone() / x).0.atan(BITS, NEAREST, constants)
             }));
         }
         let half_pi = self.pi() / Self::new(2.0);
         let complement = |y: &Self| {
             Self(with_constants(|constants| {
-                (x.clone() / y).0.atan(PRECISION, NEAREST, constants)
+                (x.clone() / y).0.atan(BITS, NEAREST, constants)
             }))
         };
         if *self > zero {

@@ -17,14 +17,16 @@ mod maximum;
 mod quadrature;
 mod root;
 mod scalar;
+mod scaled;
 pub mod tolerance;
 
 pub use compensated_sum::compensated_sum;
 pub use entropy_kernel::{divergence_kernel, x_log2_ratio, x_log2_x};
 pub use error::NumericError;
 pub use expansion::Expansion;
-pub use high_precision::HighPrecision;
+pub use high_precision::{BigReal, HighPrecision};
 pub use maximum::{Maximum, maximum, maximum_of_many};
 pub use quadrature::{Integral, integral};
 pub use root::{Root, root};
 pub use scalar::Scalar;
+pub use scaled::{Scaled, common_scale};

@@ -1,31 +1,31 @@
-//! The gain of a refinement at 256 bits, from the definition (8).
+//! The gain of a refinement with hundreds of bits, from the definition (8).
 //!
 //! ```text
 //!   I′ − I = Σ J′ log2( J′_kl/(w′_k w′_l) ) − Σ J log2( J_ij/(w_i w_j) ),   total mass 1
 //! ```
 //!
-//! The coarse entries are the parts' sums, taken at 256 bits too. A difference of two numbers of some bits
-//! each, it resolves [`RESOLUTION`]; it shares nothing with the sum of non-negative terms it judges.
+//! The coarse entries are the parts' sums, with as many bits. A difference of two numbers of some bits each, it
+//! resolves [`RESOLUTION`] with 256 bits; it shares nothing with the sum of non-negative terms it judges.
 
 use crate::chain::Refinement;
-use crate::numeric::{HighPrecision, Scalar};
+use crate::numeric::{BigReal, Scalar};
 
 /// What the difference resolves, in bits: 256 bits are 77 digits, of which the sums use up a few.
 pub const RESOLUTION: f64 = 1e-70;
 
 /// `I′ − I` in bits, for the refined joint entries as given.
 ///
-/// **Accuracy** [`RESOLUTION`] absolute, if the entries span fewer than 77 decimal orders; smaller entries are
+/// **Accuracy** [`RESOLUTION`] absolute with 256 bits, if the entries span fewer than 77 decimal orders; smaller entries are
 /// then felt only through their own terms, which is what they are worth.
 #[must_use]
-pub fn exact_gain(refinement: &Refinement) -> HighPrecision {
+pub fn exact_gain<const BITS: usize>(refinement: &Refinement) -> BigReal<BITS> {
     let parents = refinement.parents();
     let n = refinement.coarse().states();
-    let zero = HighPrecision::new(0.0);
+    let zero = BigReal::new(0.0);
     let joint = refinement.refined().joint();
-    let fine: Vec<Vec<HighPrecision>> = joint
+    let fine: Vec<Vec<BigReal<BITS>>> = joint
         .row_iter()
-        .map(|row| row.iter().map(|entry| HighPrecision::new(*entry)).collect())
+        .map(|row| row.iter().map(|entry| BigReal::new(*entry)).collect())
         .collect();
     let mut coarse = vec![vec![zero; n]; n];
     for (k, row) in fine.iter().enumerate() {
@@ -34,13 +34,13 @@ pub fn exact_gain(refinement: &Refinement) -> HighPrecision {
             *cell = cell.clone() + entry;
         }
     }
-    (nats(&fine) - &nats(&coarse)) / &HighPrecision::new(2.0).ln()
+    (nats(&fine) - &nats(&coarse)) / &BigReal::new(2.0).ln()
 }
 
 /// Mutual information of a symmetric joint matrix, in nats.
-fn nats(joint: &[Vec<HighPrecision>]) -> HighPrecision {
-    let zero = || HighPrecision::new(0.0);
-    let weights: Vec<HighPrecision> = joint
+fn nats<const BITS: usize>(joint: &[Vec<BigReal<BITS>>]) -> BigReal<BITS> {
+    let zero = || BigReal::new(0.0);
+    let weights: Vec<BigReal<BITS>> = joint
         .iter()
         .map(|row| row.iter().fold(zero(), |sum, entry| sum + entry))
         .collect();
@@ -51,7 +51,7 @@ fn nats(joint: &[Vec<HighPrecision>]) -> HighPrecision {
             if !entry.is_zero() {
                 let ratio = entry.clone() * &total / &weights[k] / &weights[l];
                 let both_ways = if k == l { 1.0 } else { 2.0 };
-                sum = sum + &(ratio.ln() * entry * &HighPrecision::new(both_ways));
+                sum = sum + &(ratio.ln() * entry * &BigReal::new(both_ways));
             }
         }
     }

@@ -77,20 +77,24 @@ fn the_cases_depend_on_the_seed_alone() {
     assert_ne!(run("1", "3"), run("1", "4"));
 }
 
-/// With a hypothesis broken on purpose the command reports within a second, exits with 1, and leaves a file
-/// with the shrunk chain.
+/// With a hypothesis broken on purpose the command reports within a second however many cases are asked for,
+/// exits with 1, and leaves a file with the shrunk chain; and so, in a few seconds, with a gain off by 1e-9 of it.
 #[test]
-fn a_broken_hypothesis_is_found_within_a_second() {
-    for hypothesis in ["reciprocity", "covering"] {
+fn a_broken_promise_is_found_within_a_second() {
+    for (broken, message) in [
+        ("reciprocity", "mutual information falls"),
+        ("covering", "mutual information falls"),
+        ("gain", "is off by"),
+    ] {
         let folder = tempfile::tempdir().unwrap();
         let output = folder.path().join("answer.json");
         let start = Instant::now();
         let arguments = [
             "fuzz",
             "--cases",
-            "500",
+            "1000000",
             "--sabotage",
-            hypothesis,
+            broken,
             "--format",
             "json",
         ];
@@ -98,23 +102,15 @@ fn a_broken_hypothesis_is_found_within_a_second() {
             .args(["--output", output.to_str().unwrap()])
             .assert()
             .code(1);
-        // debug builds are some twenty times slower than what users run
-        let limit = Duration::from_secs(if cfg!(debug_assertions) { 20 } else { 1 });
-        assert!(
-            start.elapsed() < limit,
-            "{hypothesis}: {:?}",
-            start.elapsed()
-        );
+        // debug builds are some twenty times slower than what users run, and what the 256-bit recomputation
+        // finds it also shrinks
+        let is_quick = !cfg!(debug_assertions) && broken != "gain";
+        let limit = Duration::from_secs(if is_quick { 1 } else { 60 });
+        assert!(start.elapsed() < limit, "{broken}: {:?}", start.elapsed());
         let text = std::fs::read_to_string(folder.path().join("counterexample.json")).unwrap();
         let found: serde_json::Value = serde_json::from_str(&text).unwrap();
         let reason = found[0]["reason"].as_str().unwrap();
-        assert!(reason.contains("mutual information falls"), "{reason}");
-        assert!(
-            found[0]["source"]
-                .as_str()
-                .unwrap()
-                .starts_with("Refinement::coarsening(")
-        );
+        assert!(reason.contains(message), "{reason}");
         assert!(
             found[0]["parents"].as_array().unwrap().len() <= 6,
             "not shrunk: {found}"
@@ -124,7 +120,52 @@ fn a_broken_hypothesis_is_found_within_a_second() {
                 .unwrap()
                 .contains("counterexamples")
         );
+        if broken != "gain" {
+            assert_falls(&found[0]);
+        }
     }
+}
+
+/// `I − I′` of a counterexample as written, by eqs. (3) and (8) from its numbers alone.
+fn assert_falls(found: &serde_json::Value) {
+    let flow: Vec<Vec<f64>> = serde_json::from_value(found["joint"].clone()).unwrap();
+    let source = found["source"].as_str().unwrap();
+    let coarse = source
+        .split("let coarse = ")
+        .nth(1)
+        .unwrap()
+        .split(';')
+        .next()
+        .unwrap();
+    let coarse: Vec<Vec<f64>> = serde_json::from_str(coarse).unwrap();
+    let information = |flow: &[Vec<f64>]| -> f64 {
+        let w: Vec<f64> = flow.iter().map(|row| row.iter().sum()).collect();
+        let mut sum = 0.0;
+        for (k, row) in flow.iter().enumerate() {
+            for (l, flow) in row.iter().enumerate().filter(|(_, flow)| **flow > 0.0) {
+                sum += flow * (flow / w[k] / w[l]).log2();
+            }
+        }
+        sum
+    };
+    let total: f64 = coarse.iter().flatten().sum();
+    let coarse: Vec<Vec<f64>> = coarse
+        .iter()
+        .map(|row| row.iter().map(|entry| entry / total).collect())
+        .collect();
+    let fall = information(&coarse) - information(&flow);
+    // as printed: to the rounding of the two sums
+    let text = found["reason"].as_str().unwrap().split(' ').nth(4).unwrap();
+    let printed: f64 = text.parse().unwrap();
+    assert!((fall - printed).abs() < 1e-14, "{fall:e} {printed:e}");
+}
+
+/// With many states the cases are no emptier than with few.
+#[test]
+fn large_chains_are_not_empty() {
+    let answer = json(&["fuzz", "--cases", "1000", "--states", "40"]);
+    let nothing = answer["histograms"]["gain_decades"][0].as_f64().unwrap();
+    assert!(nothing < 250.0, "{nothing} of 1000 gains are 0");
 }
 
 /// What the naive forms lose and the sum of terms keeps, from gains of 1 bit to 1e-30.

@@ -30,10 +30,10 @@ fn without_reciprocity_the_conclusion_fails() {
     assert!(plain_information(&weights, &transitions) < mutual_information(&alternating()));
     let refusal = ReversibleChain::try_from_transitions(&weights, &transitions).unwrap_err();
     let numbers = ChainError::NotReciprocal {
-        row: 1,
-        column: 0,
-        value: 0.125,
-        mirrored: 0.25,
+        row: 0,
+        column: 1,
+        value: 0.25,
+        mirrored: 0.125,
     };
     assert_eq!(refusal, numbers);
 }
@@ -106,8 +106,8 @@ fn refinements_are_checked() {
     ));
     let short = dmatrix![0.0, 0.5; 0.0, 0.4];
     let gap = ChainError::NotCovering {
-        state: 1,
-        other: 0,
+        state: 0,
+        other: 1,
         parts: 0.9,
         whole: 1.0,
     };
@@ -122,6 +122,17 @@ fn refinements_are_checked() {
     shape(Refinement::of_state(&chain, 0, &outward, &dmatrix![1.0]));
     shape(Refinement::coarsening(chain.clone(), vec![0]));
     let gap = Refinement::coarsening(chain.clone(), vec![0, 2]).unwrap_err();
+    assert_eq!(gap, ChainError::NoSuchState { state: 2, last: 1 });
+    let wild = Refinement::coarsening(chain.clone(), vec![0, usize::MAX]).unwrap_err();
+    assert_eq!(
+        wild,
+        ChainError::NoSuchState {
+            state: usize::MAX,
+            last: 1
+        }
+    );
+    let three = ReversibleChain::try_new(DMatrix::from_element(3, 3, 1.0)).unwrap();
+    let gap = Refinement::coarsening(three, vec![0, 2, 2]).unwrap_err();
     assert_eq!(gap, ChainError::NoPart { state: 1 });
     assert!(Refinement::of_state(&chain, 0, &outward, &within).is_ok());
     let same = Refinement::coarsening(chain.clone(), vec![0, 1]).unwrap();

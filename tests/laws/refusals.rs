@@ -153,6 +153,25 @@ fn bad_joint_matrices_are_refused_with_the_entry() {
             ..
         }
     ));
+    let huge = refuse(DMatrix::from_element(2, 2, 1e308));
+    assert_eq!(
+        huge,
+        ChainError::NoMass {
+            total: f64::INFINITY
+        }
+    );
+    let even = dmatrix![0.5, 0.5; 0.5, 0.5];
+    let from = |weights: [f64; 2]| ReversibleChain::try_from_transitions(&weights, &even);
+    let negative = ChainError::InvalidWeight {
+        state: 0,
+        value: -1.0,
+    };
+    assert_eq!(from([-1.0, 1.0]).unwrap_err(), negative);
+    assert!(matches!(
+        from([1e-320, 1e-320]).unwrap_err(),
+        ChainError::Underflow { .. }
+    ));
+    assert!(from([7e307, 7e307]).is_ok());
     let halved = dmatrix![0.5, 0.4; 0.5, 0.5];
     let refusal = ReversibleChain::try_from_transitions(&[1.0, 1.0], &halved).unwrap_err();
     assert!(
