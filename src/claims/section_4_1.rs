@@ -277,7 +277,7 @@ fn regular_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
     };
     let information = at(input.count("cells")?)?;
     let levels = (1..=12).map(at).collect::<Result<Vec<f64>, _>>()?;
-    let interval = 1.33305..=1.33315;
+    let interval = input.number("printed_from")?..=input.number("printed_to")?;
     let found = levels
         .iter()
         .filter(|level| interval.contains(*level))
