@@ -1,8 +1,10 @@
 //! The gain's building block is non-negative, exact at proportional shares, and keeps its digits.
 
 use crate::support::strategies::shares;
-use infoscene::information::divergence;
+use infoscene::chain::{Refinement, ReversibleChain};
+use infoscene::information::{divergence, subdivision_bound};
 use infoscene::numeric::{HighPrecision, Scalar, divergence_kernel, tolerance};
+use nalgebra::dmatrix;
 use proptest::prelude::*;
 
 /// `Σ J_k log2( J_k Σw / (w_k ΣJ) )` at 256 bits, from the definition.
@@ -64,6 +66,50 @@ proptest! {
         fluxes[0] = fluxes[0].next_up();
         prop_assert!(divergence(&fluxes, &weights) > 0.0);
     }
+}
+
+proptest! {
+    /// Eq. (6): m equal parts gain at most `2 w P log2 m`, and less as soon as two of them have flux.
+    #[test]
+    fn equal_parts_gain_at_most_their_bound(fluxes in shares(2..9)) {
+        let weights = vec![1.0; fluxes.len()];
+        let flux: f64 = fluxes.iter().sum();
+        let bound = subdivision_bound(flux, u32::try_from(fluxes.len()).unwrap());
+        let gain = 2.0 * divergence(&fluxes, &weights);
+        prop_assert!(gain <= bound * (1.0 + tolerance::GAIN), "{gain} {bound}");
+        let second = {
+            let mut sorted = fluxes.clone();
+            sorted.sort_by(f64::total_cmp);
+            sorted[sorted.len() - 2] / flux
+        };
+        if second > 1e-9 {
+            prop_assert!(gain < bound, "{gain} {bound}");
+        }
+    }
+}
+
+/// Eq. (6) is an equality where one part keeps all the flux, which it can as long as m P ≤ 1: its own P is then
+/// m P. Beyond that it is out of reach: a chain in which a part would need P > 1 is refused.
+#[test]
+fn the_bound_is_attained_as_long_as_m_p_is_at_most_one() {
+    for parts in 2..=9u32 {
+        let mut fluxes = vec![0.0; parts as usize];
+        fluxes[0] = 0.7;
+        let gain = 2.0 * divergence(&fluxes, &vec![1.0; parts as usize]);
+        assert!(
+            (gain / subdivision_bound(0.7, parts) - 1.0).abs() <= tolerance::GAIN,
+            "{parts}"
+        );
+    }
+    // P = 3/4 in two equal parts: one of them would have to send 3/4 of a weight of 1/2
+    let chain = ReversibleChain::try_new(dmatrix![0.25, 0.75; 0.75, 0.0]).unwrap();
+    let (outward, within) = (dmatrix![0.0, 0.75; 0.0, 0.0], dmatrix![0.0, 0.0; 0.0, 0.25]);
+    let refinement = Refinement::of_state(&chain, 0, &outward, &within).unwrap();
+    let weights = refinement.refined().weights();
+    assert!(
+        weights[0] > weights[2],
+        "the parts cannot be equal: {weights:?}"
+    );
 }
 
 /// `φ(x) = (1+x) ln(1+x) − x` against 256 bits, from −1 to 1e6 and down to |x| = 1e-150.
