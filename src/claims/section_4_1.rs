@@ -241,8 +241,9 @@ fn figure_4_cases_lose(input: &Inputs) -> Result<Finding, ClaimError> {
         at(input.number("best")?)?,
         at(input.number("upper")?)?,
     ];
-    let curve = points(100)
-        .map(|share| Ok([10.0 * share, at(10.0 * share)?]))
+    let curve = (1..100)
+        .map(|tenth| f64::from(tenth) / 10.0)
+        .map(|x| Ok([x, at(x)?]))
         .collect::<Result<Vec<_>, ClaimError>>()?;
     let turns = curve
         .windows(3)

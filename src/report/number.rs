@@ -36,7 +36,7 @@ pub fn certain_digits(value: f64, error: f64) -> String {
     };
     let decimals = by_digits.min(by_error).max(0);
     if value.abs() < 1e-3 {
-        let digits = (decimals + exponent(value.abs())).clamp(0, 3);
+        let digits = (decimals + exponent(value.abs())).clamp(0, MOST_DIGITS - 1);
         return format!("{value:.*e}", usize::try_from(digits).unwrap_or(0));
     }
     format!("{value:.*}", usize::try_from(decimals).unwrap_or(0))
