@@ -40,7 +40,7 @@ impl RandomChains {
         .refinement()
     }
 
-    /// `count` numbers in `[0, 1)`, about one in five of them 0, the first never.
+    /// `count` numbers from 0 to 1, about one in five of them 0, the first never.
     pub fn numbers(&mut self, count: usize) -> Vec<f64> {
         let mut numbers: Vec<f64> = (0..count)
             .map(|_| {
@@ -51,7 +51,9 @@ impl RandomChains {
                 }
             })
             .collect();
-        numbers[0] = 1.0 - self.source.random::<f64>(); // in (0, 1]
+        if let Some(first) = numbers.first_mut() {
+            *first = 1.0 - self.source.random::<f64>(); // in (0, 1]
+        }
         numbers
     }
 

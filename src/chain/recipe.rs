@@ -113,8 +113,16 @@ impl Recipe {
     /// The refinement.
     ///
     /// # Errors
-    /// None for the ranges stated at the fields: an error is a defect of the construction.
+    /// [`ChainError::WrongShape`] for a state of no parts; none within the ranges stated at the fields.
     pub fn refinement(&self) -> Result<Refinement, ChainError> {
+        if self.parts.contains(&0) {
+            let (what, found, expected) = ("the list of parts of a state", 0, 1);
+            return Err(ChainError::WrongShape {
+                what,
+                found,
+                expected,
+            });
+        }
         let mut codes = Codes {
             codes: self.codes.iter(),
         };

@@ -2,9 +2,9 @@
 //!
 //! Each formula of this crate is written once, over [`Scalar`]: `f64` gives the
 //! fast value, [`HighPrecision`] the same formula with 256 bits. Beside it stand
-//! the entropy kernels (`0·log 0 = 0` lives there and nowhere else), guarded
-//! one-dimensional root finding and maximisation, guarded quadrature, and the
-//! one table of tolerances.
+//! the entropy kernels (`0·log 0 = 0` lives there and nowhere else), exact and
+//! compensated sums, guarded root finding and maximisation, guarded quadrature, and
+//! the one table of tolerances.
 //!
 //! **Not here**: geometry, and anything that knows what a form factor is.
 

@@ -8,8 +8,8 @@
 /// `divergence_kernel_keeps_its_digits`.
 pub const DIVERGENCE_KERNEL: f64 = 24.0 * f64::EPSILON;
 
-/// Two maxima nearer than this in relative height count as one: (a) gains carry relative errors
-/// of some hundred ε when the parts' form factors differ in the third digit.
+/// Two maxima nearer than this in relative height count as one: (a) form factors that differ in the third
+/// digit turn their ε into some thousand ε of the gain.
 pub const EQUAL_MAXIMA: f64 = 1e-12;
 
 /// Steps of the maximisation in several coordinates: (b) 64 parts of two unit squares take fewer than a
@@ -35,12 +35,13 @@ pub const ALIGNMENT: f64 = 16.0 * f64::EPSILON;
 
 /// The factor of ε in the running bound of the rectangle closed forms: (a) each term takes at most
 /// eight roundings of ε/2 and two function values within one ulp, conditions ≤ 1 by the forms
-/// chosen (`form_factor::exchange`), and the sum at most twenty additions.
+/// chosen (`form_factor::exchange`), and the sum at most twenty additions. Held by
+/// `parallel_bound_is_never_below_the_error` and `perpendicular_bound_is_never_below_the_error`.
 pub const RECTANGLE_TERMS: f64 = 16.0;
 
 /// Relative asymmetry that a joint matrix built from weights and transition probabilities may
-/// have before it counts as irreversible: (a) a quotient and a product, each half an ε, on
-/// either side, and the square of that for chains read from sixteen printed digits.
+/// have before it counts as irreversible: (a) w, P and their product carry half an ε each, 3 ε over both
+/// sides; five times that for weights and probabilities that were themselves computed.
 pub const RECIPROCITY: f64 = 16.0 * f64::EPSILON;
 
 /// Absolute error of an optimal position on a scale of 1: (b) `cuts_agree_with_their_references` and the
