@@ -252,4 +252,11 @@ impl<const BITS: usize> Scalar for BigReal<BITS> {
             }
         }
     }
+    fn x_ln_x(&self) -> Self {
+        if self.is_zero() {
+            self.clone()
+        } else {
+            self.abs().ln() * self
+        }
+    }
 }

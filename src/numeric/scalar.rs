@@ -1,14 +1,16 @@
 //! The number type a closed form is written over.
 //!
 //! A formula takes `S: Scalar` and builds its constants from its arguments
-//! (`x.constant(0.5)`), so that a type may carry its own precision.
+//! (`x.constant(0.5)`), so that a type may carry its own precision. Comparisons may be undecided for an
+//! interval: whichever branch a formula then takes must be right, if less accurate.
 //!
 //! **Not covered**: complex numbers; trigonometric functions other than `atan2`.
 
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A real number type: `f64`, [`HighPrecision`](super::HighPrecision).
+/// A real number type: `f64`, [`Interval`](super::Interval), [`Dual`](super::Dual),
+/// [`HighPrecision`](super::HighPrecision).
 ///
 /// The right-hand side of an operator may be borrowed, so that types without
 /// `Copy` do not drown a formula in `clone`.
@@ -26,6 +28,9 @@ pub trait Scalar:
     + for<'a> Mul<&'a Self, Output = Self>
     + for<'a> Div<&'a Self, Output = Self>
 {
+    /// Do sums carry the magnitude of their terms, as a measure of rounding? An enclosure has no use for it.
+    const TRACKS_ROUNDING: bool = true;
+
     /// The number `value`, exactly, at the precision of `self`.
     #[must_use]
     fn constant(&self, value: f64) -> Self;
@@ -59,6 +64,9 @@ pub trait Scalar:
     /// plain difference loses.
     #[must_use]
     fn divergence_kernel(&self) -> Self;
+    /// `x·ln|x|`, continued by 0 at `x = 0`.
+    #[must_use]
+    fn x_ln_x(&self) -> Self;
 
     /// Zero.
     #[must_use]
@@ -116,6 +124,9 @@ impl Scalar for f64 {
     }
     fn divergence_kernel(&self) -> Self {
         super::divergence_kernel(*self)
+    }
+    fn x_ln_x(&self) -> Self {
+        super::x_ln_x(*self)
     }
     fn abs(&self) -> Self {
         f64::abs(*self)
