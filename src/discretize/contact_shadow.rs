@@ -98,14 +98,10 @@ impl ContactShadow {
         let derivative = |t: f64| {
             let rate = self
                 .pair
-                .strip_exchange(SplitAxis::U, t)
+                .strip_exchange(SplitAxis::U, &t)
                 .unwrap_or(f64::NAN);
-            stationarity(
-                rate,
-                1.0,
-                exchange(0.0, t) / t,
-                exchange(t, self.line) / (1.0 - t),
-            )
+            let (before, after) = (exchange(0.0, t) / t, exchange(t, self.line) / (1.0 - t));
+            stationarity(&rate, &1.0, &before, &after)
         };
         let gain = |t: f64| self.gain(t).unwrap_or(f64::NAN);
         match maximum(gain, derivative, (0.0, self.line), 32) {
@@ -135,7 +131,7 @@ impl ContactShadow {
     fn exchange(&self, from: f64, to: f64) -> Result<f64, DiscretizeError> {
         Ok(self
             .pair
-            .part(SplitAxis::U, from, to)?
+            .part(SplitAxis::U, &from, &to)?
             .exchange_area()?
             .value)
     }

@@ -21,6 +21,8 @@ mod gradient_cut;
 mod patch_split;
 mod straight_cut;
 
+use crate::numeric::Scalar;
+
 pub use contact_shadow::ContactShadow;
 pub use cube_grid::CubeGrid;
 pub use error::DiscretizeError;
@@ -31,16 +33,14 @@ pub use straight_cut::StraightCut;
 /// `G′ ln(a/b) − W′ (a − b)`, the derivative of the gain in nats as a cut moves.
 ///
 /// With `G′ = 0` the logarithm does not count, even where a or b is 0.
-fn stationarity(flux_rate: f64, weight_rate: f64, before: f64, after: f64) -> f64 {
-    let difference = before - after;
-    let logarithm = if flux_rate.abs() > 0.0 {
-        if difference.abs() < 0.5 * after {
-            (difference / after).ln_1p()
-        } else {
-            (before / after).ln()
-        }
+fn stationarity<S: Scalar>(flux_rate: &S, weight_rate: &S, before: &S, after: &S) -> S {
+    let difference = before.clone() - after;
+    let logarithm = if flux_rate.is_zero() {
+        flux_rate.clone()
+    } else if difference.abs() < after.clone() * &after.constant(0.5) {
+        (difference.clone() / after).ln_1p()
     } else {
-        0.0
+        (before.clone() / after).ln()
     };
-    flux_rate * logarithm - weight_rate * difference
+    logarithm * flux_rate - &(difference * weight_rate)
 }

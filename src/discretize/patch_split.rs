@@ -12,19 +12,21 @@
 use super::{DiscretizeError, stationarity};
 use crate::form_factor::RectanglePair;
 use crate::geometry::SplitAxis;
-use crate::information::{divergence, subdivision_bound};
-use crate::numeric::{NumericError, compensated_sum, maximum, maximum_of_many, x_log2_ratio};
+use crate::information::{relative_entropy, subdivision_bound};
+use crate::numeric::{
+    CertifiedMaximum, End, NumericError, Objective, Scalar, certified_maximum, compensated_sum,
+    maximum, maximum_of_many, x_log2_ratio,
+};
 use crate::scene::Scene;
 use std::cell::RefCell;
-use std::f64::consts::LN_2;
 
-/// A patch of a scene, to be cut across one of its axes.
+/// A patch of a scene, to be cut across one of its axes; over intervals its gains are enclosures.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PatchSplit {
-    pairs: Vec<RectanglePair>,
+pub struct PatchSplit<S = f64> {
+    pairs: Vec<RectanglePair<S>>,
     axis: SplitAxis,
-    area: f64,
-    total_area: f64,
+    area: S,
+    total_area: S,
 }
 
 /// The best cuts, with what they gain.
@@ -84,49 +86,16 @@ impl PatchSplit {
         })
     }
 
-    /// The gain of cuts at increasing relative positions, in bits.
-    ///
-    /// # Errors
-    /// [`DiscretizeError::FormFactor`] unless `0 < t_1 < … < 1`.
-    pub fn gain(&self, positions: &[f64]) -> Result<f64, DiscretizeError> {
-        let parts = parts(positions);
-        let weights: Vec<f64> = parts.iter().map(|(from, to)| to - from).collect();
-        let mut gains = Vec::with_capacity(self.pairs.len());
-        for pair in &self.pairs {
-            let fluxes = parts
-                .iter()
-                .map(|(from, to)| exchange(pair, self.axis, *from, *to))
-                .collect::<Result<Vec<f64>, _>>()?;
-            gains.push(divergence(&fluxes, &weights));
+    /// The same split in numbers of the type and precision of `like`: its form factors become enclosures over
+    /// intervals.
+    #[must_use]
+    pub fn lifted<S: Scalar>(&self, like: &S) -> PatchSplit<S> {
+        PatchSplit {
+            pairs: self.pairs.iter().map(|pair| pair.lifted(like)).collect(),
+            axis: self.axis,
+            area: like.constant(self.area),
+            total_area: like.constant(self.total_area),
         }
-        Ok(2.0 * compensated_sum(gains) / self.total_area)
-    }
-
-    /// The derivative of the gain as cut `k` moves, in bits per relative position.
-    ///
-    /// # Errors
-    /// As [`gain`](Self::gain).
-    pub fn gain_derivative(&self, positions: &[f64], k: usize) -> Result<f64, DiscretizeError> {
-        let parts = parts(positions);
-        let (Some(before), Some(after)) = (parts.get(k).copied(), parts.get(k + 1).copied()) else {
-            let (parameter, condition) = ("the index of a cut", "that of one of the positions");
-            #[allow(clippy::cast_precision_loss, reason = "only shown")]
-            let value = k as f64;
-            return Err(DiscretizeError::OutOfRange {
-                parameter,
-                value,
-                condition,
-            });
-        };
-        let mut derivatives = Vec::with_capacity(self.pairs.len());
-        for pair in &self.pairs {
-            let ratio = |(from, to): (f64, f64)| {
-                exchange(pair, self.axis, from, to).map(|flux| flux / (self.area * (to - from)))
-            };
-            let rate = pair.strip_exchange(self.axis, before.1)?;
-            derivatives.push(stationarity(rate, self.area, ratio(before)?, ratio(after)?));
-        }
-        Ok(2.0 * compensated_sum(derivatives) / (self.total_area * LN_2))
     }
 
     /// The largest gain that a regular division into `parts` could bring at all, eqs. (6), (7).
@@ -196,6 +165,16 @@ impl PatchSplit {
         })
     }
 
+    /// The cut into two parts that gains the most, enclosed to about `bits` bits, with what is proved about it.
+    ///
+    /// Positions are those of the scene as given: its coordinates count as exact.
+    ///
+    /// # Errors
+    /// [`DiscretizeError::Numeric`] if no interior maximum is found.
+    pub fn certified_best(&self, bits: u32) -> Result<CertifiedMaximum, DiscretizeError> {
+        Ok(certified_maximum(self, (0.0, 1.0), bits)?)
+    }
+
     /// The best cuts whose positions are multiples of a step of an eighth part or less: the gain is a sum over
     /// the parts, so the best last part extends the best cuts before it.
     fn best_on_lattice(&self, parts: usize) -> Result<Vec<f64>, DiscretizeError> {
@@ -207,7 +186,7 @@ impl PatchSplit {
         for (from, row) in value.iter_mut().enumerate() {
             for (to, value) in row.iter_mut().enumerate().skip(from + 1) {
                 for pair in &self.pairs {
-                    let flux = exchange(pair, self.axis, at(from), at(to))?;
+                    let flux = self.exchange(pair, &[at(from), at(to)])?;
                     *value += x_log2_ratio(flux, at(to) - at(from));
                 }
             }
@@ -259,25 +238,119 @@ impl PatchSplit {
     }
 }
 
+impl<S: Scalar> PatchSplit<S> {
+    /// The gain of cuts at increasing relative positions, in bits.
+    ///
+    /// # Errors
+    /// [`DiscretizeError::FormFactor`] unless `0 < t_1 < … < 1`.
+    pub fn gain(&self, positions: &[S]) -> Result<S, DiscretizeError> {
+        let parts = self.parts(positions);
+        let (zero, one) = (self.area.zero(), self.area.constant(1.0));
+        let mut gain = zero.clone();
+        for pair in &self.pairs {
+            let parts = parts
+                .iter()
+                .map(|part| Ok([self.exchange(pair, part)?, part[1].clone() - &part[0]]))
+                .collect::<Result<Vec<[S; 2]>, DiscretizeError>>()?;
+            let flux = parts.iter().fold(zero.clone(), |sum, part| sum + &part[0]);
+            gain = gain + &relative_entropy(&flux, &one, &parts);
+        }
+        Ok(gain * &self.area.constant(2.0) / &self.total_area)
+    }
+
+    /// The derivative of the gain as cut `k` moves, in bits per relative position.
+    ///
+    /// # Errors
+    /// As [`gain`](Self::gain); [`DiscretizeError::OutOfRange`] if there is no cut `k`.
+    pub fn gain_derivative(&self, positions: &[S], k: usize) -> Result<S, DiscretizeError> {
+        let parts = self.parts(positions);
+        let (Some(before), Some(after)) = (parts.get(k), parts.get(k + 1)) else {
+            let (parameter, condition) = ("the index of a cut", "that of one of the positions");
+            #[allow(clippy::cast_precision_loss, reason = "only shown")]
+            let value = k as f64;
+            return Err(DiscretizeError::OutOfRange {
+                parameter,
+                value,
+                condition,
+            });
+        };
+        let ratio = |pair: &RectanglePair<S>, part: &[S; 2]| {
+            let area = (part[1].clone() - &part[0]) * &self.area;
+            self.exchange(pair, part).map(|flux| flux / &area)
+        };
+        let mut derivative = self.area.zero();
+        for pair in &self.pairs {
+            let rate = pair.strip_exchange(self.axis, &before[1])?;
+            let [before, after] = [ratio(pair, before)?, ratio(pair, after)?];
+            derivative = derivative + &stationarity(&rate, &self.area, &before, &after);
+        }
+        Ok(derivative * &self.bits_per_nat())
+    }
+
+    /// `2/(A_T ln 2)`.
+    fn bits_per_nat(&self) -> S {
+        let two = self.area.constant(2.0);
+        two.clone() / &(two.ln() * &self.total_area)
+    }
+
+    fn exchange(
+        &self,
+        pair: &RectanglePair<S>,
+        [from, to]: &[S; 2],
+    ) -> Result<S, DiscretizeError> {
+        Ok(pair.part(self.axis, from, to)?.exchange_value()?)
+    }
+
+    /// The parts between cuts, as relative positions from and to.
+    fn parts(&self, positions: &[S]) -> Vec<[S; 2]> {
+        let (zero, one) = (self.area.zero(), self.area.constant(1.0));
+        let from = std::iter::once(&zero).chain(positions);
+        let to = positions.iter().chain(std::iter::once(&one));
+        from.zip(to)
+            .map(|(from, to)| [from.clone(), to.clone()])
+            .collect()
+    }
+}
+
+/// The gain of one cut. Next to an end the ratio of flux to weight of the small part is a mean of the strip's
+/// exchange, so that it lies between the least and the largest of these.
+impl Objective for PatchSplit {
+    fn value<S: Scalar>(&self, x: &S) -> Option<S> {
+        self.lifted(x).gain(std::slice::from_ref(x)).ok()
+    }
+
+    fn slope<S: Scalar>(&self, x: &S) -> Option<S> {
+        let split = self.lifted(x);
+        split.gain_derivative(std::slice::from_ref(x), 0).ok()
+    }
+
+    fn slope_near<S: Scalar>(&self, end: End, distance: &S) -> Option<S> {
+        let split = self.lifted(distance);
+        let rest = distance.constant(1.0) - distance;
+        let position = match end {
+            End::Lower => distance,
+            End::Upper => &rest,
+        };
+        let mut derivative = distance.zero();
+        for pair in &split.pairs {
+            let rate = pair.strip_exchange(self.axis, position).ok()?;
+            let whole = pair.exchange_value().ok()?;
+            let small = rate.clone() / &split.area;
+            let large = (whole - &(rate.clone() * distance)) / &(rest.clone() * &split.area);
+            let (before, after) = match end {
+                End::Lower => (small, large),
+                End::Upper => (large, small),
+            };
+            derivative = derivative + &stationarity(&rate, &split.area, &before, &after);
+        }
+        Some(derivative * &split.bits_per_nat())
+    }
+}
+
 /// `1/m, 2/m, …`: the regular division into `parts`.
 #[must_use]
 pub fn regular_positions(parts: u32) -> Vec<f64> {
     (1..parts)
         .map(|k| f64::from(k) / f64::from(parts))
         .collect()
-}
-
-fn parts(positions: &[f64]) -> Vec<(f64, f64)> {
-    let from = std::iter::once(0.0).chain(positions.iter().copied());
-    let to = positions.iter().copied().chain(std::iter::once(1.0));
-    from.zip(to).collect()
-}
-
-fn exchange(
-    pair: &RectanglePair,
-    axis: SplitAxis,
-    from: f64,
-    to: f64,
-) -> Result<f64, DiscretizeError> {
-    Ok(pair.part(axis, from, to)?.exchange_area()?.value)
 }

@@ -9,7 +9,7 @@
 //!
 //! ```text
 //!   atan(b/p) − atan(a/p) = atan2(Δ p, p² + a b)
-//!   ln r_b² − ln r_a²     = ± ln1p(|r_b² − r_a²| / min(r_a², r_b²))
+//!   ln r_b² − ln r_a²     = ln1p((r_b² − r_a²)/r_a²) = −ln1p((r_a² − r_b²)/r_b²)
 //!   √(b²+c²) − √(a²+c²)   = Δ (a + b) / (√(b²+c²) + √(a²+c²))
 //! ```
 //!
@@ -24,7 +24,7 @@ use crate::numeric::{Scalar, tolerance};
 pub struct Exchange<S> {
     /// The sum: an exchange area, or its derivative.
     pub value: S,
-    /// Σ |term|, what rounding errors are relative to.
+    /// Σ |term|, what rounding errors are relative to; 0 for a type that does not track rounding.
     pub magnitude: S,
 }
 
@@ -38,13 +38,17 @@ impl<S: Scalar> Exchange<S> {
 
     /// Adds a term that is accurate relative to itself.
     pub(super) fn add(&mut self, term: S) {
-        self.magnitude = self.magnitude.clone() + &term.abs();
+        if S::TRACKS_ROUNDING {
+            self.magnitude = self.magnitude.clone() + &term.abs();
+        }
         self.value = self.value.clone() + &term;
     }
 
-    /// Adds a term that is accurate relative to `magnitude` ≥ |term|.
-    pub(super) fn add_uncertain(&mut self, term: S, magnitude: &S) {
-        self.magnitude = self.magnitude.clone() + &magnitude.abs();
+    /// Adds a term that is accurate relative to `magnitude`, ≥ |term| in absolute value.
+    pub(super) fn add_uncertain(&mut self, term: S, magnitude: impl FnOnce() -> S) {
+        if S::TRACKS_ROUNDING {
+            self.magnitude = self.magnitude.clone() + &magnitude().abs();
+        }
         self.value = self.value.clone() + &term;
     }
 
@@ -112,6 +116,25 @@ impl Exchange<f64> {
     }
 }
 
+impl<S: Scalar> Exchange<S> {
+    /// An exchange area in any number type, in the unit of its spans.
+    ///
+    /// # Errors
+    /// [`FormFactorError::NotResolved`] if it is not positive beyond its rounding, where the type tracks that;
+    /// [`FormFactorError::OutOfRange`] if it has no bounds.
+    pub fn certain(self) -> Result<S, FormFactorError> {
+        let value = self.value.to_f64();
+        let error_bound = tolerance::RECTANGLE_TERMS * f64::EPSILON * self.magnitude.to_f64();
+        if !value.is_finite() {
+            Err(FormFactorError::OutOfRange { value })
+        } else if S::TRACKS_ROUNDING && value <= error_bound {
+            Err(FormFactorError::NotResolved { value, error_bound })
+        } else {
+            Ok(self.value)
+        }
+    }
+}
+
 /// The sign of a corner.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Sign {
@@ -119,20 +142,17 @@ pub(super) enum Sign {
     Minus,
 }
 
-/// `ln r_b² − ln r_a²` from the difference of squares, with the size of its uncertainty over ε.
-///
-/// `uncertainty` is the magnitude that `difference` was computed from (≥ |difference|).
-pub(super) fn log_ratio<S: Scalar>(difference: &S, uncertainty: &S, r2_a: &S, r2_b: &S) -> (S, S) {
-    let (smaller, larger) = if r2_a < r2_b {
-        (r2_a, r2_b)
+/// `ln r_b² − ln r_a²` from the difference of squares; either form is right, the one taken keeps its digits.
+pub(super) fn log_ratio<S: Scalar>(difference: &S, r2_a: &S, r2_b: &S) -> S {
+    if *difference < difference.zero() {
+        -(-difference.clone() / r2_b).ln_1p()
     } else {
-        (r2_b, r2_a)
-    };
-    let size = (difference.abs() / smaller).ln_1p();
-    let log = if *difference < difference.zero() {
-        -size.clone()
-    } else {
-        size.clone()
-    };
-    (log, size + &(uncertainty.clone() / larger))
+        (difference.clone() / r2_a).ln_1p()
+    }
+}
+
+/// What the rounding of [`log_ratio`] is relative to, if `uncertainty` is what its difference was computed from.
+pub(super) fn log_ratio_size<S: Scalar>(log: &S, uncertainty: &S, r2_a: &S, r2_b: &S) -> S {
+    let larger = if r2_a < r2_b { r2_b } else { r2_a };
+    log.abs() + &(uncertainty.clone() / larger)
 }

@@ -14,7 +14,7 @@
 //! Source: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-13.
 
 use super::FormFactorError;
-use super::exchange::{Exchange, Sign, log_ratio};
+use super::exchange::{Exchange, Sign, log_ratio, log_ratio_size};
 use crate::geometry::Span;
 use crate::numeric::Scalar;
 
@@ -152,15 +152,18 @@ fn difference_in_v<S: Scalar>(u: &S, y: &Span<S>, eta: &S, z: &S) -> Exchange<S>
     sum.add(v0.clone() * &p * &(delta * &p).atan2(&(p2 + &(v0 * &v1))));
     // u q atan(u/q)
     let angle = u.atan2(&q1) * u;
-    sum.add_uncertain(angle.clone() * &q_step, &(angle * &q_step_size));
+    sum.add_uncertain(angle.clone() * &q_step, || angle * &q_step_size);
     let denominator = q0.clone() * &q1 + &u.square();
     let narrowing = u.clone() * &q_step;
     let turn = narrowing.atan2(&denominator) * u * &q0;
-    let turn_size = u.square() * &q_step_size / &denominator * &q0;
-    sum.add_uncertain(-turn, &turn_size);
+    sum.add_uncertain(-turn, || {
+        u.square() * &q_step_size / &denominator * &q0
+    });
     // −(z²/2) ln r²
-    let (log, log_size) = log_ratio(&squares, &squares_size, &r2_0, &r2_1);
+    let log = log_ratio(&squares, &r2_0, &r2_1);
     let half_z2 = z2 / &z.constant(2.0);
-    sum.add_uncertain(-(log * &half_z2), &(log_size * &half_z2));
+    sum.add_uncertain(-(log.clone() * &half_z2), || {
+        log_ratio_size(&log, &squares_size, &r2_0, &r2_1) * &half_z2
+    });
     sum
 }

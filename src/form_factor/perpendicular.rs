@@ -15,7 +15,7 @@
 //! Source: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-15.
 
 use super::FormFactorError;
-use super::exchange::{Exchange, Sign, log_ratio};
+use super::exchange::{Exchange, Sign, log_ratio, log_ratio_size};
 use super::parallel::second_difference;
 use crate::geometry::Span;
 use crate::numeric::Scalar;
@@ -25,6 +25,17 @@ use crate::numeric::Scalar;
 pub struct Plate<S = f64> {
     depth: Span<S>,
     width: Span<S>,
+}
+
+impl Plate {
+    /// The same plate as numbers of the type and precision of `like`.
+    #[must_use]
+    pub fn lifted<S: Scalar>(&self, like: &S) -> Plate<S> {
+        Plate {
+            depth: self.depth.lifted(like),
+            width: self.width.lifted(like),
+        }
+    }
 }
 
 impl<S: Scalar> Plate<S> {
@@ -120,17 +131,19 @@ pub fn strip_exchange_at_depth<S: Scalar>(
             let s = s2.sqrt();
             let r2 = s2 + &v.square();
             let mut corner = Exchange::new(depth);
-            // x/s is a cosine; where both vanish the limit x → 0 at z = 0 makes it 1
-            let cosine = if s.is_zero() {
+            // x/s is a cosine, 1 at z = 0 also in the limit x → 0
+            let cosine = if z.is_zero() {
                 depth.constant(1.0)
             } else {
                 depth.clone() / &s
             };
             corner.add(v.atan2(&s) * &v * &cosine);
-            if !r2.is_zero() {
-                let coefficient = depth.clone() * &half;
-                corner.add_uncertain(-(r2.ln() * &coefficient), &log_size(&coefficient, &r2));
-            }
+            let log_term = if z.is_zero() && v.is_zero() {
+                depth.x_ln_x() // r = x
+            } else {
+                depth.clone() * &half * &r2.ln()
+            };
+            corner.add_uncertain(-log_term.clone(), || log_size(&log_term, depth));
             let sign = if sign_z == sign_v {
                 Sign::Plus
             } else {
@@ -163,10 +176,12 @@ pub fn strip_exchange_at_width<S: Scalar>(
                 let r2 = s2 + &v.square();
                 let mut corner = Exchange::new(y);
                 corner.add(v.atan2(&s) * &s);
-                if !r2.is_zero() {
-                    let coefficient = v * &half;
-                    corner.add_uncertain(r2.ln() * &coefficient, &log_size(&coefficient, &r2));
-                }
+                let log_term = if s.is_zero() {
+                    v.x_ln_x() // r = |v|
+                } else {
+                    v.clone() * &half * &r2.ln()
+                };
+                corner.add_uncertain(log_term.clone(), || log_size(&log_term, &v));
                 let plus = (sign_x == sign_z) != (sign_eta == Sign::Plus);
                 sum.add_signed(if plus { Sign::Plus } else { Sign::Minus }, &corner);
             }
@@ -181,8 +196,8 @@ fn ends<S: Scalar>(span: &Span<S>) -> [(&S, Sign); 2] {
 
 /// What the rounding of `coefficient · ln r²` is relative to: near r² = 1 the logarithm is small
 /// but its error is not.
-fn log_size<S: Scalar>(coefficient: &S, r2: &S) -> S {
-    (r2.ln().abs() + &r2.constant(1.0)) * &coefficient.abs()
+fn log_size<S: Scalar>(term: &S, coefficient: &S) -> S {
+    term.abs() + &coefficient.abs()
 }
 
 /// `G(x1, z, v) − G(x0, z, v)`, each term to its own relative precision.
@@ -199,7 +214,8 @@ fn difference_in_depth<S: Scalar>(x: &Span<S>, z: &S, v: &S) -> Exchange<S> {
     if r2_0.is_zero() {
         // one corner lies on the other plate: G there is 0
         let coefficient = s2_1 * &quarter;
-        sum.add_uncertain(-(r2_1.ln() * &coefficient), &log_size(&coefficient, &r2_1));
+        let log_term = r2_1.ln() * &coefficient;
+        sum.add_uncertain(-log_term.clone(), || log_size(&log_term, &coefficient));
         return sum;
     }
     // v s atan(v/s)
@@ -210,14 +226,14 @@ fn difference_in_depth<S: Scalar>(x: &Span<S>, z: &S, v: &S) -> Exchange<S> {
         sum.add(-((v.clone() * &s_step).atan2(&denominator) * v * &s0));
     }
     // −¼ (s² − v²) ln r²
-    let (log, log_ratio_size) = log_ratio(&squares, &squares, &r2_0, &r2_1);
+    let log = log_ratio(&squares, &r2_0, &r2_1);
     let difference = (s2_1.clone() - &v2) * &quarter;
-    sum.add_uncertain(
-        -(log * &difference),
-        &(log_ratio_size * &((s2_1 + &v2) * &quarter)),
-    );
+    sum.add_uncertain(-(log.clone() * &difference), || {
+        log_ratio_size(&log, &squares, &r2_0, &r2_1) * &((s2_1 + &v2) * &quarter)
+    });
     let coefficient = squares * &quarter;
-    sum.add_uncertain(-(r2_0.ln() * &coefficient), &log_size(&coefficient, &r2_0));
+    let log_term = r2_0.ln() * &coefficient;
+    sum.add_uncertain(-log_term.clone(), || log_size(&log_term, &coefficient));
     sum
 }
 
@@ -244,25 +260,26 @@ fn difference_in_width<S: Scalar>(x: &S, z: &S, y: &Span<S>, eta: &S) -> Exchang
         for (v2, r2, sign) in [(&v2_1, &r2_1, Sign::Plus), (&v2_0, &r2_0, Sign::Minus)] {
             if !r2.is_zero() {
                 let coefficient = v2.clone() * &quarter;
-                let term = r2.ln() * &coefficient;
-                let term = if sign == Sign::Plus { term } else { -term };
-                sum.add_uncertain(term, &log_size(&coefficient, r2));
+                let log_term = r2.ln() * &coefficient;
+                let signed = match sign {
+                    Sign::Plus => log_term.clone(),
+                    Sign::Minus => -log_term.clone(),
+                };
+                sum.add_uncertain(signed, || log_size(&log_term, &coefficient));
             }
         }
         return sum;
     }
     let squares = delta.clone() * &(v1.clone() + &v0);
     let squares_size = delta * &(v1.abs() + &v0.abs());
-    let (log, log_ratio_size) = log_ratio(&squares, &squares_size, &r2_0, &r2_1);
+    let log = log_ratio(&squares, &r2_0, &r2_1);
     let difference = (s2.clone() - &v2_1) * &quarter;
-    sum.add_uncertain(
-        -(log * &difference),
-        &(log_ratio_size * &((s2 + &v2_1) * &quarter)),
-    );
-    let coefficient = squares_size * &quarter;
-    sum.add_uncertain(
-        r2_0.ln() * &squares * &quarter,
-        &log_size(&coefficient, &r2_0),
-    );
+    sum.add_uncertain(-(log.clone() * &difference), || {
+        log_ratio_size(&log, &squares_size, &r2_0, &r2_1) * &((s2 + &v2_1) * &quarter)
+    });
+    let log = r2_0.ln();
+    sum.add_uncertain(log.clone() * &squares * &quarter, || {
+        (log.abs() + &log.constant(1.0)) * &squares_size * &quarter
+    });
     sum
 }

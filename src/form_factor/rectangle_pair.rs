@@ -7,31 +7,32 @@
 
 use super::parallel::{self, strip_exchange};
 use super::perpendicular::{self, Plate, strip_exchange_at_depth, strip_exchange_at_width};
-use super::{ExchangeArea, FormFactorError};
+use super::{Exchange, ExchangeArea, FormFactorError};
 use crate::geometry::{Extent, GeometryError, Placement, Rectangle, Span, SplitAxis};
+use crate::numeric::Scalar;
 
 /// Two rectangles with edges along three common axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RectanglePair {
-    first: [Span; 2],
-    second: Second,
+pub struct RectanglePair<S = f64> {
+    first: [Span<S>; 2],
+    second: Second<S>,
     unit: f64,
 }
 
 /// The second rectangle in the first one's frame, already clipped to its front.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Second {
+enum Second<S> {
     /// Nothing of it is visible from anywhere on the first one's plane.
     Dark,
     /// In a parallel plane.
-    Parallel { spans: [Span; 2], distance: f64 },
+    Parallel { spans: [Span<S>; 2], distance: S },
     /// In the plane where the coordinate along `across` is `plane`; its front is where that
     /// coordinate is larger (`faces_along`) or smaller. Its width runs along the other axis.
     Perpendicular {
         across: SplitAxis,
-        plane: f64,
+        plane: S,
         faces_along: bool,
-        plate: Plate,
+        plate: Plate<S>,
     },
 }
 
@@ -55,46 +56,66 @@ impl RectanglePair {
     /// [`FormFactorError::OutOfRange`] if the value leaves the range of `f64`;
     /// [`FormFactorError::NotResolved`] if rounding leaves no correct digit.
     pub fn exchange_area(&self) -> Result<ExchangeArea, FormFactorError> {
-        let exchange = match &self.second {
-            Second::Dark => {
-                return Ok(ExchangeArea {
-                    value: 0.0,
-                    error_bound: 0.0,
-                });
-            }
-            Second::Parallel { spans, distance } => {
-                parallel::exchange_area(&self.first, spans, distance)?
-            }
-            Second::Perpendicular {
-                across,
-                plane,
-                faces_along,
-                plate,
-            } => {
-                let depth = self.depth(*across, *plane, *faces_along);
-                let Some(depth) = depth.above(&0.0) else {
-                    return Ok(ExchangeArea {
-                        value: 0.0,
-                        error_bound: 0.0,
-                    });
-                };
-                let width = self.first[other(*across) as usize];
-                perpendicular::exchange_area(&Plate::try_new(depth, width)?, plate)
-            }
-        };
-        exchange.resolved(self.unit * self.unit)
+        match self.exchange()? {
+            Some(exchange) => exchange.resolved(self.unit * self.unit),
+            None => Ok(ExchangeArea {
+                value: 0.0,
+                error_bound: 0.0,
+            }),
+        }
+    }
+
+    /// The same pair, as placed, in numbers of the type and precision of `like`.
+    #[must_use]
+    pub fn lifted<S: Scalar>(&self, like: &S) -> RectanglePair<S> {
+        RectanglePair {
+            first: self.first.map(|span| span.lifted(like)),
+            second: match &self.second {
+                Second::Dark => Second::Dark,
+                Second::Parallel { spans, distance } => Second::Parallel {
+                    spans: spans.map(|span| span.lifted(like)),
+                    distance: like.constant(*distance),
+                },
+                Second::Perpendicular {
+                    across,
+                    plane,
+                    faces_along,
+                    plate,
+                } => Second::Perpendicular {
+                    across: *across,
+                    plane: like.constant(*plane),
+                    faces_along: *faces_along,
+                    plate: plate.lifted(like),
+                },
+            },
+            unit: self.unit,
+        }
+    }
+}
+
+impl<S: Scalar> RectanglePair<S> {
+    /// The exchange area in any number type: over intervals an enclosure.
+    ///
+    /// # Errors
+    /// [`FormFactorError::OutOfRange`] if the value leaves the range or has no bounds;
+    /// [`FormFactorError::NotResolved`] if rounding leaves no correct digit.
+    pub fn exchange_value(&self) -> Result<S, FormFactorError> {
+        match self.exchange()? {
+            Some(exchange) => self.in_range(exchange.certain()?),
+            None => Ok(self.first[0].lower().zero()),
+        }
     }
 
     /// The pair in which the first rectangle is only its part between two relative positions.
     ///
     /// # Errors
     /// [`FormFactorError::Geometry`] unless `0 ≤ from < to ≤ 1`.
-    pub fn part(&self, axis: SplitAxis, from: f64, to: f64) -> Result<Self, FormFactorError> {
+    pub fn part(&self, axis: SplitAxis, from: &S, to: &S) -> Result<Self, FormFactorError> {
         for position in [from, to] {
             relative(position)?;
         }
-        let mut part = *self;
-        part.first[axis as usize] = self.first[axis as usize].part(&from, &to)?;
+        let mut part = self.clone();
+        part.first[axis as usize] = self.first[axis as usize].part(from, to)?;
         Ok(part)
     }
 
@@ -106,17 +127,17 @@ impl RectanglePair {
     /// # Errors
     /// [`FormFactorError::Geometry`] if the position is not in `[0, 1]`;
     /// [`FormFactorError::OutOfRange`] if the value leaves the range of `f64`.
-    pub fn strip_exchange(&self, axis: SplitAxis, position: f64) -> Result<f64, FormFactorError> {
+    pub fn strip_exchange(&self, axis: SplitAxis, position: &S) -> Result<S, FormFactorError> {
         relative(position)?;
-        let along = self.first[axis as usize];
-        let at = along.lower() + position * along.length();
-        let across = self.first[other(axis) as usize];
+        let along = &self.first[axis as usize];
+        let at = along.length().clone() * position + along.lower();
+        let across = &self.first[other(axis) as usize];
         let exchange = match &self.second {
-            Second::Dark => return Ok(0.0),
+            Second::Dark => return Ok(position.zero()),
             Second::Parallel { spans, distance } => {
-                let [u, v] = *spans;
+                let [u, v] = spans.clone();
                 let spans = if axis == SplitAxis::U { [u, v] } else { [v, u] };
-                strip_exchange(&at, &across, &spans, distance)?
+                strip_exchange(&at, across, &spans, distance)?
             }
             Second::Perpendicular {
                 across: normal,
@@ -125,35 +146,74 @@ impl RectanglePair {
                 plate,
             } => {
                 if axis == *normal {
-                    let depth = if *faces_along { at - plane } else { plane - at };
-                    if depth < 0.0 {
-                        return Ok(0.0);
-                    }
-                    strip_exchange_at_depth(&depth, &across, plate)
-                } else {
-                    let depth = self.depth(*normal, *plane, *faces_along);
-                    let Some(depth) = depth.above(&0.0) else {
-                        return Ok(0.0);
+                    let depth = if *faces_along {
+                        at - plane
+                    } else {
+                        plane.clone() - &at
                     };
-                    strip_exchange_at_width(&depth, &at, plate)
+                    if depth < depth.zero() {
+                        return Ok(position.zero());
+                    }
+                    strip_exchange_at_depth(&depth, across, plate)
+                } else {
+                    match self.depth(*normal, plane, *faces_along) {
+                        Some(depth) => strip_exchange_at_width(&depth, &at, plate),
+                        None => return Ok(position.zero()),
+                    }
                 }
             }
         };
-        Ok(exchange.in_range(self.unit * self.unit)?.value * along.length())
+        self.in_range(exchange.value * along.length())
     }
 
-    /// The first rectangle's extent as a distance in front of the second one's plane.
-    fn depth(&self, across: SplitAxis, plane: f64, faces_along: bool) -> Span {
-        let extent = self.first[across as usize];
-        if faces_along {
-            extent.shifted(&-plane)
-        } else {
-            extent.mirrored(&plane)
+    /// What the two exchange, in units of their frame; `None` if nothing.
+    fn exchange(&self) -> Result<Option<Exchange<S>>, FormFactorError> {
+        match &self.second {
+            Second::Dark => Ok(None),
+            Second::Parallel { spans, distance } => {
+                parallel::exchange_area(&self.first, spans, distance).map(Some)
+            }
+            Second::Perpendicular {
+                across,
+                plane,
+                faces_along,
+                plate,
+            } => match self.depth(*across, plane, *faces_along) {
+                Some(depth) => {
+                    let width = self.first[other(*across) as usize].clone();
+                    let first = Plate::try_new(depth, width)?;
+                    Ok(Some(perpendicular::exchange_area(&first, plate)))
+                }
+                None => Ok(None),
+            },
         }
+    }
+
+    /// In squared units of length, if that is a number.
+    fn in_range(&self, value: S) -> Result<S, FormFactorError> {
+        let value = value.clone() * &value.constant(self.unit * self.unit);
+        if value.to_f64().is_finite() {
+            Ok(value)
+        } else {
+            Err(FormFactorError::OutOfRange {
+                value: value.to_f64(),
+            })
+        }
+    }
+
+    /// The part of the first rectangle in front of the second one's plane, as distances from it.
+    fn depth(&self, across: SplitAxis, plane: &S, faces_along: bool) -> Option<Span<S>> {
+        let extent = &self.first[across as usize];
+        let depth = if faces_along {
+            extent.shifted(&-plane.clone())
+        } else {
+            extent.mirrored(plane)
+        };
+        depth.above(&plane.zero())
     }
 }
 
-impl TryFrom<&Placement> for Second {
+impl TryFrom<&Placement> for Second<f64> {
     type Error = FormFactorError;
 
     fn try_from(placement: &Placement) -> Result<Self, FormFactorError> {
@@ -193,17 +253,17 @@ impl TryFrom<&Placement> for Second {
     }
 }
 
-fn relative(position: f64) -> Result<(), GeometryError> {
-    let (lower, upper) = (0.0, 1.0);
-    if (lower..=upper).contains(&position) {
-        Ok(())
-    } else {
-        Err(GeometryError::PositionOutOfRange {
-            position,
-            lower,
-            upper,
-        })
+/// Refuses a position that is certainly not in `[0, 1]`.
+fn relative<S: Scalar>(position: &S) -> Result<(), GeometryError> {
+    let number = position.to_f64();
+    if *position < position.zero() || *position > position.constant(1.0) || number.is_nan() {
+        return Err(GeometryError::PositionOutOfRange {
+            position: number,
+            lower: 0.0,
+            upper: 1.0,
+        });
     }
+    Ok(())
 }
 
 const fn other(axis: SplitAxis) -> SplitAxis {

@@ -14,6 +14,19 @@ pub struct Span<S = f64> {
     length: S,
 }
 
+impl Span {
+    /// The same span as numbers of the type and precision of `like`: lower end and length exactly as given.
+    #[must_use]
+    pub fn lifted<S: Scalar>(&self, like: &S) -> Span<S> {
+        let [lower, length] = [self.lower, self.length].map(|end| like.constant(end));
+        Span {
+            upper: lower.clone() + &length,
+            lower,
+            length,
+        }
+    }
+}
+
 impl<S: Scalar> Span<S> {
     /// The span between two points in increasing order.
     ///

@@ -17,7 +17,7 @@
 
 use super::FAR_ABOVE;
 use crate::chain::Refinement;
-use crate::numeric::{Expansion, Scaled, common_scale, compensated_sum, divergence_kernel};
+use crate::numeric::{Expansion, Scalar, Scaled, common_scale, compensated_sum, divergence_kernel};
 use std::cell::OnceCell;
 use std::f64::consts::LN_2;
 
@@ -47,6 +47,23 @@ pub fn divergence(fluxes: &[f64], weights: &[f64]) -> f64 {
     let rows = Side::new(&weights[..count], &exact);
     let (value, unit) = block_divergence(&|k, _| fluxes[k], &rows, &Side::whole());
     Scaled::new(value).times_power(unit)
+}
+
+/// The same `D(J ‖ w)` in any number type, over intervals an enclosure.
+///
+/// [`divergence`] takes doubles as exact, and keeps its digits where known fluxes are nearly proportional;
+/// this one is for fluxes that were themselves computed.
+///
+/// **Arguments** `flux` and `weight`: the sums over the parts; `parts`: flux and weight of each, weights > 0.
+/// **Returns** bits times the unit of flux.
+#[must_use]
+pub fn relative_entropy<S: Scalar>(flux: &S, weight: &S, parts: &[[S; 2]]) -> S {
+    let nats = parts.iter().fold(flux.zero(), |sum, [part, share]| {
+        // x = (J_k/J)/(w_k/w) − 1
+        let x = part.clone() * weight / &(share.clone() * flux) - &flux.constant(1.0);
+        sum + &(x.divergence_kernel() * share)
+    });
+    nats * flux / &(weight.constant(2.0).ln() * weight)
 }
 
 /// The gain `ΔI = I′ − I` of a refinement, eqs. (5), (7) and (11).

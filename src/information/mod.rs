@@ -8,7 +8,7 @@
 mod gain;
 mod measures;
 
-pub use gain::{divergence, refinement_gain, subdivision_bound};
+pub use gain::{divergence, refinement_gain, relative_entropy, subdivision_bound};
 pub use measures::{entropy_rate, mutual_information, positional_entropy};
 
 /// From this x on `a φ(x) = p (ln(p/a) − 1) + a` is used, whose factors cannot overflow.

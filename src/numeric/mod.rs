@@ -8,7 +8,10 @@
 //!
 //! **Not here**: geometry, and anything that knows what a form factor is.
 
+mod certified_maximum;
+mod certified_roots;
 mod compensated_sum;
+mod dual;
 mod entropy_kernel;
 mod error;
 mod expansion;
@@ -21,7 +24,10 @@ mod scalar;
 mod scaled;
 pub mod tolerance;
 
+pub use certified_maximum::{Certificate, CertifiedMaximum, End, Objective, certified_maximum};
+pub use certified_roots::{CertifiedRoot, CertifiedRoots, Function, certified_roots};
 pub use compensated_sum::compensated_sum;
+pub use dual::Dual;
 pub use entropy_kernel::{divergence_kernel, x_ln_x, x_log2_ratio, x_log2_x};
 pub use error::NumericError;
 pub use expansion::Expansion;

@@ -18,15 +18,15 @@ proptest! {
         let position = f64::from(eighth) / 8.0;
         let pair = RectanglePair::try_new(&first, &second).unwrap();
         let Ok(whole) = pair.exchange_area() else { return Ok(()) };
-        let near = pair.part(axis, 0.0, position).unwrap();
-        let far = pair.part(axis, position, 1.0).unwrap();
+        let near = pair.part(axis, &0.0, &position).unwrap();
+        let far = pair.part(axis, &position, &1.0).unwrap();
         let [cut_near, cut_far] = first.split(axis, position).unwrap().map(|part| {
             RectanglePair::try_new(&part, &second).unwrap()
         });
         // the cut rectangle's new corner is rounded: the line moves by ε of its coordinates
         let coordinate = first.corners().iter().map(|c| c.abs().max_element()).fold(0.0, f64::max);
         let moved = 2.0 * f64::EPSILON * coordinate / first.edge(axis).length();
-        let strip = pair.strip_exchange(axis, position).unwrap().abs();
+        let strip = pair.strip_exchange(axis, &position).unwrap().abs();
         for ([near, far], rounding) in [([near, far], 0.0), ([cut_near, cut_far], moved * strip)] {
             let (Ok(near), Ok(far)) = (near.exchange_area(), far.exchange_area()) else { return Ok(()) };
             let allowed = whole.error_bound + near.error_bound + far.error_bound + rounding;
@@ -43,7 +43,7 @@ fn parts_with_a_gap_between_them_do_not_add_up() {
     let (floor, wall) = (scene.rectangle(0).unwrap(), scene.rectangle(1).unwrap());
     let pair = RectanglePair::try_new(&floor, &wall).unwrap();
     let part = |from, to| {
-        pair.part(SplitAxis::U, from, to)
+        pair.part(SplitAxis::U, &from, &to)
             .unwrap()
             .exchange_area()
             .unwrap()
@@ -65,11 +65,11 @@ fn thin_parts_keep_their_digits() {
         let pair = RectanglePair::try_new(&floor, &other).unwrap();
         for axis in SplitAxis::ALL {
             let part = pair
-                .part(axis, 0.5, 0.5 + width)
+                .part(axis, &0.5, &(0.5 + width))
                 .unwrap()
                 .exchange_area()
                 .unwrap();
-            let strip = pair.strip_exchange(axis, 0.5).unwrap() * width;
+            let strip = pair.strip_exchange(axis, &0.5).unwrap() * width;
             // the strip changes by its relative slope, of order one, times the width
             assert!(
                 (part.value / strip - 1.0).abs() < 1e-11,

@@ -139,6 +139,15 @@ impl<E: Endpoint> Interval<E> {
         }
     }
 
+    /// An interval that contains the larger of a number here and a number there.
+    #[must_use]
+    pub fn larger_of(&self, other: &Self) -> Self {
+        Self {
+            lower: larger(&self.lower, &other.lower).clone(),
+            upper: larger(&self.upper, &other.upper).clone(),
+        }
+    }
+
     /// The two halves; `None` where no number lies between the ends.
     #[must_use]
     pub fn halves(&self) -> Option<[Self; 2]> {
