@@ -10,19 +10,19 @@
 //! over the cell pairs of one opposite and one adjacent pair of faces, as a sum of non-negative
 //! terms. As a line and its mirror image move, only the joint probabilities matter: because
 //! `w_i = Σ_j J_ij` sums to one, `dI = Σ dJ_ij ln( J_ij/(w_i w_j) ) − 2 Σ dw_i`, and the last sum vanishes.
+//! Pairs that are mirror images of each other are computed once ([`CellPair`]).
 //!
 //! **Not covered**: boxes, grids whose axes differ, lines that are not symmetric.
 
 use super::DiscretizeError;
-use crate::form_factor::{parallel, perpendicular};
+use super::cell_pair::{CellPair, classes};
 use crate::geometry::Span;
-use crate::numeric::{compensated_sum, divergence_kernel, maximum_of_many};
-use std::f64::consts::LN_2;
+use crate::numeric::{Scalar, maximum_of_many};
 
 /// Lines `0 < t_1 < … < 1` with `t_k + t_{n+1−k} = 1`, on both axes of all six faces of the unit cube.
 #[derive(Debug, Clone, PartialEq)]
-pub struct CubeGrid {
-    cells: Vec<Span>,
+pub struct CubeGrid<S = f64> {
+    cells: Vec<Span<S>>,
 }
 
 /// Area of the cube's faces.
@@ -47,13 +47,7 @@ impl CubeGrid {
                 condition,
             });
         }
-        let from = std::iter::once(0.0).chain(lines.iter().copied());
-        let to = lines.iter().copied().chain(std::iter::once(1.0));
-        let cells = from
-            .zip(to)
-            .map(|(from, to)| Span::try_new(from, to))
-            .collect::<Result<_, _>>()?;
-        Ok(Self { cells })
+        Self::from_lines(lines, &1.0)
     }
 
     /// The grid of `cells` equal cells a side.
@@ -87,167 +81,119 @@ impl CubeGrid {
             return Self::regular(cells);
         }
         let grid = |doubled: &[f64]| {
-            let lower = doubled.iter().map(|line| 0.5 * line);
-            let middle = cells.is_multiple_of(2).then_some(0.5);
-            let upper = doubled.iter().rev().map(|line| 1.0 - 0.5 * line);
-            Self::try_new(&lower.chain(middle).chain(upper).collect::<Vec<f64>>())
+            let half: Vec<f64> = doubled.iter().map(|line| 0.5 * line).collect();
+            Self::mirrored(&half, cells, &1.0)
         };
         // a refused grid has no gradient; the optimiser reports where
-        let gradient = |doubled: &[f64]| match grid(doubled).and_then(|grid| grid.gradient()) {
-            Ok(mut gradient) => {
-                gradient.truncate(doubled.len());
-                gradient
-            }
-            Err(_) => vec![f64::NAN; doubled.len()],
+        let gradient = |doubled: &[f64]| {
+            grid(doubled)
+                .and_then(|grid| grid.gradient())
+                .unwrap_or_else(|_| vec![f64::NAN; doubled.len()])
         };
         let doubled = maximum_of_many(gradient, half.iter().map(|line| 2.0 * line).collect())?;
         grid(&doubled)
     }
+}
+
+impl<S: Scalar> CubeGrid<S> {
+    /// The grid of `cells` cells a side whose lines below 1/2 are `half`; the others are their mirror images, and
+    /// 1/2 for an even number of cells.
+    ///
+    /// **Arguments** `like` sets the type and precision.
+    ///
+    /// # Errors
+    /// [`DiscretizeError::Geometry`] unless the lines increase inside `(0, 1/2)`.
+    pub fn mirrored(half: &[S], cells: u32, like: &S) -> Result<Self, DiscretizeError> {
+        let one = like.constant(1.0);
+        let middle = cells.is_multiple_of(2).then(|| like.constant(0.5));
+        let upper = half.iter().rev().map(|line| one.clone() - line);
+        let lines: Vec<S> = half.iter().cloned().chain(middle).chain(upper).collect();
+        Self::from_lines(&lines, like)
+    }
+
+    /// The grid of `cells` equal cells a side, in the type and precision of `like`.
+    ///
+    /// # Errors
+    /// As [`mirrored`](Self::mirrored), for zero cells.
+    pub fn regular_like(cells: u32, like: &S) -> Result<Self, DiscretizeError> {
+        let count = like.constant(f64::from(cells));
+        let lines = (1..cells).map(|k| like.constant(f64::from(k)) / &count);
+        Self::from_lines(&lines.collect::<Vec<S>>(), like)
+    }
+
+    fn from_lines(lines: &[S], like: &S) -> Result<Self, DiscretizeError> {
+        let (zero, one) = (like.zero(), like.constant(1.0));
+        let from = std::iter::once(&zero).chain(lines);
+        let to = lines.iter().chain(std::iter::once(&one));
+        let cells = from
+            .zip(to)
+            .map(|(from, to)| Span::try_new(from.clone(), to.clone()))
+            .collect::<Result<_, _>>()?;
+        Ok(Self { cells })
+    }
 
     /// The inner lines, increasing.
     #[must_use]
-    pub fn lines(&self) -> Vec<f64> {
-        self.cells[1..].iter().map(|cell| *cell.lower()).collect()
+    pub fn lines(&self) -> Vec<S> {
+        self.cells[1..]
+            .iter()
+            .map(|cell| cell.lower().clone())
+            .collect()
     }
 
     /// Discrete mutual information of the cube with this grid, in bits.
     ///
     /// # Errors
     /// [`DiscretizeError::FormFactor`] if a cell is refused.
-    pub fn mutual_information(&self) -> Result<f64, DiscretizeError> {
-        let mut terms = Vec::new();
-        self.for_each_pair(|pair| {
-            let independent = pair.areas / (TOTAL_AREA * TOTAL_AREA);
-            let joint = pair.exchange()? / TOTAL_AREA;
-            terms.push(
-                pair.multiplicity * independent * divergence_kernel(joint / independent - 1.0),
-            );
-            Ok(())
-        })?;
+    pub fn mutual_information(&self) -> Result<S, DiscretizeError> {
+        let like = self.cells[0].length();
+        let (one, total) = (like.constant(1.0), like.constant(TOTAL_AREA));
         // a face does not see itself: x = −1, φ = 1, on six faces
-        terms.push(6.0 / (TOTAL_AREA * TOTAL_AREA));
-        Ok(compensated_sum(terms) / LN_2)
+        let mut nats = one.clone() / &total;
+        for (pair, count) in self.pairs() {
+            let areas = pair.areas();
+            let x = pair.exchange()? * &total / &areas - &one;
+            let independent = areas / &total.square();
+            nats = nats + &(x.divergence_kernel() * &independent * &like.constant(count));
+        }
+        Ok(nats / &like.constant(2.0).ln())
     }
 
-    /// The derivative of the mutual information by each line's position, as that line moves on every face
-    /// at once and its mirror image against it, in bits; 0 for the middle line.
+    /// The derivative of the mutual information by the position of each line below 1/2, as that line moves on every
+    /// face at once and its mirror image against it, in bits.
     ///
     /// # Errors
     /// [`DiscretizeError::FormFactor`] if a cell is refused.
-    pub fn gradient(&self) -> Result<Vec<f64>, DiscretizeError> {
+    pub fn gradient(&self) -> Result<Vec<S>, DiscretizeError> {
         let lines = self.cells.len() - 1;
-        let mut terms = vec![Vec::new(); lines];
-        self.for_each_pair(|pair| {
-            let rates = (0..lines)
-                .map(|k| pair.rate(k))
-                .collect::<Result<Vec<f64>, _>>()?;
-            if rates.iter().all(|rate| rate.abs() <= 0.0) {
-                return Ok(());
-            }
-            let ratio = pair.exchange()? * TOTAL_AREA / pair.areas;
-            let factor = pair.multiplicity / TOTAL_AREA * ratio.ln();
-            for (k, terms) in terms.iter_mut().enumerate() {
-                terms.push(factor * (rates[k] - rates[lines - 1 - k]));
-            }
-            Ok(())
-        })?;
-        Ok(terms
-            .into_iter()
-            .map(|terms| compensated_sum(terms) / LN_2)
-            .collect())
-    }
-
-    fn for_each_pair(
-        &self,
-        mut visit: impl FnMut(CellPair<'_>) -> Result<(), DiscretizeError>,
-    ) -> Result<(), DiscretizeError> {
-        let n = self.cells.len();
-        let all = || (0..n).flat_map(move |row| (0..n).map(move |column| [row, column]));
-        for (faces, multiplicity) in [(Faces::Opposite, 6.0), (Faces::Adjacent, 24.0)] {
-            for first in all() {
-                for second in all() {
-                    let length = |[row, column]: [usize; 2]| {
-                        self.cells[row].length() * self.cells[column].length()
-                    };
-                    let areas = length(first) * length(second);
-                    visit(CellPair {
-                        cells: &self.cells,
-                        faces,
-                        multiplicity,
-                        first,
-                        second,
-                        areas,
-                    })?;
-                }
-            }
-        }
-        Ok(())
-    }
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Faces {
-    Opposite,
-    Adjacent,
-}
-
-/// Two cells by their indices on two axes; for adjacent faces the first index is the depth.
-#[derive(Debug, Clone, Copy)]
-struct CellPair<'g> {
-    cells: &'g [Span],
-    faces: Faces,
-    multiplicity: f64,
-    first: [usize; 2],
-    second: [usize; 2],
-    areas: f64,
-}
-
-impl CellPair<'_> {
-    fn spans(&self, cell: [usize; 2]) -> [Span; 2] {
-        cell.map(|index| self.cells[index])
-    }
-
-    fn exchange(&self) -> Result<f64, DiscretizeError> {
-        let (first, second) = (self.spans(self.first), self.spans(self.second));
-        let exchange = match self.faces {
-            Faces::Opposite => parallel::exchange_area(&first, &second, &1.0)?,
-            Faces::Adjacent => {
-                let plate = |[depth, width]: [Span; 2]| perpendicular::Plate::try_new(depth, width);
-                perpendicular::exchange_area(&plate(first)?, &plate(second)?)
-            }
-        };
-        Ok(exchange.resolved(1.0)?.value)
-    }
-
-    /// `∂(A F)` as line `k` moves: each side on the line contributes its strip, outwards or inwards.
-    fn rate(&self, k: usize) -> Result<f64, DiscretizeError> {
-        let mut rate = 0.0;
-        for (this, other) in [(self.first, self.second), (self.second, self.first)] {
-            for side in 0..2 {
-                let sign = match this[side] {
-                    cell if cell == k => 1.0, // the line is this cell's upper end
-                    cell if cell == k + 1 => -1.0,
-                    _ => continue,
+        let like = self.cells[0].length();
+        let total = like.constant(TOTAL_AREA);
+        let mut gradient = vec![like.zero(); lines / 2];
+        for (pair, count) in self.pairs() {
+            let mut log_ratio = None;
+            for (k, derivative) in gradient.iter_mut().enumerate() {
+                let Some(rate) = pair.mirrored_rate(k)? else {
+                    continue;
                 };
-                let at = *self.cells[k].upper();
-                let (along, other) = (self.cells[this[1 - side]], self.spans(other));
-                rate += sign
-                    * match (self.faces, side) {
-                        (Faces::Opposite, _) => {
-                            let other = [other[side], other[1 - side]];
-                            parallel::strip_exchange(&at, &along, &other, &1.0)?.value
-                        }
-                        (Faces::Adjacent, 0) => {
-                            let plate = perpendicular::Plate::try_new(other[0], other[1])?;
-                            perpendicular::strip_exchange_at_depth(&at, &along, &plate).value
-                        }
-                        (Faces::Adjacent, _) => {
-                            let plate = perpendicular::Plate::try_new(other[0], other[1])?;
-                            perpendicular::strip_exchange_at_width(&along, &at, &plate).value
-                        }
-                    };
+                let log = match &log_ratio {
+                    Some(log) => log,
+                    None => {
+                        let ratio = pair.exchange()? * &total / &pair.areas();
+                        log_ratio.insert(ratio.ln() * &like.constant(count) / &total)
+                    }
+                };
+                *derivative = derivative.clone() + &(rate * log);
             }
         }
-        Ok(rate)
+        let ln_2 = like.constant(2.0).ln();
+        Ok(gradient.into_iter().map(|rate| rate / &ln_2).collect())
+    }
+
+    /// One pair of cells of each class, with how many there are on the cube.
+    fn pairs(&self) -> impl Iterator<Item = (CellPair<'_, S>, f64)> {
+        classes(self.cells.len()).into_iter().map(|class| {
+            let count = class.count;
+            (CellPair::new(&self.cells, class), count)
+        })
     }
 }

@@ -9,12 +9,12 @@
 //!
 //! m = 1 is what the paper prints; m = n follows from its own hypotheses (constant reflectance, no
 //! emission). With a = G/W, b = (1−G)/(1−W) and y = b/a the stationarity condition
-//! `G′ ln(a/b) = W′ (a − b)` reads `p/(p+m)·ln(1/y) = 1 − y`, which no longer contains l. With λ = −ln y
-//! it becomes two monotone equations in turn, both well conditioned for every p and m:
+//! `G′ ln(a/b) = W′ (a − b)` reads `p/(p+m)·ln(1/y) = 1 − y`. With λ = −ln y and l = e^−τ it is well conditioned for
+//! every p and m:
 //!
 //! ```text
 //!   λ/(1−e^−λ) − 1 = m/p                 left side from 0 to ∞, between λ/2 and λ: one root
-//!   m τ − ln1p(−e^−pτ (1−e^−mτ)/(1−e^−(p+m)τ)) = λ,   l = e^−τ
+//!   λ = m τ − ln1p(−e^−pτ (1−e^−mτ)/(1−e^−(p+m)τ)) ≥ m τ,   so that τ ≤ 2/p
 //! ```
 //!
 //! So the maximum is unique for every p, m > 0. The mean-square error of two constants is stationary where
@@ -24,8 +24,7 @@
 //! **Not covered**: other profiles than powers.
 
 use super::DiscretizeError;
-use crate::numeric::{NumericError, divergence_kernel, root};
-use std::f64::consts::LN_2;
+use crate::numeric::{Function, Interval, NumericError, Scalar, certified_roots, root};
 
 /// A patch with `B ∝ lⁿ` and irradiance `∝ lᵐ`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,6 +45,19 @@ pub struct Cut {
     pub value: f64,
     /// What is left of the stationarity condition, relative to its terms.
     pub residual: f64,
+}
+
+/// Where a patch is cut, enclosed; the cut is the only one of its kind inside `(0, 1)`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CertifiedCut {
+    /// Position l.
+    pub position: Interval,
+    /// `1 − l`.
+    pub complement: Interval,
+    /// The gain per flux in bits, or the mean square error for `B = lⁿ`.
+    pub value: Interval,
+    /// How often the stationarity condition was evaluated on an interval.
+    pub evaluations: u64,
 }
 
 /// The exponents that are accepted; the accuracy is measured at both ends.
@@ -80,19 +92,22 @@ impl GradientCut {
     /// The gain of a cut at `e^−τ`, in bits per unit of flux: the expression that §4.2 maximises.
     ///
     /// **Arguments** `tau` > 0.
-    /// **Accuracy** a few ε relative, also where the gain is of order `1/n²`.
+    /// **Accuracy** `f64`: a few ε relative, also where the gain is of order `1/n²`. `Interval`: encloses it.
     #[must_use]
-    pub fn gain_at(&self, tau: f64) -> f64 {
-        let (p, m) = (self.exponent + 1.0, self.irradiance_exponent);
-        let shrink = -(-p * tau).exp() * self.narrowing(tau); // b − 1
-        let nats = if m * tau < 1.0 {
-            let weight = (-(p + m) * tau).exp();
-            let rest = -(-(p + m) * tau).exp_m1();
-            weight * divergence_kernel((m * tau).exp_m1()) + rest * divergence_kernel(shrink)
+    pub fn gain_at<S: Scalar>(&self, tau: &S) -> S {
+        let Powers { p, m, .. } = self.powers(tau);
+        let one = tau.constant(1.0);
+        let (flux, rest) = (survival(&p, tau), loss(&p, tau));
+        let shrink = self.shrink(tau);
+        let growth = m.clone() * tau;
+        let nats = if growth < one {
+            let weight = survival(&(p.clone() + &m), tau);
+            weight * &growth.exp_m1().divergence_kernel()
+                + &(loss(&(p + &m), tau) * &shrink.divergence_kernel())
         } else {
-            (-p * tau).exp() * m * tau - (-p * tau).exp_m1() * shrink.ln_1p()
+            flux * &growth + &(rest * &shrink.ln_1p())
         };
-        nats / LN_2
+        nats / &tau.constant(2.0).ln()
     }
 
     /// The cut that maximises mutual information.
@@ -101,31 +116,15 @@ impl GradientCut {
     /// measured by `cuts_agree_with_their_references`.
     ///
     /// # Errors
-    /// [`DiscretizeError::Numeric`] if a root is not found, which the brackets exclude.
+    /// [`DiscretizeError::Numeric`] if a root is not found, which the bracket excludes.
     pub fn mutual_information_cut(&self) -> Result<Cut, DiscretizeError> {
-        let (p, m) = (self.exponent + 1.0, self.irradiance_exponent);
-        let ratio = m / p;
-        // λ/(1−e^−λ) − 1 = φ(e^λ − 1)/(e^λ − 1) lies between λ/2 and λ
-        let excess = |lambda: f64| {
-            if lambda < 1.0 {
-                let growth = lambda.exp_m1();
-                divergence_kernel(growth) / growth
-            } else {
-                lambda / -(-lambda).exp_m1() - 1.0
-            }
-        };
-        let lambda = bracketed_root(|lambda| excess(lambda) / ratio - 1.0, ratio, 2.0 * ratio)?;
-        let condition = |tau: f64| {
-            let shrink = -(-p * tau).exp() * self.narrowing(tau);
-            (m * tau - shrink.ln_1p()) / lambda - 1.0
-        };
-        let largest = lambda / m;
-        let tau = bracketed_root(condition, largest * 1e-9, largest)?;
+        let condition = InformationCondition(*self);
+        let (tau, residual) = self.solve(&condition, INFORMATION_RANGE)?;
         Ok(Cut {
-            position: (-tau).exp(),
-            complement: -(-tau).exp_m1(),
-            value: self.gain_at(tau),
-            residual: condition(tau),
+            position: survival(&1.0, &tau),
+            complement: loss(&1.0, &tau),
+            value: self.gain_at(&tau),
+            residual,
         })
     }
 
@@ -137,38 +136,178 @@ impl GradientCut {
     /// # Errors
     /// [`DiscretizeError::Numeric`] if a root is not found, which the bracket excludes.
     pub fn mean_square_cut(&self) -> Result<Cut, DiscretizeError> {
-        let n = self.exponent;
-        // 2n lⁿ (1−l)/(1−lⁿ) falls from 2 at l = 1
-        let condition =
-            |tau: f64| 2.0 * n * (-n * tau).exp() * (-tau).exp_m1() / (-n * tau).exp_m1() - 1.0;
-        // at l = (2n+1)^(−1/n) it is 1 − l < 1
-        let largest = (2.0 * n).ln_1p() / n;
-        let tau = bracketed_root(condition, largest * 1e-3, largest)?;
-        let (l, complement) = ((-tau).exp(), -(-tau).exp_m1());
-        // variance less what the two means explain: [ n²/(2n+1) − l (1−lⁿ)²/(1−l) ] / (n+1)², over n²
-        let drop = -(-n * tau).exp_m1() / n;
-        let share = 1.0 / (2.0 * n + 1.0) - l * drop * drop / complement;
-        let value = share * (n / (n + 1.0)).powi(2);
+        let condition = MeanSquareCondition(*self);
+        let (tau, residual) = self.solve(&condition, MEAN_SQUARE_RANGE)?;
         Ok(Cut {
-            position: l,
-            complement,
-            value,
-            residual: condition(tau),
+            position: survival(&1.0, &tau),
+            complement: loss(&1.0, &tau),
+            value: self.mean_square_error_at(&tau),
+            residual,
         })
     }
 
-    /// `(1−e^−mτ)/(1−e^−(p+m)τ)`, from m/(p+m) at τ = 0 to 1.
-    fn narrowing(&self, tau: f64) -> f64 {
-        let (p, m) = (self.exponent + 1.0, self.irradiance_exponent);
-        (-m * tau).exp_m1() / (-(p + m) * tau).exp_m1()
+    /// The cut that maximises mutual information, enclosed to about `bits` bits.
+    ///
+    /// # Errors
+    /// [`DiscretizeError::Numeric`] if its root cannot be isolated.
+    pub fn certified_mutual_information_cut(
+        &self,
+        bits: u32,
+    ) -> Result<CertifiedCut, DiscretizeError> {
+        let condition = InformationCondition(*self);
+        self.certified(&condition, INFORMATION_RANGE, bits, |tau| self.gain_at(tau))
+    }
+
+    /// The cut that minimises the mean square error, enclosed to about `bits` bits.
+    ///
+    /// # Errors
+    /// [`DiscretizeError::Numeric`] if its root cannot be isolated.
+    pub fn certified_mean_square_cut(&self, bits: u32) -> Result<CertifiedCut, DiscretizeError> {
+        let condition = MeanSquareCondition(*self);
+        self.certified(&condition, MEAN_SQUARE_RANGE, bits, |tau| {
+            self.mean_square_error_at(tau)
+        })
+    }
+
+    fn solve(
+        &self,
+        condition: &impl Condition,
+        (lower, upper): (f64, f64),
+    ) -> Result<(f64, f64), NumericError> {
+        let value = |x: f64| condition.value(&x).unwrap_or(f64::NAN);
+        let found = root(value, lower, upper)?;
+        Ok((condition.tau(&found.position), found.residual))
+    }
+
+    fn certified(
+        &self,
+        condition: &impl Condition,
+        (lower, upper): (f64, f64),
+        bits: u32,
+        value: impl Fn(&Interval) -> Interval,
+    ) -> Result<CertifiedCut, DiscretizeError> {
+        let found = certified_roots(condition, (lower, upper), bits);
+        let [root] = found.roots.as_slice() else {
+            return Err(NumericError::NotIsolated { lower, upper }.into());
+        };
+        if !found.undecided.is_empty() {
+            return Err(NumericError::NotIsolated { lower, upper }.into());
+        }
+        let tau = condition.tau(&root.enclosure);
+        let one = tau.constant(1.0);
+        Ok(CertifiedCut {
+            position: survival(&one, &tau),
+            complement: loss(&one, &tau),
+            value: value(&tau),
+            evaluations: found.evaluations,
+        })
+    }
+
+    /// The exponents in the type of `like`; p = n + 1.
+    fn powers<S: Scalar>(&self, like: &S) -> Powers<S> {
+        let (n, m) = (
+            like.constant(self.exponent),
+            like.constant(self.irradiance_exponent),
+        );
+        Powers {
+            p: n.clone() + &like.constant(1.0),
+            n,
+            m,
+        }
+    }
+
+    /// `b − 1 = −e^−pτ (1−e^−mτ)/(1−e^−(p+m)τ)`, b = (1−G)/(1−W).
+    fn shrink<S: Scalar>(&self, tau: &S) -> S {
+        let Powers { p, m, .. } = self.powers(tau);
+        let narrowing = loss(&m, tau) / &loss(&(m + &p), tau);
+        -(survival(&p, tau) * &narrowing)
+    }
+
+    /// Variance less what the two means explain: `[ n²/(2n+1) − l (1−lⁿ)²/(1−l) ] / (n+1)²`.
+    fn mean_square_error_at<S: Scalar>(&self, tau: &S) -> S {
+        let Powers { p, n, .. } = self.powers(tau);
+        let one = tau.constant(1.0);
+        // over n², which keeps small n from cancelling
+        let drop = loss(&n, tau) / &n;
+        let explained = drop.square() * &survival(&one, tau) / &loss(&one, tau);
+        let share = one.clone() / &(n.clone() + &n + &one) - &explained;
+        share * &(n / &p).square()
     }
 }
 
-/// A root whose bracket is known up to rounding: an end that already is the root is accepted.
-fn bracketed_root(
-    function: impl Fn(f64) -> f64,
-    lower: f64,
-    upper: f64,
-) -> Result<f64, NumericError> {
-    Ok(root(function, lower * (1.0 - 1e-9), upper * (1.0 + 1e-9))?.position)
+/// The exponents of a cut.
+struct Powers<S> {
+    n: S,
+    p: S,
+    m: S,
+}
+
+/// `e^−kτ`.
+fn survival<S: Scalar>(k: &S, tau: &S) -> S {
+    (-(k.clone() * tau)).exp()
+}
+
+/// `1 − e^−kτ`.
+fn loss<S: Scalar>(k: &S, tau: &S) -> S {
+    -(-(k.clone() * tau)).exp_m1()
+}
+
+/// A stationarity condition, in a variable that brings its root between 0 and 1.
+trait Condition: Function {
+    /// τ = −ln l from the variable.
+    fn tau<S: Scalar>(&self, variable: &S) -> S;
+}
+
+/// `(λ/(1−e^−λ) − 1)·p/m − 1` in the variable `τ p/2`.
+struct InformationCondition(GradientCut);
+
+/// Where its root lies: at 1 the condition is ≥ 0, up to rounding.
+const INFORMATION_RANGE: (f64, f64) = (1e-9, 1.0 + 1e-9);
+
+impl Condition for InformationCondition {
+    fn tau<S: Scalar>(&self, variable: &S) -> S {
+        let Powers { p, .. } = self.0.powers(variable);
+        variable.clone() * &variable.constant(2.0) / &p
+    }
+}
+
+impl Function for InformationCondition {
+    fn value<S: Scalar>(&self, variable: &S) -> Option<S> {
+        let tau = self.tau(variable);
+        let Powers { p, m, .. } = self.0.powers(variable);
+        let lambda = m.clone() * &tau - &self.0.shrink(&tau).ln_1p();
+        let one = variable.constant(1.0);
+        let excess = if lambda < one {
+            // φ(e^λ − 1)/(e^λ − 1)
+            let growth = lambda.exp_m1();
+            growth.divergence_kernel() / &growth
+        } else {
+            lambda.clone() / &loss(&one, &lambda) - &one
+        };
+        Some(excess * &p / &m - &one)
+    }
+}
+
+/// `2n lⁿ (1 − l)/(1 − lⁿ) − 1`, which falls from 1 at l = 1, in the variable `τ n/ln(1 + 2n)`: at its value 1 the condition
+/// is `(1 − l) − 1 < 0`.
+struct MeanSquareCondition(GradientCut);
+
+/// Where its root lies.
+const MEAN_SQUARE_RANGE: (f64, f64) = (1e-3, 1.0 + 1e-9);
+
+impl Condition for MeanSquareCondition {
+    fn tau<S: Scalar>(&self, variable: &S) -> S {
+        let Powers { n, .. } = self.0.powers(variable);
+        (n.clone() + &n).ln_1p() / &n * variable
+    }
+}
+
+impl Function for MeanSquareCondition {
+    fn value<S: Scalar>(&self, variable: &S) -> Option<S> {
+        let tau = self.tau(variable);
+        let Powers { n, .. } = self.0.powers(variable);
+        let one = variable.constant(1.0);
+        let ratio = loss(&one, &tau) / &loss(&n, &tau);
+        Some((n.clone() + &n) * &survival(&n, &tau) * &ratio - &one)
+    }
 }

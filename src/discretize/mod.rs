@@ -14,6 +14,7 @@
 //!
 //! so that the best cut is where `G′/W′` is the logarithmic mean of a and b.
 
+mod cell_pair;
 mod contact_shadow;
 mod cube_grid;
 mod error;
@@ -26,7 +27,7 @@ use crate::numeric::Scalar;
 pub use contact_shadow::ContactShadow;
 pub use cube_grid::CubeGrid;
 pub use error::DiscretizeError;
-pub use gradient_cut::{Cut, GradientCut};
+pub use gradient_cut::{CertifiedCut, Cut, GradientCut};
 pub use patch_split::{PatchSplit, SplitOptimum, regular_positions};
 pub use straight_cut::StraightCut;
 

@@ -40,6 +40,14 @@ pub enum NumericError {
         /// Upper end.
         upper: f64,
     },
+    /// Interval arithmetic could not prove that there is exactly one root.
+    #[error("the root between {lower} and {upper} cannot be isolated; more precision does not help")]
+    NotIsolated {
+        /// Lower end.
+        lower: f64,
+        /// Upper end.
+        upper: f64,
+    },
     /// An iteration stopped before it reached what it promises.
     #[error("not converged after {iterations} iterations: best {best}, residual {residual:e}")]
     NotConverged {

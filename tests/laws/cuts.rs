@@ -83,7 +83,7 @@ fn gradient_cuts_are_maxima() {
             let best = cut.mutual_information_cut().unwrap();
             let tau = -best.position.ln();
             assert!(
-                best.value > cut.gain_at(tau * 0.99).max(cut.gain_at(tau * 1.01)),
+                best.value > cut.gain_at(&(tau * 0.99)).max(cut.gain_at(&(tau * 1.01))),
                 "{n} {m}"
             );
         }

@@ -1,0 +1,164 @@
+//! Two cells on opposite or adjacent faces of a cube, and which pairs exchange the same.
+//!
+//! A cell has an index on each axis of its face. With lines symmetric about the middle, two indices (i, k) along a
+//! common axis are as good as (k, i) and as their mirror images (n−1−i, n−1−k), because a form factor is even in the
+//! distance along it; opposite faces have two such axes, which trade places, adjacent ones a common axis and two depths,
+//! which trade places.
+
+use super::DiscretizeError;
+use crate::form_factor::{parallel, perpendicular};
+use crate::geometry::Span;
+use crate::numeric::Scalar;
+use std::collections::BTreeMap;
+
+/// The faces that two cells lie on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Faces {
+    /// Six ordered pairs.
+    Opposite,
+    /// Twenty-four ordered pairs; the first index of a cell is its depth.
+    Adjacent,
+}
+
+/// A pair of cells that stands for all that exchange the same.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Class {
+    faces: Faces,
+    first: [usize; 2],
+    second: [usize; 2],
+    /// How many ordered pairs on the whole cube.
+    pub(super) count: f64,
+}
+
+/// The classes of a grid with `n` cells a side.
+pub(super) fn classes(n: usize) -> Vec<Class> {
+    let along = |i: usize, k: usize| {
+        let (mirrored_i, mirrored_k) = (n - 1 - i, n - 1 - k);
+        let pairs = [(i, k), (k, i), (mirrored_i, mirrored_k), (mirrored_k, mirrored_i)];
+        pairs.into_iter().min().unwrap_or((i, k))
+    };
+    let mut counts: BTreeMap<_, f64> = BTreeMap::new();
+    let indices = || (0..n).flat_map(move |i| (0..n).map(move |k| (i, k)));
+    for (i, k) in indices() {
+        for (j, l) in indices() {
+            let (x, y) = (along(i, k), along(j, l));
+            *counts.entry((Faces::Opposite, x.min(y), x.max(y))).or_default() += 6.0;
+            let depth = (i.min(k), i.max(k));
+            *counts.entry((Faces::Adjacent, depth, y)).or_default() += 24.0;
+        }
+    }
+    let class = |((faces, (i, k), (j, l)), count)| Class {
+        faces,
+        first: [i, j],
+        second: [k, l],
+        count,
+    };
+    counts.into_iter().map(class).collect()
+}
+
+/// Two cells by their indices, on a grid.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CellPair<'g, S> {
+    cells: &'g [Span<S>],
+    class: Class,
+}
+
+impl<'g, S: Scalar> CellPair<'g, S> {
+    pub(super) const fn new(cells: &'g [Span<S>], class: Class) -> Self {
+        Self { cells, class }
+    }
+
+    fn spans(&self, cell: [usize; 2]) -> [Span<S>; 2] {
+        cell.map(|index| self.cells[index].clone())
+    }
+
+    /// The product of both areas.
+    pub(super) fn areas(&self) -> S {
+        let [i, j] = self.class.first;
+        let [k, l] = self.class.second;
+        [j, k, l]
+            .into_iter()
+            .fold(self.cells[i].length().clone(), |area, index| {
+                area * self.cells[index].length()
+            })
+    }
+
+    /// The exchange area.
+    pub(super) fn exchange(&self) -> Result<S, DiscretizeError> {
+        let (first, second) = (self.spans(self.class.first), self.spans(self.class.second));
+        let exchange = match self.class.faces {
+            Faces::Opposite => {
+                let distance = first[0].length().constant(1.0);
+                parallel::exchange_area(&first, &second, &distance)?
+            }
+            Faces::Adjacent => perpendicular::exchange_area(&plate(first)?, &plate(second)?),
+        };
+        Ok(exchange.certain()?)
+    }
+
+    /// `∂(A F)` as line `k` moves and its mirror image moves against it; `None` if neither bounds a cell of the pair.
+    pub(super) fn mirrored_rate(&self, k: usize) -> Result<Option<S>, DiscretizeError> {
+        let mirrored = self.cells.len() - 2 - k;
+        Ok(match (self.rate(k)?, self.rate(mirrored)?) {
+            (Some(rate), Some(against)) => Some(rate - &against),
+            (Some(rate), None) => Some(rate),
+            (None, Some(against)) => Some(-against),
+            (None, None) => None,
+        })
+    }
+
+    /// `∂(A F)` as line `k` moves: each side on the line contributes its strip, outwards or inwards.
+    fn rate(&self, k: usize) -> Result<Option<S>, DiscretizeError> {
+        let mut rate: Option<S> = None;
+        let (first, second) = (self.class.first, self.class.second);
+        for (this, other) in [(first, second), (second, first)] {
+            for side in 0..2 {
+                let is_upper_end = match this[side] {
+                    cell if cell == k => true,
+                    cell if cell == k + 1 => false,
+                    _ => continue,
+                };
+                let strip = self.strip(k, this, other, side)?;
+                let strip = if is_upper_end { strip } else { -strip };
+                rate = Some(match rate {
+                    Some(sum) => sum + &strip,
+                    None => strip,
+                });
+            }
+        }
+        Ok(rate)
+    }
+
+    /// What a strip along line `k`, which bounds cell `this` on its axis `side`, exchanges with cell `other`.
+    fn strip(
+        &self,
+        k: usize,
+        this: [usize; 2],
+        other: [usize; 2],
+        side: usize,
+    ) -> Result<S, DiscretizeError> {
+        let at = self.cells[k].upper();
+        let along = &self.cells[this[1 - side]];
+        let other = self.spans(other);
+        let exchange = match (self.class.faces, side) {
+            (Faces::Opposite, _) => {
+                let [x, y] = other;
+                let other = if side == 0 { [x, y] } else { [y, x] };
+                parallel::strip_exchange(at, along, &other, &at.constant(1.0))?
+            }
+            (Faces::Adjacent, 0) => {
+                perpendicular::strip_exchange_at_depth(at, along, &plate(other)?)
+            }
+            (Faces::Adjacent, _) => {
+                perpendicular::strip_exchange_at_width(along, at, &plate(other)?)
+            }
+        };
+        Ok(exchange.value)
+    }
+}
+
+fn plate<S: Scalar>(
+    [depth, width]: [Span<S>; 2],
+) -> Result<perpendicular::Plate<S>, DiscretizeError> {
+    Ok(perpendicular::Plate::try_new(depth, width)?)
+}
