@@ -7,7 +7,7 @@
 
 use super::DiscretizeError;
 use crate::form_factor::{parallel, perpendicular};
-use crate::geometry::Span;
+use crate::geometry::{Offsets, Span};
 use crate::numeric::Scalar;
 use std::collections::BTreeMap;
 
@@ -34,7 +34,12 @@ pub(super) struct Class {
 pub(super) fn classes(n: usize) -> Vec<Class> {
     let along = |i: usize, k: usize| {
         let (mirrored_i, mirrored_k) = (n - 1 - i, n - 1 - k);
-        let pairs = [(i, k), (k, i), (mirrored_i, mirrored_k), (mirrored_k, mirrored_i)];
+        let pairs = [
+            (i, k),
+            (k, i),
+            (mirrored_i, mirrored_k),
+            (mirrored_k, mirrored_i),
+        ];
         pairs.into_iter().min().unwrap_or((i, k))
     };
     let mut counts: BTreeMap<_, f64> = BTreeMap::new();
@@ -42,7 +47,9 @@ pub(super) fn classes(n: usize) -> Vec<Class> {
     for (i, k) in indices() {
         for (j, l) in indices() {
             let (x, y) = (along(i, k), along(j, l));
-            *counts.entry((Faces::Opposite, x.min(y), x.max(y))).or_default() += 6.0;
+            *counts
+                .entry((Faces::Opposite, x.min(y), x.max(y)))
+                .or_default() += 6.0;
             let depth = (i.min(k), i.max(k));
             *counts.entry((Faces::Adjacent, depth, y)).or_default() += 24.0;
         }
@@ -72,6 +79,22 @@ impl<'g, S: Scalar> CellPair<'g, S> {
         cell.map(|index| self.cells[index].clone())
     }
 
+    /// Line `a` less line `b`, both counted from 0 at the edge; exactly 0 for the same line.
+    fn offset(&self, a: usize, b: usize) -> S {
+        let zero = self.cells[0].length().zero();
+        let between = self.cells[a.min(b)..a.max(b)]
+            .iter()
+            .fold(zero, |sum, cell| sum + cell.length());
+        if a < b { -between } else { between }
+    }
+
+    /// How cells `a` and `b` of one axis lie to each other.
+    fn offsets(&self, a: usize, b: usize) -> Offsets<S> {
+        let differences = [a, a + 1].map(|line| [b, b + 1].map(|other| self.offset(line, other)));
+        let lengths = [a, b].map(|cell| self.cells[cell].length().clone());
+        Offsets::new(differences, lengths)
+    }
+
     /// The product of both areas.
     pub(super) fn areas(&self) -> S {
         let [i, j] = self.class.first;
@@ -85,13 +108,16 @@ impl<'g, S: Scalar> CellPair<'g, S> {
 
     /// The exchange area.
     pub(super) fn exchange(&self) -> Result<S, DiscretizeError> {
-        let (first, second) = (self.spans(self.class.first), self.spans(self.class.second));
+        let (first, second) = (self.class.first, self.class.second);
         let exchange = match self.class.faces {
             Faces::Opposite => {
-                let distance = first[0].length().constant(1.0);
-                parallel::exchange_area(&first, &second, &distance)?
+                let distance = self.cells[0].length().constant(1.0);
+                parallel::exchange_area(&self.spans(first), &self.spans(second), &distance)?
             }
-            Faces::Adjacent => perpendicular::exchange_area(&plate(first)?, &plate(second)?),
+            Faces::Adjacent => perpendicular::exchange_area_at(
+                [&self.cells[first[0]], &self.cells[second[0]]],
+                &self.offsets(first[1], second[1]),
+            ),
         };
         Ok(exchange.certain()?)
     }
@@ -139,26 +165,21 @@ impl<'g, S: Scalar> CellPair<'g, S> {
     ) -> Result<S, DiscretizeError> {
         let at = self.cells[k].upper();
         let along = &self.cells[this[1 - side]];
-        let other = self.spans(other);
         let exchange = match (self.class.faces, side) {
             (Faces::Opposite, _) => {
-                let [x, y] = other;
+                let [x, y] = self.spans(other);
                 let other = if side == 0 { [x, y] } else { [y, x] };
                 parallel::strip_exchange(at, along, &other, &at.constant(1.0))?
             }
             (Faces::Adjacent, 0) => {
-                perpendicular::strip_exchange_at_depth(at, along, &plate(other)?)
+                let widths = self.offsets(this[1], other[1]);
+                perpendicular::strip_exchange_at_depth(at, &self.cells[other[0]], &widths)
             }
             (Faces::Adjacent, _) => {
-                perpendicular::strip_exchange_at_width(along, at, &plate(other)?)
+                let offsets = [other[1], other[1] + 1].map(|line| self.offset(k + 1, line));
+                perpendicular::strip_exchange_at_width([along, &self.cells[other[0]]], &offsets)
             }
         };
         Ok(exchange.value)
     }
-}
-
-fn plate<S: Scalar>(
-    [depth, width]: [Span<S>; 2],
-) -> Result<perpendicular::Plate<S>, DiscretizeError> {
-    Ok(perpendicular::Plate::try_new(depth, width)?)
 }

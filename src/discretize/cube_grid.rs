@@ -26,7 +26,7 @@ pub struct CubeGrid<S = f64> {
 }
 
 /// Area of the cube's faces.
-const TOTAL_AREA: f64 = 6.0;
+pub(super) const TOTAL_AREA: f64 = 6.0;
 
 impl CubeGrid {
     /// The grid with these inner lines.
@@ -190,7 +190,7 @@ impl<S: Scalar> CubeGrid<S> {
     }
 
     /// One pair of cells of each class, with how many there are on the cube.
-    fn pairs(&self) -> impl Iterator<Item = (CellPair<'_, S>, f64)> {
+    pub(super) fn pairs(&self) -> impl Iterator<Item = (CellPair<'_, S>, f64)> {
         classes(self.cells.len()).into_iter().map(|class| {
             let count = class.count;
             (CellPair::new(&self.cells, class), count)

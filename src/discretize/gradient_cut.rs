@@ -262,7 +262,7 @@ trait Condition: Function {
 struct InformationCondition(GradientCut);
 
 /// Where its root lies: at 1 the condition is ≥ 0, up to rounding.
-const INFORMATION_RANGE: (f64, f64) = (1e-9, 1.0 + 1e-9);
+const INFORMATION_RANGE: (f64, f64) = (1e-3, 1.0 + 1e-9);
 
 impl Condition for InformationCondition {
     fn tau<S: Scalar>(&self, variable: &S) -> S {

@@ -15,6 +15,7 @@
 //! so that the best cut is where `G′/W′` is the logarithmic mean of a and b.
 
 mod cell_pair;
+mod certified_grid;
 mod contact_shadow;
 mod cube_grid;
 mod error;
@@ -24,6 +25,7 @@ mod straight_cut;
 
 use crate::numeric::Scalar;
 
+pub use certified_grid::CertifiedGrid;
 pub use contact_shadow::ContactShadow;
 pub use cube_grid::CubeGrid;
 pub use error::DiscretizeError;

@@ -293,11 +293,7 @@ impl<S: Scalar> PatchSplit<S> {
         two.clone() / &(two.ln() * &self.total_area)
     }
 
-    fn exchange(
-        &self,
-        pair: &RectanglePair<S>,
-        [from, to]: &[S; 2],
-    ) -> Result<S, DiscretizeError> {
+    fn exchange(&self, pair: &RectanglePair<S>, [from, to]: &[S; 2]) -> Result<S, DiscretizeError> {
         Ok(pair.part(self.axis, from, to)?.exchange_value()?)
     }
 

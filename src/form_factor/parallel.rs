@@ -15,7 +15,7 @@
 
 use super::FormFactorError;
 use super::exchange::{Exchange, Sign, log_ratio, log_ratio_size};
-use crate::geometry::Span;
+use crate::geometry::{Offsets, Span};
 use crate::numeric::Scalar;
 
 /// Exchange area of two parallel rectangles `distance` apart.
@@ -56,14 +56,14 @@ pub fn exchange_area<S: Scalar>(
         _ => (&second[0], &second[1], &first[0], &first[1]),
     };
     let mut sum = Exchange::new(distance);
-    for (across, sign_u) in second_difference(x, xi) {
+    for (across, sign_u) in second_difference(&Offsets::between(x, xi)) {
         for (eta, sign_eta) in [(eta.lower(), Sign::Plus), (eta.upper(), Sign::Minus)] {
             let sign = if sign_u == sign_eta {
                 Sign::Plus
             } else {
                 Sign::Minus
             };
-            sum.add_signed(sign, &difference_in_v(&across, y, eta, distance));
+            sum.add_signed(sign, &difference_in_v(across, y, eta, distance));
         }
     }
     Ok(sum.over_two_pi(Sign::Plus))
@@ -90,10 +90,10 @@ pub fn strip_exchange<S: Scalar>(
     for (xi, sign_u) in [(xi.lower(), Sign::Plus), (xi.upper(), Sign::Minus)] {
         let u = x.clone() - xi;
         let p = (u.square() + &z2).sqrt();
-        for (v, sign_v) in second_difference(y, eta) {
+        for (v, sign_v) in second_difference(&Offsets::between(y, eta)) {
             let q = (v.square() + &z2).sqrt();
             let mut corner = Exchange::new(distance);
-            corner.add(u.clone() * &v / &p * &v.atan2(&p));
+            corner.add(u.clone() * v / &p * &v.atan2(&p));
             corner.add(u.atan2(&q) * &q);
             let sign = if sign_u == sign_v {
                 Sign::Plus
@@ -119,13 +119,12 @@ fn positive_distance<S: Scalar>(distance: &S) -> Result<(), FormFactorError> {
 }
 
 /// The four differences of two spans' ends, signed as in a second difference.
-pub(super) fn second_difference<S: Scalar>(a: &Span<S>, b: &Span<S>) -> [(S, Sign); 4] {
-    let difference = |a: &S, b: &S| a.clone() - b;
+pub(super) fn second_difference<S: Scalar>(offsets: &Offsets<S>) -> [(&S, Sign); 4] {
     [
-        (difference(a.lower(), b.lower()), Sign::Minus),
-        (difference(a.lower(), b.upper()), Sign::Plus),
-        (difference(a.upper(), b.lower()), Sign::Plus),
-        (difference(a.upper(), b.upper()), Sign::Minus),
+        (offsets.difference(0, 0), Sign::Minus),
+        (offsets.difference(0, 1), Sign::Plus),
+        (offsets.difference(1, 0), Sign::Plus),
+        (offsets.difference(1, 1), Sign::Minus),
     ]
 }
 
@@ -156,9 +155,7 @@ fn difference_in_v<S: Scalar>(u: &S, y: &Span<S>, eta: &S, z: &S) -> Exchange<S>
     let denominator = q0.clone() * &q1 + &u.square();
     let narrowing = u.clone() * &q_step;
     let turn = narrowing.atan2(&denominator) * u * &q0;
-    sum.add_uncertain(-turn, || {
-        u.square() * &q_step_size / &denominator * &q0
-    });
+    sum.add_uncertain(-turn, || u.square() * &q_step_size / &denominator * &q0);
     // −(z²/2) ln r²
     let log = log_ratio(&squares, &r2_0, &r2_1);
     let half_z2 = z2 / &z.constant(2.0);

@@ -17,7 +17,7 @@
 use super::FormFactorError;
 use super::exchange::{Exchange, Sign, log_ratio, log_ratio_size};
 use super::parallel::second_difference;
-use crate::geometry::Span;
+use crate::geometry::{Offsets, Span};
 use crate::numeric::Scalar;
 
 /// A rectangle seen from the line in which its plane meets the other one's.
@@ -51,6 +51,18 @@ impl<S: Scalar> Plate<S> {
         }
         Ok(Self { depth, width })
     }
+
+    /// Distances from the line.
+    #[must_use]
+    pub const fn depth(&self) -> &Span<S> {
+        &self.depth
+    }
+
+    /// Positions along the line.
+    #[must_use]
+    pub const fn width(&self) -> &Span<S> {
+        &self.width
+    }
 }
 
 /// Exchange area of two perpendicular rectangles.
@@ -75,37 +87,54 @@ impl<S: Scalar> Plate<S> {
 /// ```
 #[must_use]
 pub fn exchange_area<S: Scalar>(first: &Plate<S>, second: &Plate<S>) -> Exchange<S> {
-    let lengths = [&first.depth, &second.depth, &first.width, &second.width].map(Span::length);
+    let widths = Offsets::between(&first.width, &second.width);
+    exchange_area_at([&first.depth, &second.depth], &widths)
+}
+
+/// [`exchange_area`] of plates at these depths, whose widths lie to each other by `widths`.
+#[must_use]
+pub fn exchange_area_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -> Exchange<S> {
+    let lengths = [
+        depths[0].length(),
+        depths[1].length(),
+        widths.first_length(),
+        widths.second_length(),
+    ];
     let shortest = (0..4).fold(
         0,
         |best, k| if lengths[k] < lengths[best] { k } else { best },
     );
     // exchanging the plates turns z into x and mirrors v, in which G is even
-    let (thin, other) = if shortest % 2 == 0 {
-        (first, second)
+    let swapped = widths.swapped();
+    let (thin, other, widths) = if shortest % 2 == 0 {
+        (depths[0], depths[1], widths)
     } else {
-        (second, first)
+        (depths[1], depths[0], &swapped)
     };
-    let mut sum = Exchange::new(thin.depth.lower());
+    let mut sum = Exchange::new(thin.lower());
     if shortest < 2 {
-        for (z, sign_z) in ends(&other.depth) {
-            for (v, sign_v) in second_difference(&thin.width, &other.width) {
+        for (z, sign_z) in ends(other) {
+            for (v, sign_v) in second_difference(widths) {
                 let sign = if sign_z == sign_v {
                     Sign::Plus
                 } else {
                     Sign::Minus
                 };
-                sum.add_signed(sign, &difference_in_depth(&thin.depth, z, &v));
+                sum.add_signed(sign, &difference_in_depth(thin, z, v));
             }
         }
     } else {
-        for (x, sign_x) in ends(&thin.depth) {
-            for (z, sign_z) in ends(&other.depth) {
-                for (eta, sign_eta) in ends(&other.width) {
+        for (x, sign_x) in ends(thin) {
+            for (z, sign_z) in ends(other) {
+                for (k, sign_eta) in [(1, Sign::Plus), (0, Sign::Minus)] {
                     // in v the lower end of η is the plus
                     let plus = (sign_x == sign_z) != (sign_eta == Sign::Plus);
                     let sign = if plus { Sign::Plus } else { Sign::Minus };
-                    sum.add_signed(sign, &difference_in_width(x, z, &thin.width, eta));
+                    let [v0, v1] = [widths.difference(0, k), widths.difference(1, k)];
+                    sum.add_signed(
+                        sign,
+                        &difference_in_width(x, z, widths.first_length(), [v0, v1]),
+                    );
                 }
             }
         }
@@ -116,17 +145,17 @@ pub fn exchange_area<S: Scalar>(first: &Plate<S>, second: &Plate<S>) -> Exchange
 /// `∂(A F)/∂x` as the first plate's edge at depth `x` moves away from the line: the exchange per
 /// unit depth of the strip `{x} × width` with the whole second plate.
 ///
-/// **Arguments** `depth` ≥ 0; `width` and `second` as for [`exchange_area`].
+/// **Arguments** `depth` ≥ 0; `second_depth` and `widths` as for [`exchange_area_at`].
 #[must_use]
 pub fn strip_exchange_at_depth<S: Scalar>(
     depth: &S,
-    width: &Span<S>,
-    second: &Plate<S>,
+    second_depth: &Span<S>,
+    widths: &Offsets<S>,
 ) -> Exchange<S> {
     let half = depth.constant(0.5);
     let mut sum = Exchange::new(depth);
-    for (z, sign_z) in ends(&second.depth) {
-        for (v, sign_v) in second_difference(width, &second.width) {
+    for (z, sign_z) in ends(second_depth) {
+        for (v, sign_v) in second_difference(widths) {
             let s2 = depth.square() + &z.square();
             let s = s2.sqrt();
             let r2 = s2 + &v.square();
@@ -137,7 +166,7 @@ pub fn strip_exchange_at_depth<S: Scalar>(
             } else {
                 depth.clone() / &s
             };
-            corner.add(v.atan2(&s) * &v * &cosine);
+            corner.add(v.atan2(&s) * v * &cosine);
             let log_term = if z.is_zero() && v.is_zero() {
                 depth.x_ln_x() // r = x
             } else {
@@ -158,30 +187,25 @@ pub fn strip_exchange_at_depth<S: Scalar>(
 /// `∂(A F)/∂y` as the first plate's edge at `y` along the line moves outwards: the exchange per
 /// unit width of the strip `depth × {y}` with the whole second plate.
 ///
-/// **Arguments** `depth` from 0 up; `y` and `second` as for [`exchange_area`].
+/// **Arguments** `depths` from 0 up; `offsets`: y less the second plate's lower and upper end along the line.
 #[must_use]
-pub fn strip_exchange_at_width<S: Scalar>(
-    depth: &Span<S>,
-    y: &S,
-    second: &Plate<S>,
-) -> Exchange<S> {
-    let half = y.constant(0.5);
-    let mut sum = Exchange::new(y);
-    for (x, sign_x) in ends(depth) {
-        for (z, sign_z) in ends(&second.depth) {
-            for (eta, sign_eta) in ends(&second.width) {
-                let v = y.clone() - eta;
+pub fn strip_exchange_at_width<S: Scalar>(depths: [&Span<S>; 2], offsets: &[S; 2]) -> Exchange<S> {
+    let half = offsets[0].constant(0.5);
+    let mut sum = Exchange::new(&half);
+    for (x, sign_x) in ends(depths[0]) {
+        for (z, sign_z) in ends(depths[1]) {
+            for (v, sign_eta) in offsets.iter().zip([Sign::Minus, Sign::Plus]) {
                 let s2 = x.square() + &z.square();
                 let s = s2.sqrt();
                 let r2 = s2 + &v.square();
-                let mut corner = Exchange::new(y);
+                let mut corner = Exchange::new(v);
                 corner.add(v.atan2(&s) * &s);
                 let log_term = if s.is_zero() {
                     v.x_ln_x() // r = |v|
                 } else {
                     v.clone() * &half * &r2.ln()
                 };
-                corner.add_uncertain(log_term.clone(), || log_size(&log_term, &v));
+                corner.add_uncertain(log_term.clone(), || log_size(&log_term, v));
                 let plus = (sign_x == sign_z) != (sign_eta == Sign::Plus);
                 sum.add_signed(if plus { Sign::Plus } else { Sign::Minus }, &corner);
             }
@@ -238,11 +262,8 @@ fn difference_in_depth<S: Scalar>(x: &Span<S>, z: &S, v: &S) -> Exchange<S> {
 }
 
 /// `G(x, z, y1 − η) − G(x, z, y0 − η)`, each term to its own relative precision.
-fn difference_in_width<S: Scalar>(x: &S, z: &S, y: &Span<S>, eta: &S) -> Exchange<S> {
+fn difference_in_width<S: Scalar>(x: &S, z: &S, delta: &S, [v0, v1]: [&S; 2]) -> Exchange<S> {
     let quarter = x.constant(0.25);
-    let delta = y.length().clone();
-    let v0 = y.lower().clone() - eta;
-    let v1 = y.upper().clone() - eta;
     let s2 = x.square() + &z.square();
     let s = s2.sqrt();
     let (v2_0, v2_1) = (v0.square(), v1.square());
@@ -251,9 +272,9 @@ fn difference_in_width<S: Scalar>(x: &S, z: &S, y: &Span<S>, eta: &S) -> Exchang
     let mut sum = Exchange::new(x);
     // v s atan(v/s)
     if !s.is_zero() {
-        sum.add(v1.atan2(&s) * &s * &delta);
-        let angle = (delta.clone() * &s).atan2(&(s2.clone() + &(v0.clone() * &v1)));
-        sum.add(angle * &v0 * &s);
+        sum.add(v1.atan2(&s) * &s * delta);
+        let angle = (delta.clone() * &s).atan2(&(s2.clone() + &(v0.clone() * v1)));
+        sum.add(angle * v0 * &s);
     }
     // −¼ (s² − v²) ln r²; at r = 0 the corner contributes 0
     if r2_0.is_zero() || r2_1.is_zero() {
@@ -270,8 +291,8 @@ fn difference_in_width<S: Scalar>(x: &S, z: &S, y: &Span<S>, eta: &S) -> Exchang
         }
         return sum;
     }
-    let squares = delta.clone() * &(v1.clone() + &v0);
-    let squares_size = delta * &(v1.abs() + &v0.abs());
+    let squares = delta.clone() * &(v1.clone() + v0);
+    let squares_size = delta.clone() * &(v1.abs() + &v0.abs());
     let log = log_ratio(&squares, &r2_0, &r2_1);
     let difference = (s2.clone() - &v2_1) * &quarter;
     sum.add_uncertain(-(log.clone() * &difference), || {

@@ -8,7 +8,7 @@
 use super::parallel::{self, strip_exchange};
 use super::perpendicular::{self, Plate, strip_exchange_at_depth, strip_exchange_at_width};
 use super::{Exchange, ExchangeArea, FormFactorError};
-use crate::geometry::{Extent, GeometryError, Placement, Rectangle, Span, SplitAxis};
+use crate::geometry::{Extent, GeometryError, Offsets, Placement, Rectangle, Span, SplitAxis};
 use crate::numeric::Scalar;
 
 /// Two rectangles with edges along three common axes.
@@ -154,10 +154,19 @@ impl<S: Scalar> RectanglePair<S> {
                     if depth < depth.zero() {
                         return Ok(position.zero());
                     }
-                    strip_exchange_at_depth(&depth, across, plate)
+                    strip_exchange_at_depth(
+                        &depth,
+                        plate.depth(),
+                        &Offsets::between(across, plate.width()),
+                    )
                 } else {
                     match self.depth(*normal, plane, *faces_along) {
-                        Some(depth) => strip_exchange_at_width(&depth, &at, plate),
+                        Some(depth) => {
+                            let width = plate.width();
+                            let offsets =
+                                [width.lower(), width.upper()].map(|end| at.clone() - end);
+                            strip_exchange_at_width([&depth, plate.depth()], &offsets)
+                        }
                         None => return Ok(position.zero()),
                     }
                 }

@@ -1,17 +1,20 @@
 //! Flat pieces of surface and how they lie to each other.
 //!
 //! A [`Patch`] is a planar simple polygon; a [`Rectangle`] is recognised from one, cut into
-//! parts, and placed beside another by [`Placement`]. Lengths are in any one unit.
+//! parts, and placed beside another by [`Placement`]; on one axis [`Span`]s lie to each other by
+//! [`Offsets`]. Lengths are in any one unit.
 //!
 //! **Not here**: anything radiometric.
 
 mod error;
+mod offsets;
 mod patch;
 mod placement;
 mod rectangle;
 mod span;
 
 pub use error::GeometryError;
+pub use offsets::Offsets;
 pub use patch::Patch;
 pub use placement::{Extent, Placement};
 pub use rectangle::{Rectangle, SplitAxis};

@@ -2,13 +2,13 @@
 //!
 //! Inside, every root of the derivative is found ([`certified_roots`]). Next to the two ends, where
 //! `t ln t` and divisions by zero live, the objective speaks for itself: by the sign of its derivative in an analytic
-//! form, or by an upper bound on its values.
+//! form, or by an upper bound on its values, which then leaves only the neighbourhood of the maximum to be searched.
 //!
 //! **Not covered**: several variables; maxima at the ends themselves.
 
 use super::certified_roots::{Function, certified_roots, sign_on};
 use super::interval::Interval;
-use super::{NumericError, Scalar};
+use super::{Dual, NumericError, Scalar, maximum};
 
 /// One of the ends of the interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,12 +25,16 @@ pub trait Objective {
     fn value<S: Scalar>(&self, x: &S) -> Option<S>;
     /// The derivative at `x`.
     fn slope<S: Scalar>(&self, x: &S) -> Option<S>;
+    /// The derivative on a box, and the second derivative there, as narrow as can be had quickly.
+    fn slope_on_box(&self, domain: &Interval<f64>) -> Option<Dual<Interval<f64>>> {
+        self.slope(&Dual::variable(*domain))
+    }
     /// The derivative at `distance` from an end, in a form that holds down to distance 0.
     fn slope_near<S: Scalar>(&self, _end: End, _distance: &S) -> Option<S> {
         None
     }
-    /// An upper bound on the values at all distances up to `distance` from an end.
-    fn bound_near(&self, _end: End, _distance: &Interval<f64>) -> Option<Interval<f64>> {
+    /// An upper bound on the values at all points of a box; `None` if there is no better way than to evaluate.
+    fn bound_on(&self, _domain: &Interval<f64>) -> Option<f64> {
         None
     }
 }
@@ -40,7 +44,7 @@ pub trait Objective {
 pub enum Certificate {
     /// The maximiser is the only one in the open interval.
     Unique {
-        /// Is it the only stationary point, too? `None`: the derivative's sign next to the ends is not known.
+        /// Is it the only stationary point, too? `None`: the derivative is not known everywhere.
         is_only_stationary_point: Option<bool>,
     },
     /// The maximum is proved, and attained at one of this many points, which their enclosures cannot tell apart.
@@ -74,6 +78,10 @@ impl<O: Objective> Function for Slope<'_, O> {
     fn value<S: Scalar>(&self, x: &S) -> Option<S> {
         self.0.slope(x)
     }
+
+    fn on_box(&self, domain: &Interval<f64>) -> Option<Dual<Interval<f64>>> {
+        self.0.slope_on_box(domain)
+    }
 }
 
 struct SlopeNear<'o, O>(&'o O, End);
@@ -83,9 +91,6 @@ impl<O: Objective> Function for SlopeNear<'_, O> {
         self.0.slope_near(self.1, x)
     }
 }
-
-/// Largest and smallest k of the end boxes, 2^−k of the interval.
-const END_POWERS: std::ops::RangeInclusive<i32> = 4..=40;
 
 /// The global maximum of `objective` in the open interval `range`, enclosed to about `bits` bits.
 ///
@@ -100,11 +105,8 @@ pub fn certified_maximum(
     if !(lower.is_finite() && upper.is_finite() && lower < upper) {
         return Err(NumericError::EmptyInterval { lower, upper });
     }
-    let ends = [End::Lower, End::Upper].map(|end| EndBox::of(objective, end, upper - lower));
-    // no gap to the end boxes
-    let from = (lower + ends[0].distance).next_down();
-    let to = (upper - ends[1].distance).next_up();
-    let found = certified_roots(&Slope(objective), (from, to), bits);
+    let region = Region::of(objective, lower, upper);
+    let found = certified_roots(&Slope(objective), (region.from, region.to), bits);
     let mut best: Option<(Interval, Interval)> = None;
     let mut maximisers = 0;
     for root in found.roots.iter().filter(|root| !root.rises) {
@@ -113,17 +115,12 @@ pub fn certified_maximum(
         };
         match &best {
             Some((_, highest)) if value < *highest => {}
-            Some((_, highest)) if value > *highest => {
-                best = Some((root.enclosure.clone(), value));
-                maximisers = 1;
-            }
-            Some((position, highest)) => {
+            Some((position, highest)) if !(value > *highest) => {
                 // the larger of the two, wherever it is
-                let larger = highest.larger_of(&value);
-                best = Some((position.clone(), larger));
+                best = Some((position.clone(), highest.larger_of(&value)));
                 maximisers += 1;
             }
-            None => {
+            _ => {
                 best = Some((root.enclosure.clone(), value));
                 maximisers = 1;
             }
@@ -132,24 +129,16 @@ pub fn certified_maximum(
     let Some((position, value)) = best else {
         return Err(NumericError::NoInteriorMaximum { lower, upper });
     };
-    let (at_least, _) = value.to_doubles();
-    let exclusion = |end: &EndBox| match &end.exclusion {
-        Exclusion::BySlope => true,
-        Exclusion::ByBound(bound) => *bound < at_least,
-        Exclusion::None => false,
-    };
     let certificate = if let Some((from, to)) = found.undecided.first() {
         let reason = format!("nothing could be decided between {from} and {to}");
         Certificate::Unknown { reason }
-    } else if let Some(end) = ends.iter().find(|end| !exclusion(end)) {
-        let reason = format!("next to the {} nothing is known", end.name());
+    } else if region.exclusion == Exclusion::None {
+        let reason = "nothing is known next to the ends".to_owned();
         Certificate::Unknown { reason }
     } else if maximisers > 1 {
         Certificate::Several { maximisers }
     } else {
-        let by_slope = ends
-            .iter()
-            .all(|end| matches!(end.exclusion, Exclusion::BySlope));
+        let by_slope = region.exclusion == Exclusion::BySlope;
         let is_only_stationary_point = by_slope.then(|| found.roots.len() == 1);
         Certificate::Unique {
             is_only_stationary_point,
@@ -163,58 +152,91 @@ pub fn certified_maximum(
     })
 }
 
-/// Why no maximum lies next to an end.
+/// Why no maximum lies outside the region that is searched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Exclusion {
-    /// The function rises away from the end.
+    /// The function rises from the lower end up to the region, and falls from there to the upper end.
     BySlope,
-    /// Values there stay below this number.
-    ByBound(f64),
+    /// Its values there are lower than one inside.
+    ByBound,
     /// No reason found.
     None,
 }
 
-/// The numbers next to an end that are left out of the search.
-struct EndBox {
-    end: End,
-    distance: f64,
+/// The part of the interval in which roots of the derivative are searched.
+struct Region {
+    from: f64,
+    to: f64,
     exclusion: Exclusion,
 }
 
-impl EndBox {
-    /// The widest box in which the derivative points away from the end; else one with a bound.
-    fn of(objective: &impl Objective, end: End, length: f64) -> Self {
-        let distance = |power: i32| length * 2f64.powi(-power);
-        let up_to = |distance: f64| Interval::try_new(0.0, distance);
-        let away = END_POWERS.map(distance).find(|distance| {
-            let rises = up_to(*distance)
-                .and_then(|domain| sign_on(&SlopeNear(objective, end), &domain));
-            rises == Some(end == End::Lower)
-        });
-        if let Some(distance) = away {
+/// Largest and smallest k of the boxes next to an end, 2^−k of the interval.
+const END_POWERS: std::ops::RangeInclusive<i32> = 4..=40;
+/// Boxes up to this share of the interval are excluded by bounds.
+const NARROWEST_BOUNDED: f64 = 1.0 / 512.0;
+/// Scanned pieces in which a first maximum is looked for.
+const PIECES: u32 = 32;
+
+impl Region {
+    fn of(objective: &impl Objective, lower: f64, upper: f64) -> Self {
+        let length = upper - lower;
+        let end_box = |end: End| {
+            END_POWERS
+                .map(|power| length * 2f64.powi(-power))
+                .find(|distance| {
+                    let rises = Interval::try_new(0.0, *distance)
+                        .and_then(|domain| sign_on(&SlopeNear(objective, end), &domain));
+                    rises == Some(end == End::Lower)
+                })
+        };
+        if let Some((before, after)) = end_box(End::Lower).zip(end_box(End::Upper)) {
+            // no gap to the end boxes
             return Self {
-                end,
-                distance,
+                from: (lower + before).next_down(),
+                to: (upper - after).next_up(),
                 exclusion: Exclusion::BySlope,
             };
         }
-        let distance = distance(BOUNDED_POWER);
-        let bound = up_to(distance).and_then(|domain| objective.bound_near(end, &domain));
-        Self {
-            end,
-            distance,
-            exclusion: bound.map_or(Exclusion::None, |bound| {
-                Exclusion::ByBound(*bound.upper())
-            }),
-        }
+        Self::bounded(objective, lower, upper).unwrap_or_else(|| {
+            let margin = length * 2f64.powi(-*END_POWERS.end());
+            Self {
+                from: lower + margin,
+                to: upper - margin,
+                exclusion: Exclusion::None,
+            }
+        })
     }
 
-    const fn name(&self) -> &'static str {
-        match self.end {
-            End::Lower => "lower end",
-            End::Upper => "upper end",
+    /// What is left when boxes are dropped whose bound is lower than the value at some maximum.
+    fn bounded(objective: &impl Objective, lower: f64, upper: f64) -> Option<Self> {
+        let slope = |x: f64| objective.slope(&x).unwrap_or(f64::NAN);
+        let value = |x: f64| objective.value(&x).unwrap_or(f64::NAN);
+        let piece = (upper - lower) / f64::from(PIECES);
+        let highest = (1..PIECES)
+            .map(|k| lower + piece * f64::from(k))
+            .filter(|x| value(*x).is_finite())
+            .max_by(|a, b| value(*a).total_cmp(&value(*b)))?;
+        let guess = maximum(value, slope, (highest - piece, highest + piece), 2).ok()?;
+        let guess = guess.position;
+        let level = *objective.value(&Interval::point(guess))?.lower();
+        let mut boxes = vec![Interval::try_new(lower, upper)?];
+        let mut left: Option<Interval<f64>> = None;
+        while let Some(domain) = boxes.pop() {
+            if objective.bound_on(&domain)? < level {
+                continue;
+            }
+            match domain.halves() {
+                Some(halves) if domain.width() > NARROWEST_BOUNDED * (upper - lower) => {
+                    boxes.extend(halves);
+                }
+                _ => left = Some(left.map_or(domain, |left| left.hull(&domain))),
+            }
         }
+        let left = left?;
+        Some(Self {
+            from: *left.lower(),
+            to: *left.upper(),
+            exclusion: Exclusion::ByBound,
+        })
     }
 }
-
-/// The width of an end box that is left out by a bound, as a power of two of the interval.
-const BOUNDED_POWER: i32 = 8;

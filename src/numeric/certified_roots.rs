@@ -13,13 +13,18 @@
 //!
 //! Reference: Moore, Kearfott and Cloud, *Introduction to Interval Analysis*, 2009, ch. 8.
 
-use super::interval::{Endpoint, Interval};
+use super::interval::Interval;
 use super::{Dual, Scalar};
 
 /// A function of one real variable, written once for every number type.
 pub trait Function {
     /// The value at `x`, over intervals an enclosure of all values; `None` where there is none.
     fn value<S: Scalar>(&self, x: &S) -> Option<S>;
+
+    /// All values and derivatives on a box, as narrow as can be had quickly.
+    fn on_box(&self, domain: &Interval<f64>) -> Option<Dual<Interval<f64>>> {
+        self.value(&Dual::variable(*domain))
+    }
 }
 
 /// A root that is proved to exist and to be the only one in its enclosure.
@@ -45,7 +50,7 @@ pub struct CertifiedRoots {
 /// Boxes narrower than this share of the whole are not divided further.
 const NARROWEST: f64 = 1e-9;
 /// Evaluations after which the search gives up.
-const MOST_EVALUATIONS: u64 = 100_000;
+const MOST_EVALUATIONS: u64 = 20_000;
 /// Newton steps, each of which about doubles the digits.
 const TIGHTENINGS: u32 = 64;
 
@@ -173,9 +178,8 @@ impl<F: Function> Search<'_, F> {
 
     fn record(&mut self, domain: Interval<f64>, enclosure: Interval<f64>, slope: Interval<f64>) {
         // two boxes with one root each have the same one if either contains the other's
-        let is_known = |other: &Found| {
-            other.domain.contains(&enclosure) || domain.contains(&other.enclosure)
-        };
+        let is_known =
+            |other: &Found| other.domain.contains(&enclosure) || domain.contains(&other.enclosure);
         if !self.found.iter().any(is_known) {
             self.found.push(Found {
                 domain,
@@ -185,15 +189,9 @@ impl<F: Function> Search<'_, F> {
         }
     }
 
-    /// The function's values on a box, and its derivative there.
-    fn on<E: Endpoint>(&mut self, domain: &Interval<E>) -> Option<Dual<Interval<E>>> {
-        self.evaluations += 1;
-        let dual = self.function.value(&Dual::variable(domain.clone()))?;
-        Some(dual)
-    }
-
     fn outcome(&mut self, domain: &Interval<f64>) -> Outcome {
-        let Some(Dual { value, slope }) = self.on(domain) else {
+        self.evaluations += 1;
+        let Some(Dual { value, slope }) = self.function.on_box(domain) else {
             return Outcome::Open;
         };
         if !value.contains_zero() {
@@ -225,12 +223,12 @@ impl<F: Function> Search<'_, F> {
     fn tightened(&mut self, enclosure: &Interval<f64>, bits: u32) -> Option<Interval> {
         let mut domain = Interval::from_doubles(enclosure, bits);
         for _ in 0..TIGHTENINGS {
-            let slope = self.on(&domain)?.slope;
+            let slope = self.function.value(&Dual::variable(domain.clone()))?.slope;
             if !slope.is_bounded() || slope.contains_zero() {
                 return None;
             }
             let middle = Interval::point(domain.midpoint());
-            self.evaluations += 1;
+            self.evaluations += 2;
             let at_middle = self.function.value(&middle)?;
             // the root lies in both; an empty intersection would contradict its existence
             let newton = (middle - &(at_middle / &slope)).intersection(&domain)?;

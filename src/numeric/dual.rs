@@ -146,9 +146,7 @@ impl<S: Scalar> Scalar for Dual<S> {
         self.through(root.clone(), || root.constant(0.5) / &root)
     }
     fn ln(&self) -> Self {
-        self.through(self.value.ln(), || {
-            self.value.constant(1.0) / &self.value
-        })
+        self.through(self.value.ln(), || self.value.constant(1.0) / &self.value)
     }
     fn ln_1p(&self) -> Self {
         let one = self.value.constant(1.0);

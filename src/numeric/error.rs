@@ -41,7 +41,9 @@ pub enum NumericError {
         upper: f64,
     },
     /// Interval arithmetic could not prove that there is exactly one root.
-    #[error("the root between {lower} and {upper} cannot be isolated; more precision does not help")]
+    #[error(
+        "the root between {lower} and {upper} cannot be isolated; more precision does not help"
+    )]
     NotIsolated {
         /// Lower end.
         lower: f64,

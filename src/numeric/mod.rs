@@ -9,6 +9,7 @@
 //! **Not here**: geometry, and anything that knows what a form factor is.
 
 mod certified_maximum;
+mod certified_point;
 mod certified_roots;
 mod compensated_sum;
 mod dual;
@@ -25,6 +26,7 @@ mod scaled;
 pub mod tolerance;
 
 pub use certified_maximum::{Certificate, CertifiedMaximum, End, Objective, certified_maximum};
+pub use certified_point::{VectorFunction, certified_stationary_point};
 pub use certified_roots::{CertifiedRoot, CertifiedRoots, Function, certified_roots};
 pub use compensated_sum::compensated_sum;
 pub use dual::Dual;
