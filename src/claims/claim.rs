@@ -1,6 +1,7 @@
 //! One claim of the paper, as it stands in `data/paper/`.
 
 use super::{Inputs, Verdict};
+use crate::numeric::Interval;
 
 /// What there is to do about a claim.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,6 +16,13 @@ pub enum Task {
         control: Inputs,
         /// The verdict on record: any other is an error of the suite.
         recorded: Verdict,
+    },
+    /// Nothing to compute: a theorem of `proofs/` decides it.
+    Proved {
+        /// Is it the contrary that is proved?
+        is_refuted: bool,
+        /// What a reader should know.
+        note: String,
     },
     /// Nothing yet, for this reason.
     NotChecked {
@@ -36,6 +44,8 @@ pub struct Claim {
     pub printed: Option<Printed>,
     /// Does the paper state the configuration completely? If not, disagreement refutes nothing.
     pub complete: bool,
+    /// Theorems of `proofs/Statements.v` that prove the claim as it stands, or its contrary.
+    pub proof: Vec<String>,
     /// What to do.
     pub task: Task,
 }
@@ -72,6 +82,14 @@ impl Printed {
         let half = 0.5 * 0.1f64.powi(self.decimals.try_into().unwrap_or(i32::MAX));
         (self.value - half, self.value + half)
     }
+
+    /// Its ends, each enclosed; `None` if the text is no decimal number.
+    #[must_use]
+    pub fn exact_interval(&self, bits: u32) -> Option<[Interval; 2]> {
+        let value = Interval::parse(&self.text, bits)?;
+        let half = Interval::parse(&format!("5e-{}", self.decimals + 1), bits)?;
+        Some([value.clone() - &half, value + &half])
+    }
 }
 
 /// A claim as written in TOML.
@@ -87,6 +105,9 @@ pub(super) struct Entry {
     computation: Option<String>,
     verdict: Option<Verdict>,
     not_checked: Option<String>,
+    #[serde(default)]
+    proof: Vec<String>,
+    note: Option<String>,
     #[serde(default)]
     input: Inputs,
     #[serde(default)]
@@ -120,9 +141,17 @@ impl TryFrom<Entry> for Claim {
                 }
             }
             (None, None, Some(reason)) => Task::NotChecked { reason },
+            (None, Some(verdict @ (Verdict::Confirmed | Verdict::Refuted)), None)
+                if !entry.proof.is_empty() =>
+            {
+                Task::Proved {
+                    is_refuted: verdict == Verdict::Refuted,
+                    note: entry.note.unwrap_or_default(),
+                }
+            }
             _ => {
                 return Err(format!(
-                    "claim {id}: needs computation and verdict, or not_checked"
+                    "claim {id}: needs computation and verdict, or proof and verdict, or not_checked"
                 ));
             }
         };
@@ -133,6 +162,7 @@ impl TryFrom<Entry> for Claim {
             quantity,
             printed,
             complete,
+            proof: entry.proof,
             task,
         })
     }

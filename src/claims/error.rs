@@ -35,6 +35,12 @@ pub enum ClaimError {
         /// What is wrong.
         reason: String,
     },
+    /// A maximum was found but not proved to be the highest.
+    #[error("not certified: {reason}")]
+    NotCertified {
+        /// Why.
+        reason: String,
+    },
     /// A numerical routine refused.
     #[error(transparent)]
     Numeric(#[from] NumericError),

@@ -1,6 +1,7 @@
 //! What a computation found out about a claim, and how strong the evidence is.
 
 use super::{ClaimError, Inputs};
+use crate::numeric::{Interval, Scalar};
 
 /// A function that computes a claim.
 pub type Computation = fn(&Inputs) -> Result<Finding, ClaimError>;
@@ -65,10 +66,12 @@ impl Measure {
 }
 
 /// What a computation found.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Finding {
     /// The number.
     pub measure: Measure,
+    /// Contains the exact number, if it is enclosed.
+    pub enclosure: Option<Interval>,
     /// Does the statement hold? `None` where the claim is a printed number to compare with.
     pub holds: Option<bool>,
     /// How strong the evidence is.
@@ -92,6 +95,30 @@ impl Finding {
         Self::new(Measure::Value { value, error }, Some(holds))
     }
 
+    /// An enclosed number to compare with the printed one.
+    #[must_use]
+    pub fn enclosed(enclosure: Interval) -> Self {
+        Self::value(enclosure.to_f64(), stated_error(&enclosure)).within(enclosure)
+    }
+
+    /// A statement that an enclosed number decides: it `holds` for all numbers of the interval, `fails` for all, or
+    /// is left open.
+    #[must_use]
+    pub fn decided(holds: bool, fails: bool, enclosure: Interval) -> Self {
+        let measure = Measure::Value {
+            value: enclosure.to_f64(),
+            error: stated_error(&enclosure),
+        };
+        let holds = (holds != fails).then_some(holds);
+        Self::new(measure, holds).within(enclosure)
+    }
+
+    fn within(mut self, enclosure: Interval) -> Self {
+        self.evidence = Evidence::Enclosure;
+        self.enclosure = Some(enclosure);
+        self
+    }
+
     /// An identity, with what is left of it.
     #[must_use]
     pub fn residual(value: f64, tolerance: f64) -> Self {
@@ -105,6 +132,7 @@ impl Finding {
         let evidence = Evidence::Estimate;
         Self {
             measure,
+            enclosure: None,
             holds,
             evidence,
             note: String::new(),
@@ -132,4 +160,11 @@ impl Finding {
         self.curve = curve;
         self
     }
+}
+
+/// How far the exact number can lie from the double nearest to the middle of its enclosure.
+fn stated_error(enclosure: &Interval) -> f64 {
+    let middle = enclosure.constant(enclosure.to_f64());
+    let (lower, upper) = (enclosure.clone() - &middle).to_doubles();
+    upper.max(-lower)
 }

@@ -24,6 +24,6 @@ mod verdict;
 pub use claim::{Claim, Printed, Task};
 pub use error::ClaimError;
 pub use finding::{Computation, Evidence, Finding, Measure};
-pub use inputs::Inputs;
-pub use registry::{Judgement, computations, judge, judge_control, registry};
+pub use inputs::{DEFAULT_PRECISION, Inputs};
+pub use registry::{Judgement, computations, judge, judge_all, judge_control, registry};
 pub use verdict::Verdict;

@@ -2,8 +2,9 @@
 
 use super::claim::{Claim, Entry, Printed, Task};
 use super::finding::Computation;
-use super::{ClaimError, Finding, Inputs, Verdict};
+use super::{ClaimError, Evidence, Finding, Inputs, Verdict};
 use super::{appendix, section_2, section_3, section_4_1, section_4_2, section_5};
+use rayon::prelude::*;
 
 const FILES: [(&str, &str); 6] = [
     (
@@ -72,7 +73,7 @@ pub fn computations() -> Vec<(&'static str, Computation)> {
 }
 
 /// A claim with what was found and the verdict.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Judgement {
     /// The claim.
     pub claim: Claim,
@@ -88,7 +89,18 @@ impl Judgement {
     pub const fn recorded(&self) -> Verdict {
         match &self.claim.task {
             Task::Compute { recorded, .. } => *recorded,
+            Task::Proved { is_refuted, .. } => Verdict::of_proof(*is_refuted),
             Task::NotChecked { .. } => Verdict::NotChecked,
+        }
+    }
+
+    /// The grade of the evidence, if there is any.
+    #[must_use]
+    pub fn evidence(&self) -> Option<Evidence> {
+        match (&self.finding, &self.claim.task) {
+            (Some(finding), _) => Some(finding.evidence),
+            (None, Task::Proved { .. }) => Some(Evidence::Proof),
+            (None, _) => None,
         }
     }
 
@@ -98,17 +110,18 @@ impl Judgement {
         match (&self.finding, &self.claim.task) {
             (Some(finding), _) => &finding.note,
             (None, Task::NotChecked { reason }) => reason,
+            (None, Task::Proved { note, .. }) => note,
             (None, Task::Compute { .. }) => "",
         }
     }
 }
 
-/// Computes a claim and judges it.
+/// Computes a claim, enclosed numbers with ends of `bits` bits, and judges it.
 ///
 /// # Errors
 /// [`ClaimError`] if the computation fails.
-pub fn judge(claim: &Claim) -> Result<Judgement, ClaimError> {
-    judge_with(claim, &Inputs::default())
+pub fn judge(claim: &Claim, bits: u32) -> Result<Judgement, ClaimError> {
+    judge_with(claim, &Inputs::default(), bits)
 }
 
 /// Judges a claim with its control's change of input; a sound computation gives another verdict.
@@ -117,26 +130,49 @@ pub fn judge(claim: &Claim) -> Result<Judgement, ClaimError> {
 ///
 /// # Errors
 /// [`ClaimError`] if the computation fails.
-pub fn judge_control(claim: &Claim) -> Result<Judgement, ClaimError> {
+pub fn judge_control(claim: &Claim, bits: u32) -> Result<Judgement, ClaimError> {
     match &claim.task {
-        Task::Compute { control, .. } => judge_with(claim, control),
-        Task::NotChecked { .. } => judge(claim),
+        Task::Compute { control, .. } => judge_with(claim, control, bits),
+        Task::Proved { .. } | Task::NotChecked { .. } => judge(claim, bits),
     }
 }
 
-fn judge_with(claim: &Claim, changes: &Inputs) -> Result<Judgement, ClaimError> {
+/// Judges all these claims, in parallel; `progress` is called after each.
+///
+/// # Errors
+/// [`ClaimError`] of the first claim whose computation fails.
+pub fn judge_all(
+    claims: &[Claim],
+    bits: u32,
+    progress: impl Fn() + Sync,
+) -> Result<Vec<Judgement>, ClaimError> {
+    claims
+        .par_iter()
+        .map(|claim| {
+            let judgement = judge(claim, bits);
+            progress();
+            judgement
+        })
+        .collect()
+}
+
+fn judge_with(claim: &Claim, changes: &Inputs, bits: u32) -> Result<Judgement, ClaimError> {
     let mut claim = claim.clone();
     let Task::Compute {
         computation, input, ..
     } = &claim.task
     else {
+        let verdict = match &claim.task {
+            Task::Proved { is_refuted, .. } => Verdict::of_proof(*is_refuted),
+            _ => Verdict::NotChecked,
+        };
         return Ok(Judgement {
             claim,
             finding: None,
-            verdict: Verdict::NotChecked,
+            verdict,
         });
     };
-    let mut input = input.changed_by(changes);
+    let mut input = input.changed_by(changes).with_precision(bits);
     let found = computations()
         .into_iter()
         .find(|(name, _)| name == computation);
@@ -152,8 +188,14 @@ fn judge_with(claim: &Claim, changes: &Inputs) -> Result<Judgement, ClaimError> 
             decimals,
         });
     }
-    let finding = compute(&input)?;
-    let verdict = Verdict::of(&claim, &finding);
+    let mut finding = compute(&input)?;
+    let mut verdict = Verdict::of(&claim, &finding);
+    // a theorem is about the claim itself, not about its control; what contradicts it is not hidden by it
+    let is_proved = !claim.proof.is_empty() && changes.is_empty();
+    if is_proved && matches!(verdict, Verdict::Supported | Verdict::Confirmed) {
+        finding.evidence = Evidence::Proof;
+        verdict = Verdict::of(&claim, &finding);
+    }
     Ok(Judgement {
         claim,
         finding: Some(finding),

@@ -3,10 +3,12 @@
 use super::extremes::larger;
 use super::finding::Computation;
 use super::{ClaimError, Finding, Inputs};
-use crate::discretize::{ContactShadow, CubeGrid, PatchSplit};
+use crate::discretize::{CertifiedGrid, ContactShadow, CubeGrid, PatchSplit};
 use crate::geometry::SplitAxis;
-use crate::numeric::{maximum, tolerance};
+use crate::numeric::{Certificate, CertifiedMaximum, Interval, Scalar, tolerance};
 use crate::scene::Scene;
+use std::collections::HashMap;
+use std::sync::{Arc, LazyLock, Mutex, OnceLock};
 
 pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
     (
@@ -113,170 +115,212 @@ fn curve(split: &PatchSplit) -> Result<Vec<[f64; 2]>, ClaimError> {
     points(100).map(|t| Ok([t, split.gain(&[t])?])).collect()
 }
 
+/// The proved maximum of the gain of one cut.
+fn certified(split: &PatchSplit, input: &Inputs) -> Result<CertifiedMaximum, ClaimError> {
+    let best = split.certified_best(input.bits())?;
+    match &best.certificate {
+        Certificate::Unknown { reason } => Err(ClaimError::NotCertified {
+            reason: reason.clone(),
+        }),
+        Certificate::Unique { .. } | Certificate::Several { .. } => Ok(best),
+    }
+}
+
 fn orthogonal_cut_gains_little(input: &Inputs) -> Result<Finding, ClaimError> {
     let scene = Scene::floor_and_wall(input.number("depth")?)?;
-    let orthogonal = PatchSplit::try_new(&scene, 0, &[1], SplitAxis::V)?;
-    let best = orthogonal.best(2)?;
-    let parallel = PatchSplit::try_new(&scene, 0, &[1], SplitAxis::U)?.best(2)?;
-    let ratio = best.gain / parallel.gain;
+    let along = |axis| PatchSplit::try_new(&scene, 0, &[1], axis);
+    let orthogonal = along(SplitAxis::V)?;
+    let best = certified(&orthogonal, input)?;
+    let parallel = certified(&along(SplitAxis::U)?, input)?;
     let note = format!(
         "best orthogonal cut {:.4} from a side edge, gain {:.6} bit; best parallel cut gains {:.5} bit; \
          little: below {} of it",
-        best.positions[0],
-        best.gain,
-        parallel.gain,
+        best.position.to_f64(),
+        best.value.to_f64(),
+        parallel.value.to_f64(),
         input.number("small")?
     );
-    let finding = Finding::statement(ratio < input.number("small")?, ratio, tolerance::GAIN);
+    let ratio = best.value / &parallel.value;
+    let small = input.interval("small")?;
+    let finding = Finding::decided(ratio < small, ratio > small, ratio);
     Ok(finding.noting(note).with_curve(curve(&orthogonal)?))
 }
 
+/// The gain of two equal fluxes is enclosed about 0; `Theorem` in the claim's data says that it is 0.
 fn orthogonal_middle_gains_nothing(input: &Inputs) -> Result<Finding, ClaimError> {
-    let gain = two_squares(SplitAxis::V)?.gain(&[input.number("position")?])?;
-    Ok(Finding::residual(gain, tolerance::VANISHING_GAIN))
+    let position = input.interval("position")?;
+    let gain = two_squares(SplitAxis::V)?
+        .lifted(&position)
+        .gain(&[position.clone()])?;
+    let nothing = position.constant(tolerance::VANISHING_GAIN);
+    Ok(Finding::decided(gain < nothing, gain > nothing, gain))
 }
 
 fn best_parallel_cut(input: &Inputs) -> Result<Finding, ClaimError> {
     let scene = Scene::floor_and_wall(input.number("depth")?)?;
     let split = PatchSplit::try_new(&scene, 0, &[1], SplitAxis::U)?;
-    let best = split.best(2)?;
+    let best = certified(&split, input)?;
     let note = format!(
         "gain {:.7} bit, {:.7} in the middle",
-        best.gain,
+        best.value.to_f64(),
         split.gain(&[0.5])?
     );
-    Ok(Finding::value(best.positions[0], tolerance::POSITION).noting(note))
+    Ok(Finding::enclosed(best.position).noting(note))
 }
 
-/// Sign changes of the derivative, with the gain near both ends.
+/// The stationary points in the open interval, all of them found, with the gain near both ends.
 fn curve_has_one_maximum(input: &Inputs) -> Result<Finding, ClaimError> {
     let split = match (input.switch("orthogonal")?, input.count("neighbours")?) {
         (true, _) => two_squares(SplitAxis::V)?,
         (false, 1) => two_squares(SplitAxis::U)?,
         (false, neighbours) => corner(neighbours)?,
     };
-    let mut maxima = 0;
-    let mut rising = true;
-    for t in points(400) {
-        let rises = split.gain_derivative(&[t], 0)? > 0.0;
-        maxima += u32::from(rising && !rises);
-        rising = rises;
-    }
-    let (near, far) = (split.gain(&[1e-6])?, split.gain(&[1.0 - 1e-6])?);
-    let holds = maxima == 1 && near.max(far) < 1e-5;
-    let finding = Finding::statement(holds, f64::from(maxima), 0.0).sampled();
-    Ok(finding.with_curve(curve(&split)?))
+    let best = certified(&split, input)?;
+    let maxima = match best.certificate {
+        Certificate::Several { maximisers } => maximisers,
+        _ => 1,
+    };
+    let like = &best.position;
+    let rises_and_falls = best.certificate
+        == Certificate::Unique {
+            is_only_stationary_point: Some(true),
+        };
+    let near = like.constant(2f64.powi(-20));
+    let split_here = split.lifted(like);
+    let level = like.constant(1e-5);
+    let starts_low = split_here.gain(&[near.clone()])? < level;
+    let ends_low = split_here.gain(&[like.constant(1.0) - &near])? < level;
+    #[allow(clippy::cast_precision_loss, reason = "one or two")]
+    let count = like.constant(maxima as f64);
+    let holds = rises_and_falls && starts_low && ends_low;
+    Ok(Finding::decided(holds, !rises_and_falls, count).with_curve(curve(&split)?))
 }
 
 fn best_corner_cut(input: &Inputs) -> Result<Finding, ClaimError> {
-    let best = corner(input.count("neighbours")?)?.best(2)?;
-    let note = format!("gain {:.7} bit", best.gain);
-    Ok(Finding::value(best.positions[0], tolerance::POSITION).noting(note))
+    let best = certified(&corner(input.count("neighbours")?)?, input)?;
+    let note = format!("gain {:.7} bit", best.value.to_f64());
+    Ok(Finding::enclosed(best.position).noting(note))
 }
 
 /// At `fraction` of the two-square optimum the slope of the orthogonal gain must be negative: it grows
 /// towards the edge.
 fn orthogonal_slope_explains_the_shift(input: &Inputs) -> Result<Finding, ClaimError> {
-    let pair = two_squares(SplitAxis::U)?.best(2)?.positions[0];
-    let three = corner(2)?.best(2)?.positions[0];
-    let at = input.number("fraction")? * pair;
-    let slope = two_squares(SplitAxis::V)?.gain_derivative(&[at], 0)?;
-    let note = format!("the cut moves from {pair:.5} to {three:.5}");
-    Ok(Finding::statement(slope < 0.0 && three < pair, slope, tolerance::GAIN).noting(note))
+    let pair = certified(&two_squares(SplitAxis::U)?, input)?.position;
+    let three = certified(&corner(2)?, input)?.position;
+    let at = input.interval("fraction")? * &pair;
+    let slope = two_squares(SplitAxis::V)?
+        .lifted(&at)
+        .gain_derivative(std::slice::from_ref(&at), 0)?;
+    let note = format!(
+        "the cut moves from {:.5} to {:.5}",
+        pair.to_f64(),
+        three.to_f64()
+    );
+    let zero = slope.zero();
+    let holds = slope < zero && three < pair;
+    let fails = slope > zero || three > pair;
+    Ok(Finding::decided(holds, fails, slope).noting(note))
 }
 
 /// Lines at t and 1 − t.
-fn three_cells(t: f64) -> Result<CubeGrid, ClaimError> {
-    Ok(CubeGrid::try_new(&[t, 1.0 - t])?)
+fn three_cells<S: Scalar>(t: &S) -> Result<S, ClaimError> {
+    let grid = CubeGrid::mirrored(std::slice::from_ref(t), 3, t)?;
+    Ok(grid.mutual_information()?)
 }
 
-fn best_three_cell_line() -> Result<f64, ClaimError> {
-    let information = |t: f64| {
-        three_cells(t)
-            .and_then(|grid| Ok(grid.mutual_information()?))
-            .unwrap_or(f64::NAN)
+type Shared = Arc<OnceLock<Result<CertifiedGrid, ClaimError>>>;
+
+/// Best grids by cells and precision: several claims ask for the same.
+static BEST_GRIDS: LazyLock<Mutex<HashMap<(u32, u32), Shared>>> = LazyLock::new(Mutex::default);
+
+fn best_grid(cells: u32, input: &Inputs) -> Result<CertifiedGrid, ClaimError> {
+    let key = (cells, input.bits());
+    let shared = match BEST_GRIDS.lock() {
+        Ok(mut grids) => grids.entry(key).or_default().clone(),
+        Err(_) => Shared::default(),
     };
-    let slope = |t: f64| {
-        three_cells(t)
-            .and_then(|grid| Ok(grid.gradient()?[0]))
-            .unwrap_or(f64::NAN)
-    };
-    // cells narrower than a twentieth of an edge are none of the figure's
-    Ok(maximum(information, slope, (0.05, 0.45), 16)?.position)
+    shared
+        .get_or_init(|| Ok(CertifiedGrid::best(cells, input.bits())?))
+        .clone()
 }
 
 fn best_three_cell_grid(input: &Inputs) -> Result<Finding, ClaimError> {
-    let units = input.number("units_per_edge")?;
-    let line = best_three_cell_line()?;
-    let grid = three_cells(line)?;
+    let grid = best_grid(3, input)?;
+    if let Certificate::Unknown { reason } = &grid.certificate {
+        let reason = reason.clone();
+        return Err(ClaimError::NotCertified { reason });
+    }
+    let units = input.interval("units_per_edge")?;
+    let line = grid.half[0].clone();
     let note = format!(
-        "lines at {line:.6} and {:.6} of the edge, {:.7} bit; the axis is read as 0 at an edge, 10 in \
+        "lines at {:.6} and {:.6} of the edge, {:.7} bit; the axis is read as 0 at an edge, 10 in \
          the middle, on which the regular grid stands at {:.2}",
-        1.0 - line,
-        grid.mutual_information()?,
-        units / 3.0
+        line.to_f64(),
+        1.0 - line.to_f64(),
+        grid.mutual_information.to_f64(),
+        units.to_f64() / 3.0
     );
-    Ok(Finding::value(units * line, units * tolerance::POSITION).noting(note))
+    Ok(Finding::enclosed(units * &line).noting(note))
 }
 
 fn best_grid_lies_nearer_to_the_edges(input: &Inputs) -> Result<Finding, ClaimError> {
     let cells = input.count("cells")?;
-    let (best, regular) = (CubeGrid::best(cells)?, CubeGrid::regular(cells)?);
-    let displacement = regular
-        .lines()
-        .first()
-        .zip(best.lines().first())
-        .map_or(0.0, |(a, b)| a - b);
-    let gain = best.mutual_information()? - regular.mutual_information()?;
-    let note = format!("it gains {gain:.5} bit over the regular grid");
-    let holds = displacement > tolerance::POSITION && gain > tolerance::GRID_INFORMATION;
-    Ok(Finding::statement(holds, 20.0 * displacement, 20.0 * tolerance::POSITION).noting(note))
+    let best = best_grid(cells, input)?;
+    let like = &best.mutual_information;
+    let gain = like.clone() - &CertifiedGrid::regular(cells, input.bits())?;
+    let regular = like.constant(1.0) / &like.constant(f64::from(cells));
+    let displacement = match best.half.first() {
+        Some(line) => (regular - line) * &like.constant(20.0),
+        None => like.zero(),
+    };
+    let note = format!("it gains {:.5} bit over the regular grid", gain.to_f64());
+    let zero = like.zero();
+    let holds = displacement > zero && gain > zero;
+    let fails = displacement <= zero || gain < zero;
+    Ok(Finding::decided(holds, fails, displacement).noting(note))
 }
 
 fn figure_4_cases_lose(input: &Inputs) -> Result<Finding, ClaimError> {
-    let at =
-        |x: f64| -> Result<f64, ClaimError> { Ok(three_cells(x / 20.0)?.mutual_information()?) };
-    let [lower, best, upper] = [
-        at(input.number("lower")?)?,
-        at(input.number("best")?)?,
-        at(input.number("upper")?)?,
-    ];
+    let axis = |name| Ok::<_, ClaimError>(input.interval(name)? / &input.interval("axis")?);
+    let at = |name| three_cells(&axis(name)?);
+    let [lower, best, upper] = [at("lower")?, at("best")?, at("upper")?];
     let curve = (1..100)
         .map(|tenth| f64::from(tenth) / 10.0)
-        .map(|x| Ok([x, at(x)?]))
+        .map(|x| Ok([x, three_cells(&(x / 20.0))?]))
         .collect::<Result<Vec<_>, ClaimError>>()?;
-    let turns = curve
-        .windows(3)
-        .filter(|w| w[1][1] > w[0][1] && w[1][1] >= w[2][1])
-        .count();
-    let lost = best - lower.max(upper);
-    let note = format!("{lower:.5} bit at 2, {best:.5} near 6, {upper:.5} at 8");
-    let finding = Finding::statement(lost > 0.0 && turns == 1, lost, tolerance::GRID_INFORMATION);
+    let is_unique = matches!(best_grid(3, input)?.certificate, Certificate::Unique { .. });
+    let note = format!(
+        "{:.5} bit at 2, {:.5} near 6, {:.5} at 8",
+        lower.to_f64(),
+        best.to_f64(),
+        upper.to_f64()
+    );
+    let lost = best - &lower.larger_of(&upper);
+    let zero = lost.zero();
+    let finding = Finding::decided(lost > zero && is_unique, lost < zero, lost);
     Ok(finding.noting(note).with_curve(curve))
 }
 
 fn best_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
-    let grid = CubeGrid::best(input.count("cells")?)?;
+    let grid = best_grid(input.count("cells")?, input)?;
     let lines: Vec<String> = grid
-        .lines()
-        .into_iter()
-        .filter(|line| *line < 0.5)
-        .map(|line| format!("{line:.4}"))
+        .half
+        .iter()
+        .map(|line| format!("{:.4}", line.to_f64()))
         .collect();
     let note = format!(
         "lines at {} from either end; the figure states neither cells nor lines, and the difference to \
          the regular grid agrees better than the level",
         lines.join(", ")
     );
-    let information = grid.mutual_information()?;
-    Ok(Finding::value(information, tolerance::GRID_INFORMATION * information).noting(note))
+    Ok(Finding::enclosed(grid.mutual_information).noting(note))
 }
 
 fn regular_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
     let at = |cells: u32| -> Result<f64, ClaimError> {
         Ok(CubeGrid::regular(cells)?.mutual_information()?)
     };
-    let information = at(input.count("cells")?)?;
+    let information = CertifiedGrid::regular(input.count("cells")?, input.bits())?;
     let levels = (1..=12).map(at).collect::<Result<Vec<f64>, _>>()?;
     let interval = input.number("printed_from")?..=input.number("printed_to")?;
     let found = levels
@@ -288,26 +332,31 @@ fn regular_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
          give {:.4}; the printed numbers look like sampled estimates, whose bias is positive",
         levels[6], levels[7]
     );
-    Ok(Finding::value(information, tolerance::GRID_INFORMATION * information).noting(note))
+    Ok(Finding::enclosed(information).noting(note))
 }
 
-/// The best grid against the regular one, and a grid whose lines move the other way.
+/// The best grid against the regular one, and a grid whose lines move as far the other way.
 fn best_grid_beats_regular_grid(input: &Inputs) -> Result<Finding, ClaimError> {
     let cells = input.count("cells")?;
-    let (best, regular) = (CubeGrid::best(cells)?, CubeGrid::regular(cells)?);
-    let moved: Vec<f64> = regular
-        .lines()
-        .iter()
-        .zip(best.lines())
-        .map(|(line, best)| 2.0 * line - best)
+    let best = best_grid(cells, input)?;
+    let regular = CertifiedGrid::regular(cells, input.bits())?;
+    let like = &regular;
+    let moved: Vec<Interval> = (1..)
+        .zip(&best.half)
+        .map(|(k, line)| {
+            let twice = like.constant(2.0 * f64::from(k)) / &like.constant(f64::from(cells));
+            twice - line
+        })
         .collect();
-    let levels = [best.mutual_information()?, regular.mutual_information()?];
-    let mirrored = CubeGrid::try_new(&moved)?.mutual_information()?;
-    let advantage = levels[0] - levels[1];
-    let holds = advantage > tolerance::IDENTITY && levels[1] > mirrored;
+    let other = CubeGrid::mirrored(&moved, cells, like)?.mutual_information()?;
     let note = format!(
-        "lines moved as far the other way: {mirrored:.5} bit against {:.5}",
-        levels[1]
+        "lines moved as far the other way: {:.5} bit against {:.5}",
+        other.to_f64(),
+        regular.to_f64()
     );
-    Ok(Finding::statement(holds, advantage, 2.0 * tolerance::GRID_INFORMATION).noting(note))
+    let advantage = best.mutual_information - &regular;
+    let zero = advantage.zero();
+    let holds = advantage > zero && regular > other;
+    let fails = advantage <= zero || regular < other;
+    Ok(Finding::decided(holds, fails || moved.is_empty(), advantage).noting(note))
 }

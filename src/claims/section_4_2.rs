@@ -5,7 +5,7 @@ use super::finding::Computation;
 use super::{ClaimError, Finding, Inputs};
 use crate::discretize::{GradientCut, StraightCut};
 use crate::information::divergence;
-use crate::numeric::{integral, tolerance, x_log2_ratio};
+use crate::numeric::{Interval, Scalar, integral, tolerance, x_log2_ratio};
 
 pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
     ("objective_follows", objective_follows),
@@ -73,16 +73,15 @@ fn best_cut_is_perpendicular(input: &Inputs) -> Result<Finding, ClaimError> {
 }
 
 fn information_cut(input: &Inputs) -> Result<Finding, ClaimError> {
-    let found = cut(input)?.mutual_information_cut()?;
+    let found = cut(input)?.certified_mutual_information_cut(input.bits())?;
     let n = input.number("exponent")?;
-    let derived = GradientCut::try_new(n, n)?
-        .mutual_information_cut()?
-        .position;
+    let derived = GradientCut::try_new(n, n)?.certified_mutual_information_cut(input.bits())?;
     let note = format!(
-        "gain {:.6} bit; {derived:.4} for irradiance growing as the radiosity",
-        found.value
+        "gain {:.6} bit; {:.4} for irradiance growing as the radiosity",
+        found.value.to_f64(),
+        derived.position.to_f64()
     );
-    Ok(Finding::value(found.position, tolerance::POSITION).noting(note))
+    Ok(Finding::enclosed(found.position).noting(note))
 }
 
 /// At each cut the L2 error, by quadrature, must be lower than a thousandth to either side, and the
@@ -115,26 +114,29 @@ fn polynomial_follows(input: &Inputs) -> Result<Finding, ClaimError> {
 }
 
 fn mean_square_cut(input: &Inputs) -> Result<Finding, ClaimError> {
-    let found = GradientCut::try_new(input.number("exponent")?, 1.0)?.mean_square_cut()?;
-    let note = format!("mean square error {:.6}", found.value);
-    Ok(Finding::value(found.position, tolerance::POSITION).noting(note))
+    let cut = GradientCut::try_new(input.number("exponent")?, 1.0)?;
+    let found = cut.certified_mean_square_cut(input.bits())?;
+    let note = format!("mean square error {:.6}", found.value.to_f64());
+    Ok(Finding::enclosed(found.position).noting(note))
 }
 
 fn cuts_are_near(input: &Inputs) -> Result<Finding, ClaimError> {
-    let distance = |n: f64, m: f64| -> Result<f64, ClaimError> {
+    let distance = |n: f64, m: f64| -> Result<Interval, ClaimError> {
         let cut = GradientCut::try_new(n, m)?;
-        Ok((cut.mean_square_cut()?.position - cut.mutual_information_cut()?.position).abs())
+        let square = cut.certified_mean_square_cut(input.bits())?.position;
+        Ok((square - &cut.certified_mutual_information_cut(input.bits())?.position).abs())
     };
     let m = input.number("irradiance_exponent")?;
-    let mut printed: f64 = 0.0;
-    let mut derived: f64 = 0.0;
+    let near = input.interval("near")?;
+    let (mut printed, mut derived) = (near.zero(), near.zero());
     for n in [1.0, 2.0, 3.0, 4.0] {
-        printed = larger(printed, distance(n, m)?);
-        derived = larger(derived, distance(n, n)?);
+        printed = printed.larger_of(&distance(n, m)?);
+        derived = derived.larger_of(&distance(n, n)?);
     }
-    let near = input.number("near")?;
     let note = format!(
-        "very near: within {near} of the patch; {derived:.4} for irradiance growing as the radiosity"
+        "very near: within {} of the patch; {:.4} for irradiance growing as the radiosity",
+        near.to_f64(),
+        derived.to_f64()
     );
-    Ok(Finding::statement(printed <= near, printed, 2.0 * tolerance::POSITION).noting(note))
+    Ok(Finding::decided(printed < near, printed > near, printed).noting(note))
 }

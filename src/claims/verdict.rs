@@ -12,6 +12,8 @@
 
 use super::claim::{Claim, Printed};
 use super::finding::{Evidence, Finding, Measure};
+use crate::numeric::Interval;
+use crate::numeric::interval::Endpoint;
 
 /// What a claim comes to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
@@ -51,13 +53,24 @@ impl Verdict {
         }
     }
 
+    /// The verdict where a theorem alone decides.
+    pub(super) const fn of_proof(is_refuted: bool) -> Self {
+        if is_refuted {
+            Self::Refuted
+        } else {
+            Self::Confirmed
+        }
+    }
+
     /// The verdict on a claim, by the rule above.
     #[must_use]
     pub fn of(claim: &Claim, finding: &Finding) -> Self {
         let agrees = match (&claim.printed, finding.holds, finding.measure) {
-            (Some(printed), None, Measure::Value { value, error }) => {
-                agreement(printed, value, error)
-            }
+            (Some(printed), None, measure) => match (&finding.enclosure, measure) {
+                (Some(enclosure), _) => enclosed_agreement(printed, enclosure),
+                (None, Measure::Value { value, error }) => agreement(printed, value, error),
+                (None, Measure::Residual { .. }) => Agreement::Overlap,
+            },
             (_, Some(true), _) => Agreement::Inside,
             (_, Some(false), _) => Agreement::Outside,
             _ => Agreement::Overlap,
@@ -84,6 +97,20 @@ fn agreement(printed: &Printed, value: f64, error: f64) -> Agreement {
         Agreement::Inside
     } else if value + error < lower || upper < value - error {
         Agreement::Outside
+    } else {
+        Agreement::Overlap
+    }
+}
+
+/// The same between the exact decimal interval and an enclosure.
+fn enclosed_agreement(printed: &Printed, enclosure: &Interval) -> Agreement {
+    let Some([lower, upper]) = printed.exact_interval(enclosure.lower().bits()) else {
+        return Agreement::Overlap;
+    };
+    if enclosure < &lower || enclosure > &upper {
+        Agreement::Outside
+    } else if &lower < enclosure && enclosure < &upper {
+        Agreement::Inside
     } else {
         Agreement::Overlap
     }

@@ -3,7 +3,7 @@
 use super::Answer;
 use super::output::Output;
 use super::reproduce::selected;
-use crate::claims::{judge, registry};
+use crate::claims::{DEFAULT_PRECISION, judge, registry};
 use crate::report::curve_report;
 
 #[derive(Debug, clap::Args)]
@@ -27,7 +27,7 @@ impl Curve {
         let claims = selected(std::slice::from_ref(&self.id))?;
         let mut curve = Vec::new();
         for claim in &claims {
-            curve = judge(claim)?
+            curve = judge(claim, DEFAULT_PRECISION)?
                 .finding
                 .map(|finding| finding.curve)
                 .unwrap_or_default();
@@ -35,7 +35,7 @@ impl Curve {
         if curve.is_empty() {
             let mut with_curve = Vec::new();
             for claim in registry()? {
-                let finding = judge(&claim)?.finding;
+                let finding = judge(&claim, DEFAULT_PRECISION)?.finding;
                 if finding.is_some_and(|finding| !finding.curve.is_empty()) {
                     with_curve.push(claim.id);
                 }

@@ -1,10 +1,9 @@
 //! `infoscene fuzz`.
 
-use super::output::Output;
+use super::output::{Output, progress_bar};
 use super::{Answer, Outcome};
 use crate::report::fuzz_report;
 use crate::study::fuzz::{Campaign, Sabotage, run};
-use indicatif::{ProgressBar, ProgressStyle};
 use std::time::Instant;
 
 #[derive(Debug, clap::Args)]
@@ -47,11 +46,7 @@ impl Fuzz {
             }),
         };
         self.output.check()?;
-        // drawn on a terminal only
-        let bar = ProgressBar::new(self.cases.into());
-        bar.set_style(ProgressStyle::with_template(
-            "{wide_bar} {pos}/{len} cases, {eta} left",
-        )?);
+        let bar = progress_bar(self.cases.into(), "cases")?;
         let start = Instant::now();
         let findings = run(campaign, &|cases| bar.inc(cases));
         bar.finish_and_clear();

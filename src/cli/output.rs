@@ -2,6 +2,8 @@
 
 use super::{Answer, Outcome};
 use crate::report::{Format, Report};
+use indicatif::style::TemplateError;
+use indicatif::{ProgressBar, ProgressStyle};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -153,4 +155,10 @@ fn folder_of(path: &Path) -> io::Result<&Path> {
         ));
     }
     Ok(folder)
+}
+
+/// A progress bar, drawn on a terminal only.
+pub(super) fn progress_bar(length: u64, unit: &str) -> Result<ProgressBar, TemplateError> {
+    let template = format!("{{wide_bar}} {{pos}}/{{len}} {unit}, {{eta}} left");
+    Ok(ProgressBar::new(length).with_style(ProgressStyle::with_template(&template)?))
 }

@@ -1,8 +1,8 @@
 //! `infoscene reproduce [ID…]`.
 
-use super::output::Output;
+use super::output::{Output, progress_bar};
 use super::{Answer, Outcome};
-use crate::claims::{Claim, ClaimError, judge, registry};
+use crate::claims::{Claim, ClaimError, DEFAULT_PRECISION, judge_all, registry};
 use crate::report::reproduction_report;
 
 #[derive(Debug, clap::Args)]
@@ -13,6 +13,9 @@ pub(super) struct Reproduce {
     /// Only the claims that print a number.
     #[arg(long)]
     printed: bool,
+    /// Bits of the enclosures' ends.
+    #[arg(long, value_name = "BITS", default_value_t = DEFAULT_PRECISION, value_parser = clap::value_parser!(u32).range(53..=4096))]
+    precision: u32,
     #[command(flatten)]
     output: Output,
 }
@@ -26,7 +29,10 @@ impl Reproduce {
                 return Err("none of the claims named prints a number; leave out --printed".into());
             }
         }
-        let judgements = claims.iter().map(judge).collect::<Result<Vec<_>, _>>()?;
+        self.output.check()?;
+        let bar = progress_bar(claims.len() as u64, "claims")?;
+        let judgements = judge_all(&claims, self.precision, || bar.inc(1))?;
+        bar.finish_and_clear();
         self.output.write(&reproduction_report(&judgements)?)?;
         let as_recorded = judgements.iter().all(|j| j.verdict == j.recorded());
         Ok(if as_recorded {

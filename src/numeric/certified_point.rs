@@ -24,7 +24,7 @@ pub trait VectorFunction {
 }
 
 /// Half the width of the box around the given point.
-const ROOM: f64 = 1e-8;
+const ROOM: f64 = 1e-12;
 /// Steps, each of which adds about as many digits as the Jacobian's box leaves certain.
 const STEPS: u32 = 200;
 
