@@ -243,16 +243,16 @@ impl<E: Endpoint> Interval<E> {
         let value = end.to_double(Direction::Down);
         if value > 1e9 || value < -1e9 {
             // beyond any exponent
-            let huge = end.constant(f64::MAX);
+            let one = end.constant(1.0);
             return if value > 0.0 {
                 Self {
-                    lower: huge,
+                    lower: one.scaled(i32::MAX, Direction::Down),
                     upper: end.constant(f64::INFINITY),
                 }
             } else {
                 Self {
                     lower: end.constant(0.0),
-                    upper: end.constant(f64::MIN_POSITIVE),
+                    upper: one.scaled(-i32::MAX, Direction::Up),
                 }
             };
         }
