@@ -384,7 +384,7 @@ impl<E: Endpoint> Scalar for Interval<E> {
             return f64::NAN;
         }
         let (lower, upper) = self.to_doubles();
-        0.5 * lower + 0.5 * upper
+        lower.midpoint(upper)
     }
     fn sqrt(&self) -> Self {
         let zero = self.lower.constant(0.0);

@@ -83,12 +83,14 @@ impl<E: Endpoint> Interval<E> {
             .to_double(Direction::Up)
     }
 
-    /// A number about halfway between the ends; NaN of an interval without bounds.
+    /// A number of the interval about halfway between the ends; NaN of an interval without bounds.
     #[must_use]
     pub fn midpoint(&self) -> E {
         let half = self.lower.constant(0.5);
         let halves = [&self.lower, &self.upper].map(|end| end.times(&half, Direction::Down));
-        halves[0].plus(&halves[1], Direction::Down)
+        let middle = halves[0].plus(&halves[1], Direction::Down);
+        // halves of the smallest doubles are rounded by themselves
+        larger(smaller(&middle, &self.upper), &self.lower).clone()
     }
 
     /// Are both ends finite?

@@ -219,9 +219,7 @@ impl Endpoint for Precise {
         // the first 53 bits, cut off: a lower bound on the magnitude
         #[allow(clippy::cast_precision_loss, reason = "53 bits are left")]
         let cut = (leading >> 11) as f64;
-        let magnitude = cut
-            .scaled(exponent.saturating_sub(53), Direction::Down)
-            .max(0.0);
+        let magnitude = cut.scaled(exponent - 53, Direction::Down);
         let below = if sign == Sign::Neg {
             -magnitude
         } else {
