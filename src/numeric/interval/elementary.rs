@@ -446,6 +446,9 @@ impl<E: Endpoint> Scalar for Interval<E> {
         }
     }
     fn divergence_kernel(&self) -> Self {
+        if self.upper < self.lower.constant(-1.0) {
+            return self.whole_line();
+        }
         let ends = [&self.lower, &self.upper].map(Self::divergence_kernel_of);
         let hull = ends[0].hull(&ends[1]);
         if self.contains_zero() {

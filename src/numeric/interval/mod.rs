@@ -183,14 +183,22 @@ impl<E: Endpoint> Interval<E> {
         use crate::numeric::Scalar;
         // squares and the base's own products: 13 = 1101₂ is ((x²·x)²)²·x
         let bits = u32::BITS - exponent.leading_zeros();
-        (0..bits).rev().fold(self.constant(1.0), |power, bit| {
-            let square = power.square();
-            if exponent >> bit & 1 == 1 {
-                square * self
-            } else {
-                square
-            }
-        })
+        let of_end = |end: &E| {
+            let base = Self::point(end.clone());
+            (0..bits).rev().fold(self.constant(1.0), |power, bit| {
+                let square = power.square();
+                if exponent >> bit & 1 == 1 {
+                    square * &base
+                } else {
+                    square
+                }
+            })
+        };
+        if exponent % 2 == 0 {
+            self.abs().rising(of_end)
+        } else {
+            self.rising(of_end)
+        }
     }
 
     /// The image under a function that rises on the whole interval, given as an enclosure at each end.
