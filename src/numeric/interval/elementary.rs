@@ -13,7 +13,7 @@
 //! ```
 
 use super::super::Scalar;
-use super::{Direction, Endpoint, Interval};
+use super::{Direction, Endpoint, Interval, Precise};
 use std::any::{Any, TypeId};
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -26,6 +26,9 @@ const WORD: u32 = 64;
 
 /// How often the argument of an exponential is halved.
 const HALVINGS: i32 = 8;
+/// ln 2 to 32 bits, so that its multiples by an exponent are doubles.
+#[allow(clippy::approx_constant, reason = "cut on purpose")]
+const LN_2_HEAD: f64 = 2_977_044_471.0 / 4_294_967_296.0;
 /// Entries per unit in the table of logarithms.
 const LN_STEPS: u32 = 64;
 /// Entries per unit in the table of arc tangents.
@@ -35,6 +38,10 @@ const ATAN_STEPS: u32 = 32;
 struct Constants<E> {
     pi: Interval<E>,
     ln_2: Interval<E>,
+    /// ln 2 − [`LN_2_HEAD`].
+    ln_2_tail: Interval<E>,
+    /// 1/e.
+    inverse_e: Interval<E>,
     /// ln(1 + i/64).
     ln: Vec<Interval<E>>,
     /// atan(i/32).
@@ -56,7 +63,11 @@ impl<E: Endpoint> Constants<E> {
         if let Some(constants) = cached.and_then(|any| any.downcast::<Self>().ok()) {
             return constants;
         }
-        let constants = Rc::new(Self::at(like));
+        let constants = Rc::new(if like.bits() > f64::MANTISSA_DIGITS {
+            Self::at(like)
+        } else {
+            Self::short(like)
+        });
         CONSTANTS.with_borrow_mut(|cache| cache.insert(key, constants.clone()));
         constants
     }
@@ -80,12 +91,37 @@ impl<E: Endpoint> Constants<E> {
             };
             atan_series(&halved(halved(ratio(i, ATAN_STEPS))), &fine_reciprocals) * &whole(4)
         };
+        let ln_2 = ln(LN_STEPS);
+        let ln_2_tail = ln_2.clone() - &Interval::point(fine.constant(LN_2_HEAD));
+        // the series wants |r| ≤ 1/2: 1/e = (e^(−1/2))²
+        let half = -Interval::point(fine.constant(0.5));
+        let inverse_root = exponential_tail(&half, &fine_reciprocals) * &half + &whole(1);
         Self {
             pi: rounded(&pi),
-            ln_2: rounded(&ln(LN_STEPS)),
+            ln_2: rounded(&ln_2),
+            ln_2_tail: rounded(&ln_2_tail),
+            inverse_e: rounded(&inverse_root.square()),
             ln: (0..=LN_STEPS).map(|i| rounded(&ln(i))).collect(),
             atan: (0..=ATAN_STEPS).map(|i| rounded(&atan(i))).collect(),
             reciprocals: fine_reciprocals.iter().map(rounded).collect(),
+        }
+    }
+
+    /// The constants for ends without guard bits, cut from longer ones.
+    fn short(like: &E) -> Self {
+        let long = Constants::<Precise>::of(&Precise::new(0.0, 2 * WORD));
+        let cut = |value: &Interval| {
+            let (lower, upper) = value.to_doubles();
+            between(like, lower, upper)
+        };
+        Self {
+            pi: cut(&long.pi),
+            ln_2: cut(&long.ln_2),
+            ln_2_tail: cut(&long.ln_2_tail),
+            inverse_e: cut(&long.inverse_e),
+            ln: long.ln.iter().map(cut).collect(),
+            atan: long.atan.iter().map(cut).collect(),
+            reciprocals: long.reciprocals.iter().map(cut).collect(),
         }
     }
 }
@@ -181,11 +217,17 @@ fn index(value: f64, largest: u32) -> u32 {
     index
 }
 
-/// Functions of one end, as enclosures with guard bits.
+/// Functions of one end, as enclosures to within a few units in the last place; the guard bits come from
+/// [`Interval::with_guard`].
 impl<E: Endpoint> Interval<E> {
     fn guarded(end: &E) -> E {
         let bits = (end.bits() + GUARD_BITS).next_multiple_of(WORD);
         end.with_precision(bits, Direction::Down)
+    }
+
+    /// A function of one end, evaluated with guard bits.
+    fn with_guard(at: impl Fn(&E) -> Self) -> impl Fn(&E) -> Self {
+        move |end| at(&Self::guarded(end)).with_precision(end.bits())
     }
 
     /// `ln m` for m in [1/2, 2], given m − 1.
@@ -214,29 +256,25 @@ impl<E: Endpoint> Interval<E> {
             };
             return Self::point(end.constant(bound));
         }
-        let fine = Self::guarded(end);
-        let constants = Constants::of(&fine);
-        let mut power = fine.exponent();
-        let mut significand = fine.scaled(-power, Direction::Down);
-        if significand > fine.constant(1.5) {
+        let constants = Constants::of(end);
+        let mut power = end.exponent();
+        let mut significand = end.scaled(-power, Direction::Down);
+        if significand > end.constant(1.5) {
             power += 1;
-            significand = fine.scaled(-power, Direction::Down);
+            significand = end.scaled(-power, Direction::Down);
         }
         // m in [3/4, 3/2], so that m − 1 is exact
-        let excess = Self::point(significand) - &Self::point(fine.constant(1.0));
-        let exponent = Self::point(fine.constant(f64::from(power)));
-        let ln = constants.ln_2.clone() * &exponent + &Self::ln_near_one(&excess, &constants);
-        ln.with_precision(end.bits())
+        let excess = Self::point(significand) - &Self::point(end.constant(1.0));
+        let exponent = Self::point(end.constant(f64::from(power)));
+        constants.ln_2.clone() * &exponent + &Self::ln_near_one(&excess, &constants)
     }
 
     fn ln_1p_of(end: &E) -> Self {
         if *end < end.constant(-0.25) || *end > end.constant(0.5) {
-            let one_plus = Self::point(Self::guarded(end)) + &Self::point(end.constant(1.0));
-            return one_plus.rising(Self::ln_of).with_precision(end.bits());
+            let one_plus = Self::point(end.clone()) + &Self::point(end.constant(1.0));
+            return one_plus.rising(Self::ln_of);
         }
-        let fine = Self::guarded(end);
-        let constants = Constants::of(&fine);
-        Self::ln_near_one(&Self::point(fine), &constants).with_precision(end.bits())
+        Self::ln_near_one(&Self::point(end.clone()), &Constants::of(end))
     }
 
     fn exp_of(end: &E) -> Self {
@@ -256,53 +294,48 @@ impl<E: Endpoint> Interval<E> {
                 }
             };
         }
-        let fine = Self::guarded(end);
         // every halving is a squaring later, which doubles the error: none where there are no guard bits
-        let halvings = if fine.bits() > end.bits() {
+        let halvings = if end.bits() > f64::MANTISSA_DIGITS {
             HALVINGS
         } else {
             0
         };
-        let constants = Constants::of(&fine);
+        let constants = Constants::of(end);
         let power = (value / std::f64::consts::LN_2).round();
-        let multiple = constants.ln_2.clone() * &Self::point(fine.constant(power));
-        let reduced = (Self::point(fine.clone()) - &multiple).scaled(-halvings);
-        let one = Self::point(fine.constant(1.0));
+        let multiple = |part: &Self| part.clone() * &Self::point(end.constant(power));
+        let head = Self::point(end.constant(LN_2_HEAD));
+        let reduced = Self::point(end.clone()) - &multiple(&head) - &multiple(&constants.ln_2_tail);
+        let reduced = reduced.scaled(-halvings);
+        let one = Self::point(end.constant(1.0));
         let start = exponential_tail(&reduced, &constants.reciprocals) * &reduced + &one;
         let exp = (0..halvings).fold(start, |power, _| power.square());
         #[allow(clippy::cast_possible_truncation, reason = "below 2e9")]
-        let exp = exp.scaled(power as i32);
-        exp.with_precision(end.bits())
+        exp.scaled(power as i32)
     }
 
     fn exp_m1_of(end: &E) -> Self {
-        let fine = Self::guarded(end);
-        if fine < fine.constant(-0.25) || fine > fine.constant(0.25) {
-            let one = Self::point(fine.constant(1.0));
-            return (Self::exp_of(&fine) - &one).with_precision(end.bits());
+        if *end < end.constant(-0.25) || *end > end.constant(0.25) {
+            return Self::exp_of(end) - &Self::point(end.constant(1.0));
         }
-        let constants = Constants::of(&fine);
-        let r = Self::point(fine);
-        (exponential_tail(&r, &constants.reciprocals) * &r).with_precision(end.bits())
+        let r = Self::point(end.clone());
+        exponential_tail(&r, &Constants::of(end).reciprocals) * &r
     }
 
     fn atan_of(end: &E) -> Self {
-        let fine = Self::guarded(end);
-        let constants = Constants::of(&fine);
-        let one = fine.constant(1.0);
+        let constants = Constants::of(end);
+        let one = end.constant(1.0);
         let half_pi = || constants.pi.scaled(-1);
-        let atan = if !end.is_finite() {
+        if !end.is_finite() {
             if *end < one { -half_pi() } else { half_pi() }
-        } else if fine > one {
-            let complement = Self::point(one.clone()) / &Self::point(fine);
+        } else if *end > one {
+            let complement = Self::point(one) / &Self::point(end.clone());
             half_pi() - &Self::atan_within(&complement, &constants)
-        } else if fine < one.negated() {
-            let complement = Self::point(one.clone()) / &Self::point(fine);
+        } else if *end < one.negated() {
+            let complement = Self::point(one) / &Self::point(end.clone());
             -half_pi() - &Self::atan_within(&complement, &constants)
         } else {
-            Self::atan_within(&Self::point(fine), &constants)
-        };
-        atan.with_precision(end.bits())
+            Self::atan_within(&Self::point(end.clone()), &constants)
+        }
     }
 
     /// atan t, |t| ≤ 1.
@@ -321,25 +354,23 @@ impl<E: Endpoint> Interval<E> {
 
     /// φ of one number ≥ −1.
     fn divergence_kernel_of(end: &E) -> Self {
-        let fine = Self::guarded(end);
-        let x = Self::point(fine.clone());
-        let one = Self::point(fine.constant(1.0));
-        if fine <= fine.constant(-1.0) {
-            return Self::point(end.constant(1.0));
+        let x = Self::point(end.clone());
+        let one = Self::point(end.constant(1.0));
+        if *end <= end.constant(-1.0) {
+            return one;
         }
         if !end.is_finite() {
-            return Self::point(end.clone());
+            return x;
         }
-        let kernel = if fine.constant(-0.25) < fine && fine < fine.constant(0.25) {
+        if end.constant(-0.25) < *end && *end < end.constant(0.25) {
             // φ = 2 z² [1 + (1+z) z·tail]/(1 − z),  z = x/(2+x)
-            let constants = Constants::of(&fine);
-            let z = x.clone() / &(x + &Self::point(fine.constant(2.0)));
+            let constants = Constants::of(end);
+            let z = x.clone() / &(x + &Self::point(end.constant(2.0)));
             let tail = atanh_tail(&z, &constants.reciprocals) * &z * &(one.clone() + &z);
             (tail + &one) * &z.square().scaled(1) / &(one - &z)
         } else {
-            Self::ln_1p_of(&fine) * &(x.clone() + &one) - &x
-        };
-        kernel.with_precision(end.bits())
+            Self::ln_1p_of(end) * &(x.clone() + &one) - &x
+        }
     }
 
     /// `x ln |x|` of one number, 0 at 0.
@@ -352,8 +383,7 @@ impl<E: Endpoint> Interval<E> {
         } else {
             end.clone()
         };
-        let fine = Self::guarded(&magnitude);
-        (Self::ln_of(&fine) * &Self::point(Self::guarded(end))).with_precision(end.bits())
+        Self::ln_of(&magnitude) * &Self::point(end.clone())
     }
 
     /// Times a power of two.
@@ -403,30 +433,30 @@ impl<E: Endpoint> Scalar for Interval<E> {
         if self.upper <= self.lower.constant(0.0) {
             return self.whole_line();
         }
-        self.rising(Self::ln_of)
+        self.rising(Self::with_guard(Self::ln_of))
     }
     fn ln_1p(&self) -> Self {
         if self.upper <= self.lower.constant(-1.0) {
             return self.whole_line();
         }
-        self.rising(Self::ln_1p_of)
+        self.rising(Self::with_guard(Self::ln_1p_of))
     }
     fn exp(&self) -> Self {
-        self.rising(Self::exp_of)
+        self.rising(Self::with_guard(Self::exp_of))
     }
     fn exp_m1(&self) -> Self {
-        self.rising(Self::exp_m1_of)
+        self.rising(Self::with_guard(Self::exp_m1_of))
     }
     /// Where the half-line x ≤ 0, y = 0 is touched the angle may jump, and every angle is returned.
     fn atan2(&self, x: &Self) -> Self {
         let zero = self.lower.constant(0.0);
         let half_pi = || self.pi().scaled(-1);
         if x.lower > zero {
-            (self.clone() / x).rising(Self::atan_of)
+            (self.clone() / x).rising(Self::with_guard(Self::atan_of))
         } else if self.lower > zero {
-            half_pi() - &(x.clone() / self).rising(Self::atan_of)
+            half_pi() - &(x.clone() / self).rising(Self::with_guard(Self::atan_of))
         } else if self.upper < zero {
-            -half_pi() - &(x.clone() / self).rising(Self::atan_of)
+            -half_pi() - &(x.clone() / self).rising(Self::with_guard(Self::atan_of))
         } else if x.lower >= zero {
             // from the origin to the right: y = 0 gives 0, y of either sign up to a right angle
             let up = if self.upper > zero {
@@ -449,7 +479,7 @@ impl<E: Endpoint> Scalar for Interval<E> {
         if self.upper < self.lower.constant(-1.0) {
             return self.whole_line();
         }
-        let ends = [&self.lower, &self.upper].map(Self::divergence_kernel_of);
+        let ends = [&self.lower, &self.upper].map(Self::with_guard(Self::divergence_kernel_of));
         let hull = ends[0].hull(&ends[1]);
         if self.contains_zero() {
             hull.hull(&self.zero())
@@ -458,10 +488,12 @@ impl<E: Endpoint> Scalar for Interval<E> {
         }
     }
     fn x_ln_x(&self) -> Self {
-        let ends = [&self.lower, &self.upper].map(Self::x_ln_x_of);
+        let ends = [&self.lower, &self.upper].map(Self::with_guard(Self::x_ln_x_of));
         let hull = ends[0].hull(&ends[1]);
         // turning points at ±1/e, values ∓1/e
-        let turn = self.constant(-1.0).exp();
+        let turn = Constants::of(&Self::guarded(&self.lower))
+            .inverse_e
+            .with_precision(self.lower.bits());
         let touches = |point: &Self| self.intersection(point).is_some();
         let mut image = hull;
         if touches(&turn) {
