@@ -5,7 +5,7 @@
 //! the Horner scheme starts from an enclosure of the whole tail.
 //!
 //! ```text
-//!   ln m = ln c + 2 atanh z,   c = 1 + i/64,  z = (m − c)/(m + c),  |z| ≤ 2⁻⁸
+//!   ln m = ln c + 2 atanh z,   c = 1 + i/64,  z = (m − c)/(m + c),  |z| ≤ 1/192
 //!   atanh z = z + z³ (1/3 + z²/5 + …)         tail from term k: [1, 2]/(2k+3) for z² ≤ 1/2
 //!   atan t = atan c + atan r,  c = i/32,      r = (t − c)/(1 + t c),  |r| ≤ 2⁻⁶
 //!   atan r = r − r³ (1/3 − r²/5 + …)          tail from term k: [0, 1]/(2k+3) for r² ≤ 1
@@ -17,6 +17,7 @@ use super::{Direction, Endpoint, Interval, Precise};
 use std::any::{Any, TypeId};
 use std::cell::RefCell;
 use std::collections::HashMap;
+use std::ops::RangeInclusive;
 use std::rc::Rc;
 
 /// More bits than the result has, where the ends can hold them.
@@ -30,9 +31,11 @@ const HALVINGS: i32 = 8;
 #[allow(clippy::approx_constant, reason = "cut on purpose")]
 const LN_2_HEAD: f64 = 2_977_044_471.0 / 4_294_967_296.0;
 /// Entries per unit in the table of logarithms.
-const LN_STEPS: u32 = 64;
+const LN_STEPS: i32 = 64;
+/// Its first and last entry: for numbers from 3/4 to 3/2.
+const LN_ENTRIES: RangeInclusive<i32> = -16..=32;
 /// Entries per unit in the table of arc tangents.
-const ATAN_STEPS: u32 = 32;
+const ATAN_STEPS: i32 = 32;
 
 /// Constants at one precision.
 struct Constants<E> {
@@ -42,7 +45,7 @@ struct Constants<E> {
     ln_2_tail: Interval<E>,
     /// 1/e.
     inverse_e: Interval<E>,
-    /// ln(1 + i/64).
+    /// ln(1 + i/64), from i = −16.
     ln: Vec<Interval<E>>,
     /// atan(i/32).
     atan: Vec<Interval<E>>,
@@ -74,17 +77,19 @@ impl<E: Endpoint> Constants<E> {
 
     fn at(like: &E) -> Self {
         let fine = Interval::guarded(like);
-        let whole = |value: u32| Interval::point(fine.constant(f64::from(value)));
-        let ratio = |p: u32, q: u32| whole(p) / &whole(q);
-        let count = fine.bits() + 8;
-        let fine_reciprocals: Vec<_> = (1..=count).map(|k| ratio(1, k)).collect();
+        let whole = |value: i32| Interval::point(fine.constant(f64::from(value)));
+        let ratio = |p: i32, q: i32| whole(p) / &whole(q);
+        let fine_reciprocals: Vec<_> = (1..)
+            .take(fine.bits() as usize + 8)
+            .map(|k| ratio(1, k))
+            .collect();
         let rounded = |value: &Interval<E>| value.with_precision(like.bits());
         // atanh(1/3) = ln(2)/2, and ln(1 + i/64) = 2 atanh(i/(128 + i))
-        let ln = |i: u32| atanh(&ratio(i, 2 * LN_STEPS + i), &fine_reciprocals) * &whole(2);
+        let ln = |i: i32| atanh(&ratio(i, 2 * LN_STEPS + i), &fine_reciprocals) * &whole(2);
         let pi = atan_series(&ratio(1, 5), &fine_reciprocals) * &whole(16)
             - &(atan_series(&ratio(1, 239), &fine_reciprocals) * &whole(4));
         // atan c = 4 atan of c halved twice as an angle
-        let atan = |i: u32| {
+        let atan = |i: i32| {
             let halved = |t: Interval<E>| {
                 let secant = (t.square() + &whole(1)).sqrt();
                 t / &(secant + &whole(1))
@@ -101,7 +106,7 @@ impl<E: Endpoint> Constants<E> {
             ln_2: rounded(&ln_2),
             ln_2_tail: rounded(&ln_2_tail),
             inverse_e: rounded(&inverse_root.square()),
-            ln: (0..=LN_STEPS).map(|i| rounded(&ln(i))).collect(),
+            ln: LN_ENTRIES.map(|i| rounded(&ln(i))).collect(),
             atan: (0..=ATAN_STEPS).map(|i| rounded(&atan(i))).collect(),
             reciprocals: fine_reciprocals.iter().map(rounded).collect(),
         }
@@ -206,15 +211,11 @@ fn exponential_tail<E: Endpoint>(r: &Interval<E>, reciprocals: &[Interval<E>]) -
         .fold(start, |sum, k| sum * r * &reciprocals[k - 1] + &one)
 }
 
-/// The nearest whole number, as an index into a table.
-fn index(value: f64, largest: u32) -> u32 {
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "rounded and clamped to a small index"
-    )]
-    let index = value.round().clamp(0.0, f64::from(largest)) as u32;
-    index
+/// The nearest whole number among `entries`.
+fn nearest(value: f64, entries: RangeInclusive<i32>) -> i32 {
+    #[allow(clippy::cast_possible_truncation, reason = "clamped to a small number")]
+    let nearest = value.round() as i32;
+    nearest.clamp(*entries.start(), *entries.end())
 }
 
 /// Functions of one end, as enclosures to within a few units in the last place; the guard bits come from
@@ -230,20 +231,18 @@ impl<E: Endpoint> Interval<E> {
         move |end| at(&Self::guarded(end)).with_precision(end.bits())
     }
 
-    /// `ln m` for m in [1/2, 2], given m − 1.
+    /// `ln m` for m in [3/4, 3/2], given m − 1.
     fn ln_near_one(excess: &Self, constants: &Constants<E>) -> Self {
         let like = &excess.lower;
         let steps = f64::from(LN_STEPS);
-        let i = index(
-            excess.midpoint().to_double(Direction::Down) * steps,
-            LN_STEPS,
-        );
+        let middle = excess.midpoint().to_double(Direction::Down);
+        let i = nearest(middle * steps, LN_ENTRIES);
         let offset = Self::point(like.constant(f64::from(i) / steps));
         let two = Self::point(like.constant(2.0));
         let difference = excess.clone() - &offset;
         let z = difference / &(excess.clone() + &(offset + &two));
         let near = atanh(&z, &constants.reciprocals);
-        near.clone() + &near + &constants.ln[i as usize]
+        near.scaled(1) + &constants.ln[(i - LN_ENTRIES.start()).unsigned_abs() as usize]
     }
 
     fn ln_of(end: &E) -> Self {
@@ -345,11 +344,11 @@ impl<E: Endpoint> Interval<E> {
             return -Self::atan_within(&-t.clone(), constants);
         }
         let steps = f64::from(ATAN_STEPS);
-        let i = index(middle * steps, ATAN_STEPS);
+        let i = nearest(middle * steps, 0..=ATAN_STEPS);
         let c = Self::point(t.lower.constant(f64::from(i) / steps));
         let one = Self::point(t.lower.constant(1.0));
         let r = (t.clone() - &c) / &(t.clone() * &c + &one);
-        atan_series(&r, &constants.reciprocals) + &constants.atan[i as usize]
+        atan_series(&r, &constants.reciprocals) + &constants.atan[i.unsigned_abs() as usize]
     }
 
     /// φ of one number ≥ −1.
@@ -479,8 +478,7 @@ impl<E: Endpoint> Scalar for Interval<E> {
         if self.upper < self.lower.constant(-1.0) {
             return self.whole_line();
         }
-        let ends = [&self.lower, &self.upper].map(Self::with_guard(Self::divergence_kernel_of));
-        let hull = ends[0].hull(&ends[1]);
+        let hull = self.at_ends(Self::with_guard(Self::divergence_kernel_of));
         if self.contains_zero() {
             hull.hull(&self.zero())
         } else {
@@ -488,8 +486,7 @@ impl<E: Endpoint> Scalar for Interval<E> {
         }
     }
     fn x_ln_x(&self) -> Self {
-        let ends = [&self.lower, &self.upper].map(Self::with_guard(Self::x_ln_x_of));
-        let hull = ends[0].hull(&ends[1]);
+        let hull = self.at_ends(Self::with_guard(Self::x_ln_x_of));
         // turning points at ±1/e, values ∓1/e
         let turn = Constants::of(&Self::guarded(&self.lower))
             .inverse_e

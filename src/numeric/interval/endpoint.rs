@@ -1,6 +1,7 @@
 //! What the ends of an interval are made of: numbers whose operations round down or up.
 
 use super::super::expansion::two_sum;
+use std::cmp::Ordering;
 use std::fmt::Debug;
 
 /// Which way an inexact result is rounded.
@@ -57,6 +58,11 @@ pub trait Endpoint: Clone + Debug + PartialOrd + 'static {
     /// A double on the given side.
     fn to_double(&self, direction: Direction) -> f64;
 
+    /// Where it lies seen from 0; `Equal` of NaN.
+    fn sign(&self) -> Ordering {
+        let sign = self.partial_cmp(&self.constant(0.0));
+        sign.unwrap_or(Ordering::Equal)
+    }
     /// Is it exactly 0?
     fn is_zero(&self) -> bool {
         *self == self.constant(0.0)

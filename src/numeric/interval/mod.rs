@@ -108,8 +108,7 @@ impl<E: Endpoint> Interval<E> {
     /// Is 0 in it?
     #[must_use]
     pub fn contains_zero(&self) -> bool {
-        let zero = self.lower.constant(0.0);
-        self.lower <= zero && zero <= self.upper
+        self.lower.sign().is_le() && self.upper.sign().is_ge()
     }
 
     /// Does it contain all of `other`?
@@ -199,6 +198,15 @@ impl<E: Endpoint> Interval<E> {
         } else {
             self.rising(of_end)
         }
+    }
+
+    /// The hull of the images of the ends.
+    fn at_ends(&self, at: impl Fn(&E) -> Self) -> Self {
+        let lower = at(&self.lower);
+        if self.is_point() {
+            return lower;
+        }
+        lower.hull(&at(&self.upper))
     }
 
     /// The image under a function that rises on the whole interval, given as an enclosure at each end.
@@ -323,10 +331,9 @@ enum Side {
 
 impl<E: Endpoint> Interval<E> {
     fn side(&self) -> Side {
-        let zero = self.lower.constant(0.0);
-        if self.lower >= zero {
+        if self.lower.sign().is_ge() {
             Side::Right
-        } else if self.upper <= zero {
+        } else if self.upper.sign().is_le() {
             Side::Left
         } else {
             Side::Both
@@ -362,25 +369,24 @@ impl<E: Endpoint> Div<&Self> for Interval<E> {
     type Output = Self;
     fn div(self, other: &Self) -> Self {
         use Direction::{Down, Up};
-        let (zero, infinity) = (self.lower.constant(0.0), self.lower.constant(f64::INFINITY));
         let (a, b) = match other.side() {
             Side::Both => return self.whole_line(),
             Side::Left => (-self, -other.clone()),
             Side::Right => (self, other.clone()),
         };
-        if b.upper <= zero {
+        if b.upper.is_zero() {
             return a.whole_line();
         }
         // b > 0, or from 0 upwards: then quotients have no bound away from 0
-        let has_zero = b.lower <= zero;
+        let infinity = |sign: f64| a.lower.constant(sign * f64::INFINITY);
         let lower = match () {
-            () if a.lower >= zero => quotient(&a.lower, &b.upper, Down),
-            () if has_zero => infinity.negated(),
+            () if a.lower.sign().is_ge() => quotient(&a.lower, &b.upper, Down),
+            () if b.lower.is_zero() => infinity(-1.0),
             () => quotient(&a.lower, &b.lower, Down),
         };
         let upper = match () {
-            () if a.upper <= zero => quotient(&a.upper, &b.upper, Up),
-            () if has_zero => infinity,
+            () if a.upper.sign().is_le() => quotient(&a.upper, &b.upper, Up),
+            () if b.lower.is_zero() => infinity(1.0),
             () => quotient(&a.upper, &b.lower, Up),
         };
         Self { lower, upper }

@@ -241,6 +241,15 @@ impl Endpoint for Precise {
             below
         }
     }
+    fn sign(&self) -> Ordering {
+        if self.value.is_zero() || self.value.is_nan() {
+            Ordering::Equal
+        } else if self.value.is_negative() {
+            Ordering::Less
+        } else {
+            Ordering::Greater
+        }
+    }
     fn is_zero(&self) -> bool {
         self.value.is_zero()
     }
