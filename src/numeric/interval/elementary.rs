@@ -412,8 +412,7 @@ impl<E: Endpoint> Scalar for Interval<E> {
         if !self.is_bounded() {
             return f64::NAN;
         }
-        let (lower, upper) = self.to_doubles();
-        lower.midpoint(upper)
+        self.midpoint().to_double(Direction::Down)
     }
     fn sqrt(&self) -> Self {
         let zero = self.lower.constant(0.0);
@@ -453,9 +452,16 @@ impl<E: Endpoint> Scalar for Interval<E> {
         if x.lower > zero {
             (self.clone() / x).rising(Self::with_guard(Self::atan_of))
         } else if self.lower > zero {
-            half_pi() - &(x.clone() / self).rising(Self::with_guard(Self::atan_of))
+            let angle = half_pi() - &(x.clone() / self).rising(Self::with_guard(Self::atan_of));
+            if x.upper <= zero {
+                return angle;
+            }
+            // the smallest angle lies right of the y axis, where the difference may cancel
+            let slope = Self::point(self.lower.clone()) / &Self::point(x.upper.clone());
+            let lower = slope.rising(Self::with_guard(Self::atan_of)).lower;
+            Self { lower, ..angle }
         } else if self.upper < zero {
-            -half_pi() - &(x.clone() / self).rising(Self::with_guard(Self::atan_of))
+            -(-self.clone()).atan2(x)
         } else if x.lower >= zero {
             // from the origin to the right: y = 0 gives 0, y of either sign up to a right angle
             let up = if self.upper > zero {
