@@ -112,6 +112,13 @@ proptest! {
         let units = if bits < interval.lower().bits() { 1.0 } else { 0.0 };
         prop_assert!(!interval.is_bounded() || excess(&changed, &ends) <= units);
         prop_assert_eq!(changed.lower().bits(), bits);
+        // a number of 53 bits is a double, but for its power of two
+        for end in [changed.lower(), changed.upper()] {
+            if bits == 53 && end.is_finite() && !Endpoint::is_zero(end) {
+                let significand = end.scaled(-end.exponent(), Direction::Down).exact();
+                prop_assert!(significand == Judge::new(significand.to_f64()));
+            }
+        }
     }
 
     /// A decimal lies in what it is parsed to, two units wide at most.

@@ -204,6 +204,15 @@ fn exponential_tail<E: Endpoint>(r: &Interval<E>, reciprocals: &[Interval<E>]) -
         let factor = count as f64 / largest;
         gained += factor.log2();
     }
+    exponential_series(r, count, reciprocals)
+}
+
+/// The same by `count` terms, the last of which encloses all that follow.
+fn exponential_series<E: Endpoint>(
+    r: &Interval<E>,
+    count: usize,
+    reciprocals: &[Interval<E>],
+) -> Interval<E> {
     let one = Interval::point(r.lower.constant(1.0));
     let start = between(&r.lower, 0.5, 2.0);
     (2..=count)
@@ -522,6 +531,47 @@ impl<E: Endpoint> Scalar for Interval<E> {
         Self {
             lower: size.lower.times(&size.lower, Direction::Down),
             upper: size.upper.times(&size.upper, Direction::Up),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// With few terms the tails show, which all the terms hide below the last bit: each enclosure contains that by
+    /// more terms, and is no wider than its tail, 1/(2k+3)·|s|ᵏ or 3/2·|r|ᵏ⁻¹/k!, and some units.
+    #[test]
+    fn few_terms_of_a_series_enclose_many() {
+        let reciprocals = &Constants::of(&0.0).reciprocals;
+        for s in [-1.0, -0.3, -1e-3, 0.0, 1e-3, 0.1, 0.5] {
+            let tail = if s < 0.0 {
+                between(&s, 0.0, 1.0)
+            } else {
+                between(&s, 1.0, 2.0)
+            };
+            let series = |terms| odd_series(&Interval::point(s), terms, &tail, reciprocals);
+            for terms in 0..8 {
+                let width = s.abs().powi(terms) / f64::from(2 * terms + 3);
+                let few = series(terms.unsigned_abs() as usize);
+                assert!(few.contains(&series(28)) || s.abs() < 0.01, "{s} {terms}");
+                assert!(few.intersection(&series(28)).is_some(), "{s} {terms}");
+                assert!(few.width() <= width + 8.0 * f64::EPSILON, "{s} {terms}");
+            }
+        }
+        for r in [-0.5, -0.1, 0.1, 0.5] {
+            let series = |count| exponential_series(&Interval::point(r), count, reciprocals);
+            let mut width: f64 = 1.5;
+            for count in 1..8 {
+                assert!(series(count).contains(&series(30)), "{r} {count}");
+                assert!(
+                    series(count).width() <= width + 8.0 * f64::EPSILON,
+                    "{r} {count}"
+                );
+                #[allow(clippy::cast_precision_loss, reason = "below 8")]
+                let next = (count + 1) as f64;
+                width *= r.abs() / next;
+            }
         }
     }
 }
