@@ -373,7 +373,7 @@ fn is_beyond(number: &Judge, end: &Judge, side: Ordering) -> bool {
 /// Does the interval miss this number?
 pub fn misses<E: Judged>(interval: &Interval<E>, number: &Judge) -> bool {
     let (lower, upper) = (interval.lower(), interval.upper());
-    !(lower <= upper)
+    lower.partial_cmp(upper).is_none_or(Ordering::is_gt)
         || is_beyond(number, &lower.exact(), Ordering::Less)
         || is_beyond(number, &upper.exact(), Ordering::Greater)
 }

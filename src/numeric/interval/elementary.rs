@@ -287,7 +287,7 @@ impl<E: Endpoint> Interval<E> {
 
     fn exp_of(end: &E) -> Self {
         let value = end.to_double(Direction::Down);
-        if value > 1e9 || value < -1e9 {
+        if !(-1e9..=1e9).contains(&value) {
             // beyond any exponent
             let one = end.constant(1.0);
             return if value > 0.0 {

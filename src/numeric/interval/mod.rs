@@ -193,7 +193,7 @@ impl<E: Endpoint> Interval<E> {
                 }
             })
         };
-        if exponent % 2 == 0 {
+        if exponent.is_multiple_of(2) {
             self.abs().rising(of_end)
         } else {
             self.rising(of_end)

@@ -30,7 +30,7 @@ const LARGEST_POWER: i32 = 1 << 28;
 
 /// `value` with `bits` bits: the library keeps whole words.
 fn cut(mut value: BigFloat, bits: u32, direction: Direction) -> BigFloat {
-    if bits % WORD != 0
+    if !bits.is_multiple_of(WORD)
         && let Some(exponent) = value.exponent()
         && !value.is_zero()
     {
