@@ -13,212 +13,15 @@
 //! ```
 
 use super::super::Scalar;
-use super::{Direction, Endpoint, Interval, Precise};
-use std::any::{Any, TypeId};
-use std::cell::RefCell;
-use std::collections::HashMap;
+use super::constants::{ATAN_STEPS, Constants, LN_2_HEAD, LN_ENTRIES, LN_STEPS, WORD};
+use super::series::{atan_series, atanh, atanh_tail, exponential_tail};
+use super::{Direction, Endpoint, Interval};
 use std::ops::RangeInclusive;
-use std::rc::Rc;
 
 /// More bits than the result has, where the ends can hold them.
 const GUARD_BITS: u32 = 32;
-/// Significands are kept in words of this many bits.
-const WORD: u32 = 64;
-
 /// How often the argument of an exponential is halved.
 const HALVINGS: i32 = 8;
-/// ln 2 to 32 bits, so that its multiples by an exponent are doubles.
-#[allow(clippy::approx_constant, reason = "cut on purpose")]
-const LN_2_HEAD: f64 = 2_977_044_471.0 / 4_294_967_296.0;
-/// Entries per unit in the table of logarithms.
-const LN_STEPS: i32 = 64;
-/// Its first and last entry: for numbers from 3/4 to 3/2.
-const LN_ENTRIES: RangeInclusive<i32> = -16..=32;
-/// Entries per unit in the table of arc tangents.
-const ATAN_STEPS: i32 = 32;
-
-/// Constants at one precision.
-struct Constants<E> {
-    pi: Interval<E>,
-    ln_2: Interval<E>,
-    /// ln 2 − [`LN_2_HEAD`].
-    ln_2_tail: Interval<E>,
-    /// 1/e.
-    inverse_e: Interval<E>,
-    /// ln(1 + i/64), from i = −16.
-    ln: Vec<Interval<E>>,
-    /// atan(i/32).
-    atan: Vec<Interval<E>>,
-    /// 1/1, 1/2, 1/3, …
-    reciprocals: Vec<Interval<E>>,
-}
-
-thread_local! {
-    /// Constants for each type of end and precision.
-    static CONSTANTS: RefCell<HashMap<(TypeId, u32), Rc<dyn Any>>> = RefCell::default();
-}
-
-impl<E: Endpoint> Constants<E> {
-    /// The constants at the precision of `like`, computed once per thread.
-    fn of(like: &E) -> Rc<Self> {
-        let key = (TypeId::of::<E>(), like.bits());
-        let cached = CONSTANTS.with_borrow(|cache| cache.get(&key).cloned());
-        if let Some(constants) = cached.and_then(|any| any.downcast::<Self>().ok()) {
-            return constants;
-        }
-        let constants = Rc::new(if like.bits() > f64::MANTISSA_DIGITS {
-            Self::at(like)
-        } else {
-            Self::short(like)
-        });
-        CONSTANTS.with_borrow_mut(|cache| cache.insert(key, constants.clone()));
-        constants
-    }
-
-    fn at(like: &E) -> Self {
-        let fine = Interval::guarded(like);
-        let whole = |value: i32| Interval::point(fine.constant(f64::from(value)));
-        let ratio = |p: i32, q: i32| whole(p) / &whole(q);
-        let fine_reciprocals: Vec<_> = (1..)
-            .take(fine.bits() as usize + 8)
-            .map(|k| ratio(1, k))
-            .collect();
-        let rounded = |value: &Interval<E>| value.with_precision(like.bits());
-        // atanh(1/3) = ln(2)/2, and ln(1 + i/64) = 2 atanh(i/(128 + i))
-        let ln = |i: i32| atanh(&ratio(i, 2 * LN_STEPS + i), &fine_reciprocals) * &whole(2);
-        let pi = atan_series(&ratio(1, 5), &fine_reciprocals) * &whole(16)
-            - &(atan_series(&ratio(1, 239), &fine_reciprocals) * &whole(4));
-        // atan c = 4 atan of c halved twice as an angle
-        let atan = |i: i32| {
-            let halved = |t: Interval<E>| {
-                let secant = (t.square() + &whole(1)).sqrt();
-                t / &(secant + &whole(1))
-            };
-            atan_series(&halved(halved(ratio(i, ATAN_STEPS))), &fine_reciprocals) * &whole(4)
-        };
-        let ln_2 = ln(LN_STEPS);
-        let ln_2_tail = ln_2.clone() - &Interval::point(fine.constant(LN_2_HEAD));
-        // the series wants |r| ≤ 1/2: 1/e = (e^(−1/2))²
-        let half = -Interval::point(fine.constant(0.5));
-        let inverse_root = exponential_tail(&half, &fine_reciprocals) * &half + &whole(1);
-        Self {
-            pi: rounded(&pi),
-            ln_2: rounded(&ln_2),
-            ln_2_tail: rounded(&ln_2_tail),
-            inverse_e: rounded(&inverse_root.square()),
-            ln: LN_ENTRIES.map(|i| rounded(&ln(i))).collect(),
-            atan: (0..=ATAN_STEPS).map(|i| rounded(&atan(i))).collect(),
-            reciprocals: fine_reciprocals.iter().map(rounded).collect(),
-        }
-    }
-
-    /// The constants for ends without guard bits, cut from longer ones.
-    fn short(like: &E) -> Self {
-        let long = Constants::<Precise>::of(&Precise::new(0.0, 2 * WORD));
-        let cut = |value: &Interval| {
-            let (lower, upper) = value.to_doubles();
-            between(like, lower, upper)
-        };
-        Self {
-            pi: cut(&long.pi),
-            ln_2: cut(&long.ln_2),
-            ln_2_tail: cut(&long.ln_2_tail),
-            inverse_e: cut(&long.inverse_e),
-            ln: long.ln.iter().map(cut).collect(),
-            atan: long.atan.iter().map(cut).collect(),
-            reciprocals: long.reciprocals.iter().map(cut).collect(),
-        }
-    }
-}
-
-/// How many terms of a series in z², |z| < 2^(exponent + 1), reach the last bit.
-fn terms<E: Endpoint>(z: &Interval<E>, available: usize) -> usize {
-    let largest = if z.upper.negated() < z.lower {
-        &z.upper
-    } else {
-        &z.lower
-    };
-    if largest.is_zero() {
-        return 0;
-    }
-    let bits_per_term = 2 * largest.exponent().saturating_add(1).unsigned_abs().max(1);
-    let count = (z.lower.bits() + 4).div_ceil(bits_per_term) as usize;
-    // 1/(2k+3) is the last reciprocal needed
-    count.min((available - 3) / 2)
-}
-
-/// `1/3 + s/5 + s²/7 + …` for |s| ≤ 1/2, of which `terms` terms are summed; `tail` times 1/(2k+3) encloses what
-/// follows term k.
-fn odd_series<E: Endpoint>(
-    s: &Interval<E>,
-    terms: usize,
-    tail: &Interval<E>,
-    reciprocals: &[Interval<E>],
-) -> Interval<E> {
-    let odd = |k: usize| &reciprocals[2 * k + 2];
-    let start = tail.clone() * odd(terms);
-    (0..terms).rev().fold(start, |sum, k| sum * s + odd(k))
-}
-
-fn between<E: Endpoint>(like: &E, lower: f64, upper: f64) -> Interval<E> {
-    Interval {
-        lower: like.constant(lower),
-        upper: like.constant(upper),
-    }
-}
-
-/// `(atanh z − z)/z³`, |z| ≤ 1/3.
-fn atanh_tail<E: Endpoint>(z: &Interval<E>, reciprocals: &[Interval<E>]) -> Interval<E> {
-    let tail = between(&z.lower, 1.0, 2.0);
-    odd_series(&z.square(), terms(z, reciprocals.len()), &tail, reciprocals)
-}
-
-/// atanh z, |z| ≤ 1/3.
-fn atanh<E: Endpoint>(z: &Interval<E>, reciprocals: &[Interval<E>]) -> Interval<E> {
-    z.square() * &atanh_tail(z, reciprocals) * z + z
-}
-
-/// atan r, |r| ≤ 1/4.
-fn atan_series<E: Endpoint>(r: &Interval<E>, reciprocals: &[Interval<E>]) -> Interval<E> {
-    let tail = between(&r.lower, 0.0, 1.0);
-    let square = r.square();
-    let sum = odd_series(
-        &-square.clone(),
-        terms(r, reciprocals.len()),
-        &tail,
-        reciprocals,
-    );
-    r.clone() - &(square * &sum * r)
-}
-
-/// `(eʳ − 1)/r`, |r| ≤ 1/2: 1 + r/2 (1 + r/3 (…)).
-fn exponential_tail<E: Endpoint>(r: &Interval<E>, reciprocals: &[Interval<E>]) -> Interval<E> {
-    // |r|^(count−1)/count! must fall below the last bit
-    let largest = super::larger(&r.upper, &r.lower.negated()).to_double(Direction::Up);
-    let needed = f64::from(r.lower.bits() + 4);
-    let mut gained = 0.0;
-    let mut count = 1;
-    while gained < needed && count < reciprocals.len() {
-        count += 1;
-        #[allow(clippy::cast_precision_loss, reason = "a few hundred terms")]
-        let factor = count as f64 / largest;
-        gained += factor.log2();
-    }
-    exponential_series(r, count, reciprocals)
-}
-
-/// The same by `count` terms, the last of which encloses all that follow.
-fn exponential_series<E: Endpoint>(
-    r: &Interval<E>,
-    count: usize,
-    reciprocals: &[Interval<E>],
-) -> Interval<E> {
-    let one = Interval::point(r.lower.constant(1.0));
-    let start = between(&r.lower, 0.5, 2.0);
-    (2..=count)
-        .rev()
-        .fold(start, |sum, k| sum * r * &reciprocals[k - 1] + &one)
-}
 
 /// The nearest whole number among `entries`.
 fn nearest(value: f64, entries: RangeInclusive<i32>) -> i32 {
@@ -230,7 +33,7 @@ fn nearest(value: f64, entries: RangeInclusive<i32>) -> i32 {
 /// Functions of one end, as enclosures to within a few units in the last place; the guard bits come from
 /// [`Interval::with_guard`].
 impl<E: Endpoint> Interval<E> {
-    fn guarded(end: &E) -> E {
+    pub(super) fn guarded(end: &E) -> E {
         let bits = (end.bits() + GUARD_BITS).next_multiple_of(WORD);
         end.with_precision(bits, Direction::Down)
     }
@@ -531,47 +334,6 @@ impl<E: Endpoint> Scalar for Interval<E> {
         Self {
             lower: size.lower.times(&size.lower, Direction::Down),
             upper: size.upper.times(&size.upper, Direction::Up),
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// With few terms the tails show, which all the terms hide below the last bit: each enclosure contains that by
-    /// more terms, and is no wider than its tail, 1/(2k+3)·|s|ᵏ or 3/2·|r|ᵏ⁻¹/k!, and some units.
-    #[test]
-    fn few_terms_of_a_series_enclose_many() {
-        let reciprocals = &Constants::of(&0.0).reciprocals;
-        for s in [-1.0, -0.3, -1e-3, 0.0, 1e-3, 0.1, 0.5] {
-            let tail = if s < 0.0 {
-                between(&s, 0.0, 1.0)
-            } else {
-                between(&s, 1.0, 2.0)
-            };
-            let series = |terms| odd_series(&Interval::point(s), terms, &tail, reciprocals);
-            for terms in 0..8 {
-                let width = s.abs().powi(terms) / f64::from(2 * terms + 3);
-                let few = series(terms.unsigned_abs() as usize);
-                assert!(few.contains(&series(28)) || s.abs() < 0.01, "{s} {terms}");
-                assert!(few.intersection(&series(28)).is_some(), "{s} {terms}");
-                assert!(few.width() <= width + 8.0 * f64::EPSILON, "{s} {terms}");
-            }
-        }
-        for r in [-0.5, -0.1, 0.1, 0.5] {
-            let series = |count| exponential_series(&Interval::point(r), count, reciprocals);
-            let mut width: f64 = 1.5;
-            for count in 1..8 {
-                assert!(series(count).contains(&series(30)), "{r} {count}");
-                assert!(
-                    series(count).width() <= width + 8.0 * f64::EPSILON,
-                    "{r} {count}"
-                );
-                #[allow(clippy::cast_precision_loss, reason = "below 8")]
-                let next = (count + 1) as f64;
-                width *= r.abs() / next;
-            }
         }
     }
 }

@@ -19,10 +19,12 @@
 //!
 //! Reference: Moore, Kearfott and Cloud, *Introduction to Interval Analysis*, 2009.
 
+mod constants;
 mod decimal;
 mod elementary;
 mod endpoint;
 mod precise;
+mod series;
 
 pub use decimal::DecimalBounds;
 pub use endpoint::{Direction, Endpoint};
