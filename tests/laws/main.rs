@@ -11,6 +11,8 @@ mod cuts;
 mod divergence;
 mod error_bounds;
 mod independent_roads;
+mod interval_ends;
+mod intervals;
 mod invariance;
 mod negative_controls;
 mod optimisers;

@@ -14,6 +14,9 @@ pub struct DecimalBounds {
 /// Digits that are handled at a time.
 const CHUNK: usize = 15;
 
+/// Numbers from 2^LONGEST are too long to be written out.
+const LONGEST: i32 = 332_000;
+
 impl Interval {
     /// The decimal number `text`, rounded outwards to `bits` bits; `None` if it is not a plain decimal
     /// with an optional exponent.
@@ -54,7 +57,7 @@ impl Interval {
     }
 
     /// The ends as decimal numbers, rounded outwards two digits beyond the first in which they differ; `None`
-    /// for an interval without bounds.
+    /// for an interval without bounds, or with more than some hundred thousand digits before the point.
     ///
     /// # Examples
     /// ```
@@ -66,7 +69,8 @@ impl Interval {
     /// ```
     #[must_use]
     pub fn to_decimal(&self, most_decimals: u32) -> Option<DecimalBounds> {
-        if !self.is_bounded() {
+        let is_long = |end: &Precise| end.exponent() > LONGEST;
+        if !self.is_bounded() || is_long(&self.lower) || is_long(&self.upper) {
             return None;
         }
         let decimals = most_decimals.min(self.certain_decimals() + 2);
@@ -91,7 +95,7 @@ impl Interval {
     }
 }
 
-/// `value` with this many decimals, rounded to the given side; trailing zeros of an exact decimal are left out.
+/// `value` with this many decimals, rounded to the given side.
 fn decimal(value: &Precise, decimals: u32, direction: Direction) -> String {
     let is_negative = *value < value.constant(0.0);
     let (magnitude, direction) = if is_negative {

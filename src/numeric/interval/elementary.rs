@@ -5,7 +5,7 @@
 //! the Horner scheme starts from an enclosure of the whole tail.
 //!
 //! ```text
-//!   ln m = ln c + 2 atanh z,   c = 1 + i/64,  z = (m − c)/(m + c),  |z| ≤ 2⁻⁸
+//!   ln m = ln c + 2 atanh z,   c = 1 + i/64,  z = (m − c)/(m + c),  |z| ≤ 1/192
 //!   atanh z = z + z³ (1/3 + z²/5 + …)         tail from term k: [1, 2]/(2k+3) for z² ≤ 1/2
 //!   atan t = atan c + atan r,  c = i/32,      r = (t − c)/(1 + t c),  |r| ≤ 2⁻⁶
 //!   atan r = r − r³ (1/3 − r²/5 + …)          tail from term k: [0, 1]/(2k+3) for r² ≤ 1
@@ -13,195 +13,48 @@
 //! ```
 
 use super::super::Scalar;
+use super::constants::{ATAN_STEPS, Constants, LN_2_HEAD, LN_ENTRIES, LN_STEPS, WORD};
+use super::series::{atan_series, atanh, atanh_tail, exponential_tail};
 use super::{Direction, Endpoint, Interval};
-use std::any::{Any, TypeId};
-use std::cell::RefCell;
-use std::collections::HashMap;
-use std::rc::Rc;
+use std::ops::RangeInclusive;
 
 /// More bits than the result has, where the ends can hold them.
 const GUARD_BITS: u32 = 32;
-/// Significands are kept in words of this many bits.
-const WORD: u32 = 64;
-
 /// How often the argument of an exponential is halved.
 const HALVINGS: i32 = 8;
-/// Entries per unit in the table of logarithms.
-const LN_STEPS: u32 = 64;
-/// Entries per unit in the table of arc tangents.
-const ATAN_STEPS: u32 = 32;
 
-/// Constants at one precision.
-struct Constants<E> {
-    pi: Interval<E>,
-    ln_2: Interval<E>,
-    /// ln(1 + i/64).
-    ln: Vec<Interval<E>>,
-    /// atan(i/32).
-    atan: Vec<Interval<E>>,
-    /// 1/1, 1/2, 1/3, …
-    reciprocals: Vec<Interval<E>>,
+/// The nearest whole number among `entries`.
+fn nearest(value: f64, entries: RangeInclusive<i32>) -> i32 {
+    #[allow(clippy::cast_possible_truncation, reason = "clamped to a small number")]
+    let nearest = value.round() as i32;
+    nearest.clamp(*entries.start(), *entries.end())
 }
 
-thread_local! {
-    /// Constants for each type of end and precision.
-    static CONSTANTS: RefCell<HashMap<(TypeId, u32), Rc<dyn Any>>> = RefCell::default();
-}
-
-impl<E: Endpoint> Constants<E> {
-    /// The constants at the precision of `like`, computed once per thread.
-    fn of(like: &E) -> Rc<Self> {
-        let key = (TypeId::of::<E>(), like.bits());
-        let cached = CONSTANTS.with_borrow(|cache| cache.get(&key).cloned());
-        if let Some(constants) = cached.and_then(|any| any.downcast::<Self>().ok()) {
-            return constants;
-        }
-        let constants = Rc::new(Self::at(like));
-        CONSTANTS.with_borrow_mut(|cache| cache.insert(key, constants.clone()));
-        constants
-    }
-
-    fn at(like: &E) -> Self {
-        let fine = Interval::guarded(like);
-        let whole = |value: u32| Interval::point(fine.constant(f64::from(value)));
-        let ratio = |p: u32, q: u32| whole(p) / &whole(q);
-        let count = fine.bits() + 8;
-        let fine_reciprocals: Vec<_> = (1..=count).map(|k| ratio(1, k)).collect();
-        let rounded = |value: &Interval<E>| value.with_precision(like.bits());
-        // atanh(1/3) = ln(2)/2, and ln(1 + i/64) = 2 atanh(i/(128 + i))
-        let ln = |i: u32| atanh(&ratio(i, 2 * LN_STEPS + i), &fine_reciprocals) * &whole(2);
-        let pi = atan_series(&ratio(1, 5), &fine_reciprocals) * &whole(16)
-            - &(atan_series(&ratio(1, 239), &fine_reciprocals) * &whole(4));
-        // atan c = 4 atan of c halved twice as an angle
-        let atan = |i: u32| {
-            let halved = |t: Interval<E>| {
-                let secant = (t.square() + &whole(1)).sqrt();
-                t / &(secant + &whole(1))
-            };
-            atan_series(&halved(halved(ratio(i, ATAN_STEPS))), &fine_reciprocals) * &whole(4)
-        };
-        Self {
-            pi: rounded(&pi),
-            ln_2: rounded(&ln(LN_STEPS)),
-            ln: (0..=LN_STEPS).map(|i| rounded(&ln(i))).collect(),
-            atan: (0..=ATAN_STEPS).map(|i| rounded(&atan(i))).collect(),
-            reciprocals: fine_reciprocals.iter().map(rounded).collect(),
-        }
-    }
-}
-
-/// How many terms of a series in z², |z| < 2^(exponent + 1), reach the last bit.
-fn terms<E: Endpoint>(z: &Interval<E>, available: usize) -> usize {
-    let largest = if z.upper.negated() < z.lower {
-        &z.upper
-    } else {
-        &z.lower
-    };
-    if largest.is_zero() {
-        return 0;
-    }
-    let bits_per_term = 2 * largest.exponent().saturating_add(1).unsigned_abs().max(1);
-    let count = (z.lower.bits() + 4).div_ceil(bits_per_term) as usize;
-    // 1/(2k+3) is the last reciprocal needed
-    count.min((available - 3) / 2)
-}
-
-/// `1/3 + s/5 + s²/7 + …` for |s| ≤ 1/2, of which `terms` terms are summed; `tail` times 1/(2k+3) encloses what
-/// follows term k.
-fn odd_series<E: Endpoint>(
-    s: &Interval<E>,
-    terms: usize,
-    tail: &Interval<E>,
-    reciprocals: &[Interval<E>],
-) -> Interval<E> {
-    let odd = |k: usize| &reciprocals[2 * k + 2];
-    let start = tail.clone() * odd(terms);
-    (0..terms).rev().fold(start, |sum, k| sum * s + odd(k))
-}
-
-fn between<E: Endpoint>(like: &E, lower: f64, upper: f64) -> Interval<E> {
-    Interval {
-        lower: like.constant(lower),
-        upper: like.constant(upper),
-    }
-}
-
-/// `(atanh z − z)/z³`, |z| ≤ 1/3.
-fn atanh_tail<E: Endpoint>(z: &Interval<E>, reciprocals: &[Interval<E>]) -> Interval<E> {
-    let tail = between(&z.lower, 1.0, 2.0);
-    odd_series(&z.square(), terms(z, reciprocals.len()), &tail, reciprocals)
-}
-
-/// atanh z, |z| ≤ 1/3.
-fn atanh<E: Endpoint>(z: &Interval<E>, reciprocals: &[Interval<E>]) -> Interval<E> {
-    z.square() * &atanh_tail(z, reciprocals) * z + z
-}
-
-/// atan r, |r| ≤ 1/4.
-fn atan_series<E: Endpoint>(r: &Interval<E>, reciprocals: &[Interval<E>]) -> Interval<E> {
-    let tail = between(&r.lower, 0.0, 1.0);
-    let square = r.square();
-    let sum = odd_series(
-        &-square.clone(),
-        terms(r, reciprocals.len()),
-        &tail,
-        reciprocals,
-    );
-    r.clone() - &(square * &sum * r)
-}
-
-/// `(eʳ − 1)/r`, |r| ≤ 1/2: 1 + r/2 (1 + r/3 (…)).
-fn exponential_tail<E: Endpoint>(r: &Interval<E>, reciprocals: &[Interval<E>]) -> Interval<E> {
-    // |r|^(count−1)/count! must fall below the last bit
-    let largest = super::larger(&r.upper, &r.lower.negated()).to_double(Direction::Up);
-    let needed = f64::from(r.lower.bits() + 4);
-    let mut gained = 0.0;
-    let mut count = 1;
-    while gained < needed && count < reciprocals.len() {
-        count += 1;
-        #[allow(clippy::cast_precision_loss, reason = "a few hundred terms")]
-        let factor = count as f64 / largest;
-        gained += factor.log2();
-    }
-    let one = Interval::point(r.lower.constant(1.0));
-    let start = between(&r.lower, 0.5, 2.0);
-    (2..=count)
-        .rev()
-        .fold(start, |sum, k| sum * r * &reciprocals[k - 1] + &one)
-}
-
-/// The nearest whole number, as an index into a table.
-fn index(value: f64, largest: u32) -> u32 {
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "rounded and clamped to a small index"
-    )]
-    let index = value.round().clamp(0.0, f64::from(largest)) as u32;
-    index
-}
-
-/// Functions of one end, as enclosures with guard bits.
+/// Functions of one end, as enclosures to within a few units in the last place; the guard bits come from
+/// [`Interval::with_guard`].
 impl<E: Endpoint> Interval<E> {
-    fn guarded(end: &E) -> E {
+    pub(super) fn guarded(end: &E) -> E {
         let bits = (end.bits() + GUARD_BITS).next_multiple_of(WORD);
         end.with_precision(bits, Direction::Down)
     }
 
-    /// `ln m` for m in [1/2, 2], given m − 1.
+    /// A function of one end, evaluated with guard bits.
+    fn with_guard(at: impl Fn(&E) -> Self) -> impl Fn(&E) -> Self {
+        move |end| at(&Self::guarded(end)).with_precision(end.bits())
+    }
+
+    /// `ln m` for m in [3/4, 3/2], given m − 1.
     fn ln_near_one(excess: &Self, constants: &Constants<E>) -> Self {
         let like = &excess.lower;
         let steps = f64::from(LN_STEPS);
-        let i = index(
-            excess.midpoint().to_double(Direction::Down) * steps,
-            LN_STEPS,
-        );
+        let middle = excess.midpoint().to_double(Direction::Down);
+        let i = nearest(middle * steps, LN_ENTRIES);
         let offset = Self::point(like.constant(f64::from(i) / steps));
         let two = Self::point(like.constant(2.0));
         let difference = excess.clone() - &offset;
         let z = difference / &(excess.clone() + &(offset + &two));
         let near = atanh(&z, &constants.reciprocals);
-        near.clone() + &near + &constants.ln[i as usize]
+        near.scaled(1) + &constants.ln[(i - LN_ENTRIES.start()).unsigned_abs() as usize]
     }
 
     fn ln_of(end: &E) -> Self {
@@ -214,95 +67,86 @@ impl<E: Endpoint> Interval<E> {
             };
             return Self::point(end.constant(bound));
         }
-        let fine = Self::guarded(end);
-        let constants = Constants::of(&fine);
-        let mut power = fine.exponent();
-        let mut significand = fine.scaled(-power, Direction::Down);
-        if significand > fine.constant(1.5) {
+        let constants = Constants::of(end);
+        let mut power = end.exponent();
+        let mut significand = end.scaled(-power, Direction::Down);
+        if significand > end.constant(1.5) {
             power += 1;
-            significand = fine.scaled(-power, Direction::Down);
+            significand = end.scaled(-power, Direction::Down);
         }
         // m in [3/4, 3/2], so that m − 1 is exact
-        let excess = Self::point(significand) - &Self::point(fine.constant(1.0));
-        let exponent = Self::point(fine.constant(f64::from(power)));
-        let ln = constants.ln_2.clone() * &exponent + &Self::ln_near_one(&excess, &constants);
-        ln.with_precision(end.bits())
+        let excess = Self::point(significand) - &Self::point(end.constant(1.0));
+        let exponent = Self::point(end.constant(f64::from(power)));
+        constants.ln_2.clone() * &exponent + &Self::ln_near_one(&excess, &constants)
     }
 
     fn ln_1p_of(end: &E) -> Self {
         if *end < end.constant(-0.25) || *end > end.constant(0.5) {
-            let one_plus = Self::point(Self::guarded(end)) + &Self::point(end.constant(1.0));
-            return one_plus.rising(Self::ln_of).with_precision(end.bits());
+            let one_plus = Self::point(end.clone()) + &Self::point(end.constant(1.0));
+            return one_plus.rising(Self::ln_of);
         }
-        let fine = Self::guarded(end);
-        let constants = Constants::of(&fine);
-        Self::ln_near_one(&Self::point(fine), &constants).with_precision(end.bits())
+        Self::ln_near_one(&Self::point(end.clone()), &Constants::of(end))
     }
 
     fn exp_of(end: &E) -> Self {
         let value = end.to_double(Direction::Down);
-        if value > 1e9 || value < -1e9 {
+        if !(-1e9..=1e9).contains(&value) {
             // beyond any exponent
-            let huge = end.constant(f64::MAX);
+            let one = end.constant(1.0);
             return if value > 0.0 {
                 Self {
-                    lower: huge,
+                    lower: one.scaled(i32::MAX, Direction::Down),
                     upper: end.constant(f64::INFINITY),
                 }
             } else {
                 Self {
                     lower: end.constant(0.0),
-                    upper: end.constant(f64::MIN_POSITIVE),
+                    upper: one.scaled(-i32::MAX, Direction::Up),
                 }
             };
         }
-        let fine = Self::guarded(end);
         // every halving is a squaring later, which doubles the error: none where there are no guard bits
-        let halvings = if fine.bits() > end.bits() {
+        let halvings = if end.bits() > f64::MANTISSA_DIGITS {
             HALVINGS
         } else {
             0
         };
-        let constants = Constants::of(&fine);
+        let constants = Constants::of(end);
         let power = (value / std::f64::consts::LN_2).round();
-        let multiple = constants.ln_2.clone() * &Self::point(fine.constant(power));
-        let reduced = (Self::point(fine.clone()) - &multiple).scaled(-halvings);
-        let one = Self::point(fine.constant(1.0));
+        let multiple = |part: &Self| part.clone() * &Self::point(end.constant(power));
+        let head = Self::point(end.constant(LN_2_HEAD));
+        let reduced = Self::point(end.clone()) - &multiple(&head) - &multiple(&constants.ln_2_tail);
+        let reduced = reduced.scaled(-halvings);
+        let one = Self::point(end.constant(1.0));
         let start = exponential_tail(&reduced, &constants.reciprocals) * &reduced + &one;
         let exp = (0..halvings).fold(start, |power, _| power.square());
         #[allow(clippy::cast_possible_truncation, reason = "below 2e9")]
-        let exp = exp.scaled(power as i32);
-        exp.with_precision(end.bits())
+        exp.scaled(power as i32)
     }
 
     fn exp_m1_of(end: &E) -> Self {
-        let fine = Self::guarded(end);
-        if fine < fine.constant(-0.25) || fine > fine.constant(0.25) {
-            let one = Self::point(fine.constant(1.0));
-            return (Self::exp_of(&fine) - &one).with_precision(end.bits());
+        if *end < end.constant(-0.25) || *end > end.constant(0.25) {
+            return Self::exp_of(end) - &Self::point(end.constant(1.0));
         }
-        let constants = Constants::of(&fine);
-        let r = Self::point(fine);
-        (exponential_tail(&r, &constants.reciprocals) * &r).with_precision(end.bits())
+        let r = Self::point(end.clone());
+        exponential_tail(&r, &Constants::of(end).reciprocals) * &r
     }
 
     fn atan_of(end: &E) -> Self {
-        let fine = Self::guarded(end);
-        let constants = Constants::of(&fine);
-        let one = fine.constant(1.0);
+        let constants = Constants::of(end);
+        let one = end.constant(1.0);
         let half_pi = || constants.pi.scaled(-1);
-        let atan = if !end.is_finite() {
+        if !end.is_finite() {
             if *end < one { -half_pi() } else { half_pi() }
-        } else if fine > one {
-            let complement = Self::point(one.clone()) / &Self::point(fine);
+        } else if *end > one {
+            let complement = Self::point(one) / &Self::point(end.clone());
             half_pi() - &Self::atan_within(&complement, &constants)
-        } else if fine < one.negated() {
-            let complement = Self::point(one.clone()) / &Self::point(fine);
+        } else if *end < one.negated() {
+            let complement = Self::point(one) / &Self::point(end.clone());
             -half_pi() - &Self::atan_within(&complement, &constants)
         } else {
-            Self::atan_within(&Self::point(fine), &constants)
-        };
-        atan.with_precision(end.bits())
+            Self::atan_within(&Self::point(end.clone()), &constants)
+        }
     }
 
     /// atan t, |t| ≤ 1.
@@ -312,34 +156,32 @@ impl<E: Endpoint> Interval<E> {
             return -Self::atan_within(&-t.clone(), constants);
         }
         let steps = f64::from(ATAN_STEPS);
-        let i = index(middle * steps, ATAN_STEPS);
+        let i = nearest(middle * steps, 0..=ATAN_STEPS);
         let c = Self::point(t.lower.constant(f64::from(i) / steps));
         let one = Self::point(t.lower.constant(1.0));
         let r = (t.clone() - &c) / &(t.clone() * &c + &one);
-        atan_series(&r, &constants.reciprocals) + &constants.atan[i as usize]
+        atan_series(&r, &constants.reciprocals) + &constants.atan[i.unsigned_abs() as usize]
     }
 
     /// φ of one number ≥ −1.
     fn divergence_kernel_of(end: &E) -> Self {
-        let fine = Self::guarded(end);
-        let x = Self::point(fine.clone());
-        let one = Self::point(fine.constant(1.0));
-        if fine <= fine.constant(-1.0) {
-            return Self::point(end.constant(1.0));
+        let x = Self::point(end.clone());
+        let one = Self::point(end.constant(1.0));
+        if *end <= end.constant(-1.0) {
+            return one;
         }
         if !end.is_finite() {
-            return Self::point(end.clone());
+            return x;
         }
-        let kernel = if fine.constant(-0.25) < fine && fine < fine.constant(0.25) {
+        if end.constant(-0.25) < *end && *end < end.constant(0.25) {
             // φ = 2 z² [1 + (1+z) z·tail]/(1 − z),  z = x/(2+x)
-            let constants = Constants::of(&fine);
-            let z = x.clone() / &(x + &Self::point(fine.constant(2.0)));
+            let constants = Constants::of(end);
+            let z = x.clone() / &(x + &Self::point(end.constant(2.0)));
             let tail = atanh_tail(&z, &constants.reciprocals) * &z * &(one.clone() + &z);
             (tail + &one) * &z.square().scaled(1) / &(one - &z)
         } else {
-            Self::ln_1p_of(&fine) * &(x.clone() + &one) - &x
-        };
-        kernel.with_precision(end.bits())
+            Self::ln_1p_of(end) * &(x.clone() + &one) - &x
+        }
     }
 
     /// `x ln |x|` of one number, 0 at 0.
@@ -352,8 +194,7 @@ impl<E: Endpoint> Interval<E> {
         } else {
             end.clone()
         };
-        let fine = Self::guarded(&magnitude);
-        (Self::ln_of(&fine) * &Self::point(Self::guarded(end))).with_precision(end.bits())
+        Self::ln_of(&magnitude) * &Self::point(end.clone())
     }
 
     /// Times a power of two.
@@ -383,8 +224,7 @@ impl<E: Endpoint> Scalar for Interval<E> {
         if !self.is_bounded() {
             return f64::NAN;
         }
-        let (lower, upper) = self.to_doubles();
-        0.5 * lower + 0.5 * upper
+        self.midpoint().to_double(Direction::Down)
     }
     fn sqrt(&self) -> Self {
         let zero = self.lower.constant(0.0);
@@ -403,30 +243,37 @@ impl<E: Endpoint> Scalar for Interval<E> {
         if self.upper <= self.lower.constant(0.0) {
             return self.whole_line();
         }
-        self.rising(Self::ln_of)
+        self.rising(Self::with_guard(Self::ln_of))
     }
     fn ln_1p(&self) -> Self {
         if self.upper <= self.lower.constant(-1.0) {
             return self.whole_line();
         }
-        self.rising(Self::ln_1p_of)
+        self.rising(Self::with_guard(Self::ln_1p_of))
     }
     fn exp(&self) -> Self {
-        self.rising(Self::exp_of)
+        self.rising(Self::with_guard(Self::exp_of))
     }
     fn exp_m1(&self) -> Self {
-        self.rising(Self::exp_m1_of)
+        self.rising(Self::with_guard(Self::exp_m1_of))
     }
     /// Where the half-line x ≤ 0, y = 0 is touched the angle may jump, and every angle is returned.
     fn atan2(&self, x: &Self) -> Self {
         let zero = self.lower.constant(0.0);
         let half_pi = || self.pi().scaled(-1);
         if x.lower > zero {
-            (self.clone() / x).rising(Self::atan_of)
+            (self.clone() / x).rising(Self::with_guard(Self::atan_of))
         } else if self.lower > zero {
-            half_pi() - &(x.clone() / self).rising(Self::atan_of)
+            let angle = half_pi() - &(x.clone() / self).rising(Self::with_guard(Self::atan_of));
+            if x.upper <= zero {
+                return angle;
+            }
+            // the smallest angle lies right of the y axis, where the difference may cancel
+            let slope = Self::point(self.lower.clone()) / &Self::point(x.upper.clone());
+            let lower = slope.rising(Self::with_guard(Self::atan_of)).lower;
+            Self { lower, ..angle }
         } else if self.upper < zero {
-            -half_pi() - &(x.clone() / self).rising(Self::atan_of)
+            -(-self.clone()).atan2(x)
         } else if x.lower >= zero {
             // from the origin to the right: y = 0 gives 0, y of either sign up to a right angle
             let up = if self.upper > zero {
@@ -446,8 +293,10 @@ impl<E: Endpoint> Scalar for Interval<E> {
         }
     }
     fn divergence_kernel(&self) -> Self {
-        let ends = [&self.lower, &self.upper].map(Self::divergence_kernel_of);
-        let hull = ends[0].hull(&ends[1]);
+        if self.upper < self.lower.constant(-1.0) {
+            return self.whole_line();
+        }
+        let hull = self.at_ends(Self::with_guard(Self::divergence_kernel_of));
         if self.contains_zero() {
             hull.hull(&self.zero())
         } else {
@@ -455,10 +304,11 @@ impl<E: Endpoint> Scalar for Interval<E> {
         }
     }
     fn x_ln_x(&self) -> Self {
-        let ends = [&self.lower, &self.upper].map(Self::x_ln_x_of);
-        let hull = ends[0].hull(&ends[1]);
+        let hull = self.at_ends(Self::with_guard(Self::x_ln_x_of));
         // turning points at ±1/e, values ∓1/e
-        let turn = self.constant(-1.0).exp();
+        let turn = Constants::of(&Self::guarded(&self.lower))
+            .inverse_e
+            .with_precision(self.lower.bits());
         let touches = |point: &Self| self.intersection(point).is_some();
         let mut image = hull;
         if touches(&turn) {

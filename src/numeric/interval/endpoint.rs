@@ -1,6 +1,7 @@
 //! What the ends of an interval are made of: numbers whose operations round down or up.
 
 use super::super::expansion::two_sum;
+use std::cmp::Ordering;
 use std::fmt::Debug;
 
 /// Which way an inexact result is rounded.
@@ -57,6 +58,11 @@ pub trait Endpoint: Clone + Debug + PartialOrd + 'static {
     /// A double on the given side.
     fn to_double(&self, direction: Direction) -> f64;
 
+    /// Where it lies seen from 0; `Equal` of NaN.
+    fn sign(&self) -> Ordering {
+        let sign = self.partial_cmp(&self.constant(0.0));
+        sign.unwrap_or(Ordering::Equal)
+    }
     /// Is it exactly 0?
     fn is_zero(&self) -> bool {
         *self == self.constant(0.0)
@@ -65,9 +71,12 @@ pub trait Endpoint: Clone + Debug + PartialOrd + 'static {
     fn is_finite(&self) -> bool;
 }
 
-/// A double that is off by less than one unit in the last place, moved outwards.
-const fn outward(value: f64, direction: Direction) -> f64 {
+/// A double that is off by less than one unit in the last place, moved outwards, but never past 0: an underflow
+/// keeps its sign.
+fn outward(value: f64, direction: Direction) -> f64 {
     match direction {
+        Direction::Down if value == 0.0 && value.is_sign_positive() => value,
+        Direction::Up if value == 0.0 && value.is_sign_negative() => value,
         Direction::Down => value.next_down(),
         Direction::Up => value.next_up(),
     }
@@ -142,15 +151,18 @@ impl Endpoint for f64 {
         rounded(root, (-root).mul_add(root, *self), direction)
     }
     fn scaled(&self, power: i32, direction: Direction) -> Self {
-        let half = power.clamp(-2400, 2400) / 2;
-        let other = power.clamp(-2400, 2400) - half;
-        let scaled = self * 2f64.powi(half) * 2f64.powi(other);
-        // the second factor undoes the first one's loss only outside the normal range
+        // in three steps, as some powers of two between two doubles are not doubles themselves
+        let power = power.clamp(-2400, 2400);
+        let steps = [power / 3, power / 3, power - power / 3 * 2];
+        let times = |value: f64, sign: i32| {
+            let factors = steps.map(|step| 2f64.powi(sign * step));
+            factors.iter().fold(value, |value, factor| value * factor)
+        };
+        let scaled = times(*self, 1);
         if !self.is_finite() || *self == 0.0 || scaled.is_normal() {
-            scaled
-        } else {
-            outward(scaled, direction)
+            return scaled;
         }
+        rounded(scaled, self - times(scaled, -1), direction)
     }
     fn exponent(&self) -> i32 {
         let (value, shift) = if self.is_normal() {

@@ -19,10 +19,12 @@
 //!
 //! Reference: Moore, Kearfott and Cloud, *Introduction to Interval Analysis*, 2009.
 
+mod constants;
 mod decimal;
 mod elementary;
 mod endpoint;
 mod precise;
+mod series;
 
 pub use decimal::DecimalBounds;
 pub use endpoint::{Direction, Endpoint};
@@ -83,12 +85,14 @@ impl<E: Endpoint> Interval<E> {
             .to_double(Direction::Up)
     }
 
-    /// A number about halfway between the ends; NaN of an interval without bounds.
+    /// A number of the interval about halfway between the ends; NaN of an interval without bounds.
     #[must_use]
     pub fn midpoint(&self) -> E {
         let half = self.lower.constant(0.5);
         let halves = [&self.lower, &self.upper].map(|end| end.times(&half, Direction::Down));
-        halves[0].plus(&halves[1], Direction::Down)
+        let middle = halves[0].plus(&halves[1], Direction::Down);
+        // halves of the smallest doubles are rounded by themselves
+        larger(smaller(&middle, &self.upper), &self.lower).clone()
     }
 
     /// Are both ends finite?
@@ -106,8 +110,7 @@ impl<E: Endpoint> Interval<E> {
     /// Is 0 in it?
     #[must_use]
     pub fn contains_zero(&self) -> bool {
-        let zero = self.lower.constant(0.0);
-        self.lower <= zero && zero <= self.upper
+        self.lower.sign().is_le() && self.upper.sign().is_ge()
     }
 
     /// Does it contain all of `other`?
@@ -190,14 +193,31 @@ impl<E: Endpoint> Interval<E> {
         use crate::numeric::Scalar;
         // squares and the base's own products: 13 = 1101₂ is ((x²·x)²)²·x
         let bits = u32::BITS - exponent.leading_zeros();
-        (0..bits).rev().fold(self.constant(1.0), |power, bit| {
-            let square = power.square();
-            if exponent >> bit & 1 == 1 {
-                square * self
-            } else {
-                square
-            }
-        })
+        let of_end = |end: &E| {
+            let base = Self::point(end.clone());
+            (0..bits).rev().fold(self.constant(1.0), |power, bit| {
+                let square = power.square();
+                if exponent >> bit & 1 == 1 {
+                    square * &base
+                } else {
+                    square
+                }
+            })
+        };
+        if exponent.is_multiple_of(2) {
+            self.abs().rising(of_end)
+        } else {
+            self.rising(of_end)
+        }
+    }
+
+    /// The hull of the images of the ends.
+    fn at_ends(&self, at: impl Fn(&E) -> Self) -> Self {
+        let lower = at(&self.lower);
+        if self.is_point() {
+            return lower;
+        }
+        lower.hull(&at(&self.upper))
     }
 
     /// The image under a function that rises on the whole interval, given as an enclosure at each end.
@@ -322,10 +342,9 @@ enum Side {
 
 impl<E: Endpoint> Interval<E> {
     fn side(&self) -> Side {
-        let zero = self.lower.constant(0.0);
-        if self.lower >= zero {
+        if self.lower.sign().is_ge() {
             Side::Right
-        } else if self.upper <= zero {
+        } else if self.upper.sign().is_le() {
             Side::Left
         } else {
             Side::Both
@@ -361,25 +380,24 @@ impl<E: Endpoint> Div<&Self> for Interval<E> {
     type Output = Self;
     fn div(self, other: &Self) -> Self {
         use Direction::{Down, Up};
-        let (zero, infinity) = (self.lower.constant(0.0), self.lower.constant(f64::INFINITY));
         let (a, b) = match other.side() {
             Side::Both => return self.whole_line(),
             Side::Left => (-self, -other.clone()),
             Side::Right => (self, other.clone()),
         };
-        if b.upper <= zero {
+        if b.upper.is_zero() {
             return a.whole_line();
         }
         // b > 0, or from 0 upwards: then quotients have no bound away from 0
-        let has_zero = b.lower <= zero;
+        let infinity = |sign: f64| a.lower.constant(sign * f64::INFINITY);
         let lower = match () {
-            () if a.lower >= zero => quotient(&a.lower, &b.upper, Down),
-            () if has_zero => infinity.negated(),
+            () if a.lower.sign().is_ge() => quotient(&a.lower, &b.upper, Down),
+            () if b.lower.is_zero() => infinity(-1.0),
             () => quotient(&a.lower, &b.lower, Down),
         };
         let upper = match () {
-            () if a.upper <= zero => quotient(&a.upper, &b.upper, Up),
-            () if has_zero => infinity,
+            () if a.upper.sign().is_le() => quotient(&a.upper, &b.upper, Up),
+            () if b.lower.is_zero() => infinity(1.0),
             () => quotient(&a.upper, &b.lower, Up),
         };
         Self { lower, upper }

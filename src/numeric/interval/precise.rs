@@ -24,6 +24,26 @@ const fn mode(direction: Direction) -> RoundingMode {
     }
 }
 
+/// Powers of two of a finite number, to either side. The library's own range is wider by a factor of eight, so that
+/// no operation on such numbers over- or underflows before it is looked at.
+const LARGEST_POWER: i32 = 1 << 28;
+
+/// `value` with `bits` bits: the library keeps whole words.
+fn cut(mut value: BigFloat, bits: u32, direction: Direction) -> BigFloat {
+    if !bits.is_multiple_of(WORD)
+        && let Some(exponent) = value.exponent()
+        && !value.is_zero()
+    {
+        // 2^-exponent · value has `bits` bits behind the point
+        value.set_exponent(0);
+        value = value.round(bits as usize, mode(direction));
+        if let Some(carried) = value.exponent() {
+            value.set_exponent(exponent + carried);
+        }
+    }
+    value
+}
+
 impl Precise {
     /// The number `value`, exactly, as the start of calculations with `bits` bits (at least 53).
     #[must_use]
@@ -48,38 +68,31 @@ impl Precise {
         }
     }
 
-    /// The result of an operation on finite numbers at `bits`: cut to whole bits, kept off the wrong side of
-    /// overflow and underflow. `is_zero`: is the exact result 0?
-    fn finished(mut value: BigFloat, bits: u32, is_zero: bool, direction: Direction) -> Self {
-        let words = bits as usize;
-        if value.is_inf_pos() && direction == Direction::Down {
-            value = BigFloat::max_value(words);
-        } else if value.is_inf_neg() && direction == Direction::Up {
-            value = BigFloat::min_value(words);
-        } else if value.is_zero() && !is_zero {
-            // what underflowed lies within the smallest number of 0
-            let smallest = BigFloat::min_positive_normal(words);
-            value = match direction {
-                Direction::Down => smallest.neg(),
-                Direction::Up => smallest,
-            };
-        }
-        if bits % WORD != 0
-            && let Some(exponent) = value.exponent()
-            && !value.is_zero()
-        {
-            // the library keeps whole words; 2^-exponent · value has `bits` bits behind the point
-            value.set_exponent(0);
-            value = value.round(words, mode(direction));
-            if let Some(carried) = value.exponent() {
-                value.set_exponent(exponent.saturating_add(carried));
+    /// The value of an operation, cut to `bits` and kept within the range of exponents.
+    fn finished(value: BigFloat, bits: u32, direction: Direction) -> Self {
+        let value = cut(value, bits, direction);
+        let Some(exponent) = value.exponent().filter(|_| !value.is_zero()) else {
+            return Self { value, bits };
+        };
+        let is_negative = value.is_negative();
+        let is_away_from_zero = is_negative == (direction == Direction::Down);
+        let size = match (exponent.cmp(&0), exponent.abs() > LARGEST_POWER) {
+            (_, false) => return Self { value, bits },
+            (Ordering::Greater, _) if is_away_from_zero => astro_float::INF_POS,
+            (Ordering::Greater, _) => {
+                let mut largest = BigFloat::max_value(bits as usize);
+                largest.set_exponent(LARGEST_POWER);
+                cut(largest, bits, Direction::Down)
             }
-        }
+            _ if is_away_from_zero => {
+                let mut smallest = BigFloat::from_f64(0.5, bits as usize);
+                smallest.set_exponent(-LARGEST_POWER);
+                smallest
+            }
+            _ => BigFloat::from_f64(0.0, bits as usize),
+        };
+        let value = if is_negative { size.neg() } else { size };
         Self { value, bits }
-    }
-
-    fn both_finite(&self, other: &Self) -> bool {
-        self.is_finite() && other.is_finite()
     }
 
     /// The largest whole number that is not larger.
@@ -117,7 +130,7 @@ impl Endpoint for Precise {
         }
         let zero = BigFloat::from_f64(0.0, bits as usize);
         let value = self.value.add(&zero, bits as usize, mode(direction));
-        Self::finished(value, bits, false, direction)
+        Self::finished(value, bits, direction)
     }
     fn bits(&self) -> u32 {
         self.bits
@@ -131,28 +144,17 @@ impl Endpoint for Precise {
     fn plus(&self, other: &Self, direction: Direction) -> Self {
         let bits = self.bits.max(other.bits);
         let value = self.value.add(&other.value, bits as usize, mode(direction));
-        if !self.both_finite(other) {
-            return Self { value, bits };
-        }
-        // a sum of floating-point numbers never underflows
-        Self::finished(value, bits, true, direction)
+        Self::finished(value, bits, direction)
     }
     fn times(&self, other: &Self, direction: Direction) -> Self {
         let bits = self.bits.max(other.bits);
         let value = self.value.mul(&other.value, bits as usize, mode(direction));
-        if !self.both_finite(other) {
-            return Self { value, bits };
-        }
-        let is_zero = self.value.is_zero() || other.value.is_zero();
-        Self::finished(value, bits, is_zero, direction)
+        Self::finished(value, bits, direction)
     }
     fn over(&self, other: &Self, direction: Direction) -> Self {
         let bits = self.bits.max(other.bits);
         let value = self.value.div(&other.value, bits as usize, mode(direction));
-        if !self.both_finite(other) {
-            return Self { value, bits };
-        }
-        Self::finished(value, bits, self.value.is_zero(), direction)
+        Self::finished(value, bits, direction)
     }
     /// Heron's step: whatever y > 0, √x lies between y and x/y.
     fn root(&self, direction: Direction) -> Self {
@@ -191,30 +193,10 @@ impl Endpoint for Precise {
         if let Some(exponent) = value.exponent()
             && !value.is_zero()
         {
-            let moved = i64::from(exponent) + i64::from(power);
-            match i32::try_from(moved) {
-                Ok(moved) if moved.abs() < i32::MAX / 2 => value.set_exponent(moved),
-                // beyond half the range of exponents: overflow or underflow, outwards
-                _ => {
-                    let (zero, is_huge) = (self.constant(0.0).value, moved > 0);
-                    let is_negative = self.value.is_negative();
-                    let out = if is_huge {
-                        if is_negative {
-                            astro_float::INF_NEG
-                        } else {
-                            astro_float::INF_POS
-                        }
-                    } else {
-                        zero
-                    };
-                    return Self::finished(out, self.bits, false, direction);
-                }
-            }
+            let beyond = 2 * LARGEST_POWER;
+            value.set_exponent(exponent.saturating_add(power).clamp(-beyond, beyond));
         }
-        Self {
-            value,
-            bits: self.bits,
-        }
+        Self::finished(value, self.bits, direction)
     }
     fn exponent(&self) -> i32 {
         // the library's significands lie in [1/2, 1)
@@ -237,9 +219,7 @@ impl Endpoint for Precise {
         // the first 53 bits, cut off: a lower bound on the magnitude
         #[allow(clippy::cast_precision_loss, reason = "53 bits are left")]
         let cut = (leading >> 11) as f64;
-        let magnitude = cut
-            .scaled(exponent.saturating_sub(53), Direction::Down)
-            .max(0.0);
+        let magnitude = cut.scaled(exponent - 53, Direction::Down);
         let below = if sign == Sign::Neg {
             -magnitude
         } else {
@@ -259,6 +239,15 @@ impl Endpoint for Precise {
             }
         } else {
             below
+        }
+    }
+    fn sign(&self) -> Ordering {
+        if self.value.is_zero() || self.value.is_nan() {
+            Ordering::Equal
+        } else if self.value.is_negative() {
+            Ordering::Less
+        } else {
+            Ordering::Greater
         }
     }
     fn is_zero(&self) -> bool {
