@@ -48,11 +48,11 @@ fn points(count: u32) -> impl Iterator<Item = f64> {
 fn discontinuity_beats_darker_cuts(input: &Inputs) -> Result<Finding, ClaimError> {
     let line = input.number("line")?;
     let shadow = ContactShadow::try_new(line)?;
-    let at_candidate = shadow.gain(input.number("candidate")?)?;
+    let at_candidate = shadow.gain(&input.number("candidate")?)?;
     let mut curve = Vec::new();
     let mut largest: f64 = 0.0;
     for t in points(200) {
-        let gain = shadow.gain(t)?;
+        let gain = shadow.gain(&t)?;
         curve.push([t, gain]);
         if t > line {
             largest = larger(largest, gain / at_candidate);
@@ -73,7 +73,7 @@ fn discontinuity_beats_lit_cuts(input: &Inputs) -> Result<Finding, ClaimError> {
         if uniform {
             Ok(shadow.uniform_gain(t))
         } else {
-            shadow.gain(t)
+            shadow.gain(&t)
         }
     };
     let at_line = gain(line)?;

@@ -16,8 +16,8 @@
 use super::{DiscretizeError, stationarity};
 use crate::form_factor::RectanglePair;
 use crate::geometry::SplitAxis;
-use crate::information::divergence;
-use crate::numeric::{NumericError, maximum, root};
+use crate::information::{divergence, relative_entropy};
+use crate::numeric::{NumericError, Scalar, maximum, root};
 use crate::scene::Scene;
 
 /// Two unit squares with a common edge, the first dark beyond a line parallel to it.
@@ -46,29 +46,40 @@ impl ContactShadow {
         Ok(Self { pair, line })
     }
 
-    /// The gain of a cut at `position`, in bits (A_T = 2).
+    /// The gain of a cut at `position`, in bits (A_T = 2); over intervals an enclosure, the line counting as exact.
     ///
     /// # Errors
     /// [`DiscretizeError::OutOfRange`] unless `0 < position < 1`.
-    pub fn gain(&self, position: f64) -> Result<f64, DiscretizeError> {
-        if !(position > 0.0 && position < 1.0) {
+    pub fn gain<S: Scalar>(&self, position: &S) -> Result<S, DiscretizeError> {
+        let (zero, one) = (position.zero(), position.constant(1.0));
+        if !(*position > zero && *position < one) {
             let (parameter, condition) = ("the cut", "inside (0, 1)");
             return Err(DiscretizeError::OutOfRange {
                 parameter,
-                value: position,
+                value: position.to_f64(),
                 condition,
             });
         }
-        let near = position.min(self.line);
-        let beyond = if position < self.line {
-            self.exchange(position, self.line)?
-        } else {
-            0.0
+        let pair = self.pair.lifted(position);
+        let exchange = |from: &S, to: &S| {
+            Ok::<S, DiscretizeError>(pair.part(SplitAxis::U, from, to)?.exchange_value()?)
         };
-        Ok(divergence(
-            &[self.exchange(0.0, near)?, beyond],
-            &[position, 1.0 - position],
-        ))
+        let line = position.constant(self.line);
+        let (near, beyond) = if *position < line {
+            (exchange(&zero, position)?, exchange(position, &line)?)
+        } else if *position >= line {
+            (exchange(&zero, &line)?, zero)
+        } else {
+            let (parameter, condition) = ("the cut", "wholly on one side of the line");
+            return Err(DiscretizeError::OutOfRange {
+                parameter,
+                value: position.to_f64(),
+                condition,
+            });
+        };
+        let flux = near.clone() + &beyond;
+        let parts = [[near, position.clone()], [beyond, one.clone() - position]];
+        Ok(relative_entropy(&flux, &one, &parts))
     }
 
     /// What the floor and the wall exchange in all, up to the line.
@@ -103,7 +114,7 @@ impl ContactShadow {
             let (before, after) = (exchange(0.0, t) / t, exchange(t, self.line) / (1.0 - t));
             stationarity(&rate, &1.0, &before, &after)
         };
-        let gain = |t: f64| self.gain(t).unwrap_or(f64::NAN);
+        let gain = |t: f64| self.gain(&t).unwrap_or(f64::NAN);
         match maximum(gain, derivative, (0.0, self.line), 32) {
             Ok(found) => Ok(Some(found.position)),
             Err(NumericError::NoInteriorMaximum { .. }) => Ok(None),
@@ -119,9 +130,9 @@ impl ContactShadow {
     pub fn limit_of_the_discontinuity_line() -> Result<f64, DiscretizeError> {
         let advantage = |line: f64| -> Result<f64, DiscretizeError> {
             let shadow = Self::try_new(line)?;
-            let at_line = shadow.gain(line)?;
+            let at_line = shadow.gain(&line)?;
             Ok(match shadow.best_lit_cut()? {
-                Some(cut) => at_line - shadow.gain(cut)?,
+                Some(cut) => at_line - shadow.gain(&cut)?,
                 None => at_line,
             })
         };

@@ -12,10 +12,10 @@
 use super::{DiscretizeError, stationarity};
 use crate::form_factor::RectanglePair;
 use crate::geometry::SplitAxis;
-use crate::information::{relative_entropy, subdivision_bound};
+use crate::information::relative_entropy;
 use crate::numeric::{
-    CertifiedMaximum, End, NumericError, Objective, Scalar, certified_maximum, compensated_sum,
-    maximum, maximum_of_many, x_log2_ratio,
+    CertifiedMaximum, End, NumericError, Objective, Scalar, certified_maximum, maximum,
+    maximum_of_many, x_log2_ratio,
 };
 use crate::scene::Scene;
 use std::cell::RefCell;
@@ -96,22 +96,6 @@ impl PatchSplit {
             area: like.constant(self.area),
             total_area: like.constant(self.total_area),
         }
-    }
-
-    /// The largest gain that a regular division into `parts` could bring at all, eqs. (6), (7).
-    ///
-    /// # Errors
-    /// [`DiscretizeError::FormFactor`] if an exchange area leaves `f64`'s range.
-    pub fn maximum_gain(&self, parts: u32) -> Result<f64, DiscretizeError> {
-        let exchanged = self
-            .pairs
-            .iter()
-            .map(|pair| pair.exchange_area().map(|exchange| exchange.value))
-            .collect::<Result<Vec<f64>, _>>()?;
-        Ok(subdivision_bound(
-            compensated_sum(exchanged) / self.total_area,
-            parts,
-        ))
     }
 
     /// The cuts into `parts` parts that gain the most.
@@ -285,6 +269,19 @@ impl<S: Scalar> PatchSplit<S> {
             derivative = derivative + &stationarity(&rate, &self.area, &before, &after);
         }
         Ok(derivative * &self.bits_per_nat())
+    }
+
+    /// The largest gain that a regular division into `parts` could bring at all, eqs. (6), (7).
+    ///
+    /// # Errors
+    /// [`DiscretizeError::FormFactor`] if an exchange area leaves `f64`'s range.
+    pub fn maximum_gain(&self, parts: u32) -> Result<S, DiscretizeError> {
+        let mut exchanged = self.area.zero();
+        for pair in &self.pairs {
+            exchanged = exchanged + &pair.exchange_value()?;
+        }
+        let log = self.area.constant(f64::from(parts)).ln() / &self.area.constant(2.0).ln();
+        Ok(exchanged * &self.area.constant(2.0) * &log / &self.total_area)
     }
 
     /// `2/(A_T ln 2)`.

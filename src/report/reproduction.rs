@@ -15,6 +15,8 @@ struct Record<'j> {
     error: Option<f64>,
     lower: Option<String>,
     upper: Option<String>,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    proof: &'j [String],
     evidence: Option<Evidence>,
     verdict: Verdict,
     recorded: Verdict,
@@ -27,6 +29,9 @@ impl<'j> From<&'j Judgement> for Record<'j> {
     fn from(judgement: &'j Judgement) -> Self {
         let claim = &judgement.claim;
         let finding = judgement.finding.as_ref();
+        let enclosure = finding.and_then(|finding| finding.enclosure.as_ref());
+        let bounds = enclosure.and_then(|enclosure| enclosure.to_decimal(MOST_DECIMALS));
+        let (lower, upper) = bounds.map(|bounds| (bounds.lower, bounds.upper)).unzip();
         Self {
             id: &claim.id,
             place: &claim.place,
@@ -38,9 +43,10 @@ impl<'j> From<&'j Judgement> for Record<'j> {
                 Measure::Value { error, .. } => error,
                 Measure::Residual { tolerance, .. } => tolerance,
             }),
-            lower: None,
-            upper: None,
-            evidence: finding.map(|finding| finding.evidence),
+            lower,
+            upper,
+            proof: &claim.proof,
+            evidence: judgement.evidence(),
             verdict: judgement.verdict,
             recorded: judgement.recorded(),
             note: judgement.note(),
@@ -69,7 +75,7 @@ pub fn reproduction_report(judgements: &[Judgement]) -> Result<Report, ReportErr
             "id",
             "paper says",
             "computed",
-            "stated ±",
+            "certified ±",
             "evidence",
             "verdict",
         ],
@@ -79,6 +85,9 @@ pub fn reproduction_report(judgements: &[Judgement]) -> Result<Report, ReportErr
     };
     Report::list(table, "claims", &records)
 }
+
+/// More decimals than any precision leaves certain.
+const MOST_DECIMALS: u32 = 100_000;
 
 fn notes(judgements: &[Judgement]) -> Vec<(String, String)> {
     let mut notes: Vec<(String, String)> = Vec::new();
@@ -120,8 +129,9 @@ fn row(judgement: &Judgement) -> Vec<String> {
         .as_ref()
         .map_or_else(String::new, |p| format!(": {}", p.text));
     let says = format!("{}: {}{printed}", claim.place, claim.quantity);
-    let [computed, error, evidence] = match &judgement.finding {
-        None => ["", "", ""].map(str::to_owned),
+    let evidence = judgement.evidence().map_or("", Evidence::name).to_owned();
+    let [computed, error] = match &judgement.finding {
+        None => ["", ""].map(str::to_owned),
         Some(finding) => {
             let (computed, error) = match finding.measure {
                 Measure::Value { value, error } => (certain_digits(value, error), error),
@@ -129,12 +139,14 @@ fn row(judgement: &Judgement) -> Vec<String> {
                     (certain_digits(value, tolerance), tolerance)
                 }
             };
-            let error = if error > 0.0 {
-                scientific(error)
-            } else {
-                "exact".to_owned()
+            let error = match &finding.enclosure {
+                // an enclosure is narrower than doubles can say
+                Some(enclosure) if enclosure.is_point() => "exact".to_owned(),
+                Some(enclosure) => scientific(0.5 * enclosure.width()),
+                None if error > 0.0 => format!("({})", scientific(error)),
+                None => "exact".to_owned(),
             };
-            [computed, error, finding.evidence.name().to_owned()]
+            [computed, error]
         }
     };
     let verdict = judgement.verdict.name().replace('_', " ");

@@ -95,7 +95,7 @@ impl Interval {
     }
 }
 
-/// `value` with this many decimals, rounded to the given side.
+/// `value` with this many decimals at most, rounded to the given side.
 fn decimal(value: &Precise, decimals: u32, direction: Direction) -> String {
     let is_negative = *value < value.constant(0.0);
     let (magnitude, direction) = if is_negative {
@@ -123,6 +123,7 @@ fn decimal(value: &Precise, decimals: u32, direction: Direction) -> String {
         ""
     };
     let (whole, fraction) = digits.split_at(digits.len() - decimals);
+    let fraction = fraction.trim_end_matches('0');
     if fraction.is_empty() {
         format!("{sign}{whole}")
     } else {
