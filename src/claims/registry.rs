@@ -148,6 +148,7 @@ pub fn judge_all(
 ) -> Result<Vec<Judgement>, ClaimError> {
     claims
         .par_iter()
+        .with_max_len(1)
         .map(|claim| {
             let judgement = judge(claim, bits);
             progress();

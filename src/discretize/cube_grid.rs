@@ -17,7 +17,7 @@
 use super::DiscretizeError;
 use super::cell_pair::{CellPair, classes};
 use crate::geometry::Span;
-use crate::numeric::{Scalar, maximum_of_many};
+use crate::numeric::{Dual, Scalar, maximum_of_many};
 
 /// Lines `0 < t_1 < … < 1` with `t_k + t_{n+1−k} = 1`, on both axes of all six faces of the unit cube.
 #[derive(Debug, Clone, PartialEq)]
@@ -165,28 +165,18 @@ impl<S: Scalar> CubeGrid<S> {
     /// # Errors
     /// [`DiscretizeError::FormFactor`] if a cell is refused.
     pub fn gradient(&self) -> Result<Vec<S>, DiscretizeError> {
-        let lines = self.cells.len() - 1;
-        let like = self.cells[0].length();
-        let total = like.constant(TOTAL_AREA);
-        let mut gradient = vec![like.zero(); lines / 2];
-        for (pair, count) in self.pairs() {
-            let mut log_ratio = None;
-            for (k, derivative) in gradient.iter_mut().enumerate() {
-                let Some(rate) = pair.mirrored_rate(k)? else {
-                    continue;
-                };
-                let log = match &log_ratio {
-                    Some(log) => log,
-                    None => {
-                        let ratio = pair.exchange()? * &total / &pair.areas();
-                        log_ratio.insert(ratio.ln() * &like.constant(count) / &total)
-                    }
-                };
-                *derivative = derivative.clone() + &(rate * log);
-            }
-        }
-        let ln_2 = like.constant(2.0).ln();
-        Ok(gradient.into_iter().map(|rate| rate / &ln_2).collect())
+        let cells = self.cells.len();
+        let half: Vec<S> = self.lines().into_iter().take((cells - 1) / 2).collect();
+        let count = u32::try_from(cells).unwrap_or(u32::MAX);
+        let like = Dual::constant_like(self.cells[0].length());
+        (0..half.len())
+            .map(|k| {
+                let mut point: Vec<Dual<S>> = half.iter().map(Dual::constant_like).collect();
+                point[k] = Dual::variable(half[k].clone());
+                let grid = CubeGrid::mirrored(&point, count, &like)?;
+                Ok(grid.mutual_information()?.slope)
+            })
+            .collect()
     }
 
     /// One pair of cells of each class, with how many there are on the cube.

@@ -122,11 +122,11 @@ fn hessian(
                 .iter()
                 .enumerate()
                 .map(|(j, x)| {
-                    let mut dual = Dual::variable(*x);
-                    if j != k {
-                        dual.slope = x.zero();
+                    if j == k {
+                        Dual::variable(*x)
+                    } else {
+                        Dual::constant_like(x)
                     }
-                    dual
                 })
                 .collect();
             let values = gradient.values(&point)?;

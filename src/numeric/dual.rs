@@ -31,6 +31,15 @@ impl<S: Scalar> Dual<S> {
         Self { value, slope }
     }
 
+    /// A number that does not vary: slope 0.
+    #[must_use]
+    pub fn constant_like(value: &S) -> Self {
+        Self {
+            value: value.clone(),
+            slope: value.zero(),
+        }
+    }
+
     /// A function's value and its derivative there, by the chain rule; a slope that is exactly 0 stays so.
     fn through(&self, value: S, derivative: impl FnOnce() -> S) -> Self {
         let slope = if self.slope.is_zero() {
