@@ -7,7 +7,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use infoscene::chain::{ReversibleChain, visibility_chain};
-use infoscene::claims::{judge, registry};
+use infoscene::claims::{DEFAULT_PRECISION, judge, judge_all, registry};
 use infoscene::discretize::{CubeGrid, GradientCut, PatchSplit};
 use infoscene::geometry::SplitAxis;
 use infoscene::information::{divergence, entropy_rate, mutual_information, positional_entropy};
@@ -86,13 +86,13 @@ fn cuts(criterion: &mut Criterion) {
 fn reproduction(criterion: &mut Criterion) {
     let claims = registry().unwrap();
     for claim in &claims {
-        let judgement = judge(claim).unwrap();
+        let judgement = judge(claim, DEFAULT_PRECISION).unwrap();
         assert_eq!(judgement.verdict, judgement.recorded(), "{}", claim.id);
     }
     let mut group = criterion.benchmark_group("claims");
     group.sample_size(10);
     group.bench_function("all of them", |bencher| {
-        bencher.iter(|| claims.iter().map(judge).collect::<Vec<_>>());
+        bencher.iter(|| judge_all(&claims, DEFAULT_PRECISION, || ()));
     });
     group.finish();
 }

@@ -1,7 +1,8 @@
 //! The committed tables are what this build computes. To bring them up to date:
 //! `INFOSCENE_REFRESH=1 cargo test --test claims`.
 
-use infoscene::claims::{Judgement, judge, registry};
+use super::{JUDGEMENTS, judgements};
+use infoscene::claims::Judgement;
 use infoscene::report::{Format, reproduction_report};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -21,14 +22,6 @@ fn markdown(judgements: &[Judgement]) -> String {
         .unwrap()
 }
 
-fn judgements() -> Vec<Judgement> {
-    registry()
-        .unwrap()
-        .iter()
-        .map(|claim| judge(claim).unwrap())
-        .collect()
-}
-
 fn assert_current(name: &str, current: &str) {
     if std::env::var_os("INFOSCENE_REFRESH").is_some() {
         fs::write(file(name), current).unwrap();
@@ -42,7 +35,7 @@ fn assert_current(name: &str, current: &str) {
 
 #[test]
 fn the_readme_shows_the_current_verdicts() {
-    let mut printed = judgements();
+    let mut printed = JUDGEMENTS.clone();
     printed.retain(|judgement| judgement.claim.printed.is_some());
     let readme = fs::read_to_string(file("README.md")).unwrap();
     let (before, rest) = readme.split_once(BEGIN).unwrap();
@@ -55,9 +48,8 @@ fn the_readme_shows_the_current_verdicts() {
 
 #[test]
 fn the_full_table_is_current_and_complete() {
-    let judgements = judgements();
-    let table = markdown(&judgements);
-    for judgement in &judgements {
+    let table = markdown(&JUDGEMENTS);
+    for judgement in JUDGEMENTS.iter() {
         assert!(
             table.contains(&format!("| {} |", judgement.claim.id)),
             "{}",
@@ -73,7 +65,7 @@ fn the_full_table_is_current_and_complete() {
 /// Two runs write the same bytes in every format.
 #[test]
 fn two_runs_write_the_same_bytes() {
-    let [first, second] = [judgements(), judgements()].map(|j| reproduction_report(&j).unwrap());
+    let [first, second] = [&JUDGEMENTS, &judgements()].map(|j| reproduction_report(j).unwrap());
     for format in [
         Format::Table,
         Format::Markdown,

@@ -129,9 +129,9 @@ fn exponents_are_checked() {
 fn contact_shadow_prefers_its_line_to_the_dark() {
     for line in [0.2, 0.5, 0.8] {
         let shadow = ContactShadow::try_new(line).unwrap();
-        let at_line = shadow.gain(line).unwrap();
+        let at_line = shadow.gain(&line).unwrap();
         for cut in [line + 0.01, line + 0.1, 0.99] {
-            assert!(shadow.gain(cut).unwrap() < at_line);
+            assert!(shadow.gain(&cut).unwrap() < at_line);
         }
     }
     assert!(ContactShadow::try_new(1.0).is_err());
@@ -145,7 +145,7 @@ fn contact_shadow_changes_sides_at_its_limit() {
         let shadow = ContactShadow::try_new(line).unwrap();
         let lit = shadow.best_lit_cut().unwrap().unwrap();
         assert_eq!(
-            shadow.gain(line).unwrap() > shadow.gain(lit).unwrap(),
+            shadow.gain(&line).unwrap() > shadow.gain(&lit).unwrap(),
             wins,
             "{line}"
         );
