@@ -357,6 +357,6 @@ fn best_grid_beats_regular_grid(input: &Inputs) -> Result<Finding, ClaimError> {
     let advantage = best.mutual_information - &regular;
     let zero = advantage.zero();
     let holds = advantage > zero && regular > other;
-    let fails = advantage <= zero || regular < other;
-    Ok(Finding::decided(holds, fails || moved.is_empty(), advantage).noting(note))
+    let fails = advantage <= zero || regular < other || moved.is_empty();
+    Ok(Finding::decided(holds, fails, advantage).noting(note))
 }

@@ -58,6 +58,16 @@ impl CertifiedGrid {
                 certificate,
             });
         }
+        if cells <= 2 {
+            // no line is free
+            return Ok(Self {
+                half: Vec::new(),
+                mutual_information: Self::regular(cells, bits)?,
+                certificate: Certificate::Unique {
+                    is_only_stationary_point: None,
+                },
+            });
+        }
         let near = CubeGrid::best(cells)?.lines();
         let near: Vec<f64> = near.into_iter().filter(|line| *line < 0.5).collect();
         let half = certified_stationary_point(&Gradient { cells }, &near, bits)?;

@@ -74,10 +74,22 @@ impl Interval {
             return None;
         }
         let decimals = most_decimals.min(self.certain_decimals() + 2);
-        Some(DecimalBounds {
-            lower: decimal(&self.lower, decimals, Direction::Down),
-            upper: decimal(&self.upper, decimals, Direction::Up),
-        })
+        let lower = decimal(&self.lower, decimals, Direction::Down);
+        let upper = decimal(&self.upper, decimals, Direction::Up);
+        if lower == upper {
+            // exact: no zeros behind the last digit
+            let shortest = lower
+                .split_once('.')
+                .map_or(lower.as_str(), |(whole, fraction)| {
+                    match fraction.trim_end_matches('0').len() {
+                        0 => whole,
+                        digits => &lower[..=whole.len() + digits],
+                    }
+                });
+            let [lower, upper] = [shortest.to_owned(), shortest.to_owned()];
+            return Some(DecimalBounds { lower, upper });
+        }
+        Some(DecimalBounds { lower, upper })
     }
 
     /// How many decimals behind the point the width leaves certain.
@@ -95,7 +107,7 @@ impl Interval {
     }
 }
 
-/// `value` with this many decimals at most, rounded to the given side.
+/// `value` with this many decimals, rounded to the given side.
 fn decimal(value: &Precise, decimals: u32, direction: Direction) -> String {
     let is_negative = *value < value.constant(0.0);
     let (magnitude, direction) = if is_negative {
@@ -123,7 +135,6 @@ fn decimal(value: &Precise, decimals: u32, direction: Direction) -> String {
         ""
     };
     let (whole, fraction) = digits.split_at(digits.len() - decimals);
-    let fraction = fraction.trim_end_matches('0');
     if fraction.is_empty() {
         format!("{sign}{whole}")
     } else {
