@@ -1,8 +1,9 @@
-//! `infoscene study stability`.
+//! `infoscene study stability|precision`.
 
 use super::Answer;
 use super::output::Output;
 use crate::report::study_report;
+use crate::study::precision::work_precision;
 use crate::study::stability::gain_stability;
 
 #[derive(Debug, clap::Args)]
@@ -21,6 +22,8 @@ pub(super) struct Study {
 enum Subject {
     /// What naive forms lose in stiff and extreme cases.
     Stability,
+    /// Width of enclosures against run time.
+    Precision,
 }
 
 impl Study {
@@ -30,6 +33,10 @@ impl Study {
             Subject::Stability => {
                 let rows = gain_stability(repetitions)?;
                 self.output.write(&study_report("stability", &rows)?)
+            }
+            Subject::Precision => {
+                let rows = work_precision(self.quick)?;
+                self.output.write(&study_report("precision", &rows)?)
             }
         }
     }

@@ -1,7 +1,7 @@
 //! Tables of a fuzzing campaign and of a stability study.
 
 use super::{Report, ReportError, Table, scientific};
-use crate::study::stability::Row;
+use crate::study::Row;
 
 /// The rows of a study, under `rows` in JSON.
 ///
@@ -16,14 +16,14 @@ pub fn study_report(study: &'static str, rows: &[Row]) -> Result<Report, ReportE
     let line = |row: &Row| {
         vec![
             row.case.clone(),
-            row.method.to_owned(),
-            scientific(row.gain),
+            row.method.clone(),
+            scientific(row.value),
             scientific(row.relative_error),
             scientific(row.seconds),
         ]
     };
     let table = Table {
-        columns: vec!["case", "method", "gain, bits", "relative error", "seconds"],
+        columns: vec!["case", "method", "value", "relative error", "seconds"],
         rows: rows.iter().map(line).collect(),
         ..Table::default()
     };

@@ -9,6 +9,7 @@
 //! * `sum-of-terms`: the sum of non-negative terms of [`refinement_gain`];
 //! * the last two in single precision, for fluxes rounded to it.
 
+use super::Row;
 use super::exact_gain::exact_gain;
 use crate::chain::{ChainError, Refinement, ReversibleChain};
 use crate::information::{mutual_information, refinement_gain};
@@ -16,21 +17,6 @@ use crate::numeric::{HighPrecision, Scalar, x_log2_ratio};
 use nalgebra::dmatrix;
 use std::hint::black_box;
 use std::time::Instant;
-
-/// One measurement.
-#[derive(Debug, Clone, PartialEq, serde::Serialize)]
-pub struct Row {
-    /// What was computed.
-    pub case: String,
-    /// How it was computed.
-    pub method: &'static str,
-    /// The exact gain, in bits.
-    pub gain: f64,
-    /// |computed − exact| / exact.
-    pub relative_error: f64,
-    /// Time of one evaluation, in seconds.
-    pub seconds: f64,
-}
 
 /// The rows of the study; each evaluation is repeated `repetitions` times for its time.
 ///
@@ -43,7 +29,7 @@ pub fn gain_stability(repetitions: u32) -> Result<Vec<Row>, ChainError> {
         let case = format!("gain of halves, d = 1e-{exponent}");
         let (p, q) = (1.0 + d, 1.0 - d);
         let refinement = halves(p, q)?;
-        let mut add = |method, exact: &HighPrecision, form: &dyn Fn() -> f64| {
+        let mut add = |method: &str, exact: &HighPrecision, form: &dyn Fn() -> f64| {
             let error = ((HighPrecision::new(form()) - exact) / exact)
                 .abs()
                 .to_f64();
@@ -52,11 +38,11 @@ pub fn gain_stability(repetitions: u32) -> Result<Vec<Row>, ChainError> {
                 black_box(form());
             }
             let seconds = start.elapsed().as_secs_f64() / f64::from(repetitions.max(1));
-            let (case, gain) = (case.clone(), exact.to_f64());
+            let (case, value) = (case.clone(), exact.to_f64());
             rows.push(Row {
                 case,
-                method,
-                gain,
+                method: method.to_owned(),
+                value,
                 relative_error: error,
                 seconds,
             });
