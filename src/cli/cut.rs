@@ -1,9 +1,10 @@
 //! `infoscene cut --exponent N`.
 
 use super::Answer;
-use super::output::Output;
-use crate::discretize::GradientCut;
-use crate::numeric::tolerance;
+use super::output::{MOST_DECIMALS, Output, between, precision};
+use crate::discretize::{DiscretizeError, GradientCut};
+use crate::numeric::interval::DecimalBounds;
+use crate::numeric::{Interval, tolerance};
 use crate::report::{Report, Table, certain_digits};
 
 #[derive(Debug, clap::Args)]
@@ -19,6 +20,9 @@ pub(super) struct Cut {
         allow_negative_numbers = true
     )]
     irradiance_exponent: f64,
+    /// Enclose the cuts, too, with ends of this many bits.
+    #[arg(long, value_name = "BITS", value_parser = precision())]
+    precision: Option<u32>,
     #[command(flatten)]
     output: Output,
 }
@@ -34,12 +38,57 @@ struct Record {
     mean_square_cut: f64,
     mean_square_complement: f64,
     mean_square_error: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    enclosures: Option<Enclosures>,
+}
+
+/// Decimal bounds of the same quantities.
+#[derive(Debug, serde::Serialize)]
+struct Enclosures {
+    mutual_information_cut: DecimalBounds,
+    mutual_information_complement: DecimalBounds,
+    mutual_information_gain: DecimalBounds,
+    mean_square_cut: DecimalBounds,
+    mean_square_complement: DecimalBounds,
+    mean_square_error: DecimalBounds,
+}
+
+impl Enclosures {
+    fn of(cut: &GradientCut, bits: u32) -> Result<Option<Self>, DiscretizeError> {
+        let information = cut.certified_mutual_information_cut(bits)?;
+        let square = cut.certified_mean_square_cut(bits)?;
+        let bounds = |enclosure: &Interval| enclosure.to_decimal(MOST_DECIMALS);
+        // every one of them is bounded
+        let enclosures = || {
+            Some(Self {
+                mutual_information_cut: bounds(&information.position)?,
+                mutual_information_complement: bounds(&information.complement)?,
+                mutual_information_gain: bounds(&information.value)?,
+                mean_square_cut: bounds(&square.position)?,
+                mean_square_complement: bounds(&square.complement)?,
+                mean_square_error: bounds(&square.value)?,
+            })
+        };
+        Ok(enclosures())
+    }
 }
 
 impl Cut {
     pub(super) fn answer(&self) -> Answer {
         let cut = GradientCut::try_new(self.exponent, self.irradiance_exponent)?;
         let (information, square) = (cut.mutual_information_cut()?, cut.mean_square_cut()?);
+        let enclosures = match self.precision {
+            Some(bits) => Enclosures::of(&cut, bits)?,
+            None => None,
+        };
+        let notes = enclosures.iter().flat_map(|enclosures| {
+            [
+                ("mutual information", &enclosures.mutual_information_cut),
+                ("mean square", &enclosures.mean_square_cut),
+            ]
+            .map(|(name, bounds)| (name.to_owned(), between(bounds)))
+        });
+        let notes = notes.collect();
         let record = Record {
             exponent: self.exponent,
             irradiance_exponent: self.irradiance_exponent,
@@ -49,6 +98,7 @@ impl Cut {
             mean_square_cut: square.position,
             mean_square_complement: square.complement,
             mean_square_error: square.value,
+            enclosures,
         };
         let row = |name: &str, cut: crate::discretize::Cut| {
             vec![
@@ -64,6 +114,7 @@ impl Cut {
                 row("mutual information", information),
                 row("mean square", square),
             ],
+            notes,
             ..Table::default()
         };
         self.output.write(&Report::one(table, &record)?)

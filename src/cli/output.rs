@@ -1,7 +1,9 @@
 //! Where an answer goes, and in which format.
 
 use super::{Answer, Outcome};
+use crate::numeric::interval::DecimalBounds;
 use crate::report::{Format, Report};
+use clap::builder::RangedI64ValueParser;
 use indicatif::style::TemplateError;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fs;
@@ -161,4 +163,17 @@ fn folder_of(path: &Path) -> io::Result<&Path> {
 pub(super) fn progress_bar(length: u64, unit: &str) -> Result<ProgressBar, TemplateError> {
     let template = format!("{{wide_bar}} {{pos}}/{{len}} {unit}, {{eta}} left");
     Ok(ProgressBar::new(length).with_style(ProgressStyle::with_template(&template)?))
+}
+
+/// More decimals than any precision leaves certain.
+pub(super) const MOST_DECIMALS: u32 = 100_000;
+
+/// Bits that an enclosure may be asked for.
+pub(super) fn precision() -> RangedI64ValueParser<u32> {
+    clap::value_parser!(u32).range(53..=4096)
+}
+
+/// "between a and b", in decimals.
+pub(super) fn between(bounds: &DecimalBounds) -> String {
+    format!("between {} and {}", bounds.lower, bounds.upper)
 }

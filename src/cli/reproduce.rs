@@ -1,6 +1,6 @@
 //! `infoscene reproduce [ID…]`.
 
-use super::output::{Output, progress_bar};
+use super::output::{Output, precision, progress_bar};
 use super::{Answer, Outcome};
 use crate::claims::{Claim, ClaimError, DEFAULT_PRECISION, judge_all, registry};
 use crate::report::reproduction_report;
@@ -14,7 +14,7 @@ pub(super) struct Reproduce {
     #[arg(long)]
     printed: bool,
     /// Bits of the enclosures' ends.
-    #[arg(long, value_name = "BITS", default_value_t = DEFAULT_PRECISION, value_parser = clap::value_parser!(u32).range(53..=4096))]
+    #[arg(long, value_name = "BITS", default_value_t = DEFAULT_PRECISION, value_parser = precision())]
     precision: u32,
     #[command(flatten)]
     output: Output,

@@ -1,10 +1,11 @@
 //! `infoscene split SCENE --patch I`.
 
 use super::Answer;
-use super::output::Output;
+use super::output::{MOST_DECIMALS, Output, between, precision};
 use crate::discretize::{PatchSplit, regular_positions};
 use crate::geometry::SplitAxis;
-use crate::numeric::tolerance;
+use crate::numeric::interval::DecimalBounds;
+use crate::numeric::{Interval, tolerance};
 use crate::report::{Report, Table, certain_digits, scientific};
 use crate::scene::Scene;
 
@@ -24,6 +25,9 @@ pub(super) struct Split {
     /// How many parts it is cut into.
     #[arg(long, value_name = "M", default_value_t = 2, value_parser = clap::value_parser!(u32).range(2..=64))]
     parts: u32,
+    /// Enclose the best cut and its gain, too, with ends of this many bits, and prove it the best of all; for two parts.
+    #[arg(long, value_name = "BITS", value_parser = precision())]
+    precision: Option<u32>,
     #[command(flatten)]
     output: Output,
 }
@@ -45,10 +49,23 @@ struct Record {
     gain_at_middle: f64,
     maximum_gain: f64,
     residual: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    enclosures: Option<Enclosures>,
+}
+
+/// Decimal bounds of the best cut, and what is proved about it.
+#[derive(Debug, serde::Serialize)]
+struct Enclosures {
+    position: DecimalBounds,
+    gain: DecimalBounds,
+    certificate: String,
 }
 
 impl Split {
     pub(super) fn answer(&self) -> Answer {
+        if self.precision.is_some() && self.parts != 2 {
+            return Err("--precision encloses one cut; leave out --parts".into());
+        }
         let scene = Scene::built_in(&self.scene)?;
         let others = (0..scene.patches().len()).filter(|index| *index != self.patch);
         let against = if self.against.is_empty() {
@@ -94,9 +111,19 @@ impl Split {
         let rows = rows
             .map(|(name, value)| vec![name.to_owned(), value])
             .to_vec();
+        let notes = record.enclosures.iter().flat_map(|enclosures| {
+            [
+                ("position", between(&enclosures.position)),
+                ("gain, bits", between(&enclosures.gain)),
+                ("certificate", enclosures.certificate.clone()),
+            ]
+            .map(|(name, text)| (name.to_owned(), text))
+        });
+        let notes = notes.collect();
         let table = Table {
             columns: vec!["quantity", "value"],
             rows,
+            notes,
             ..Table::default()
         };
         self.output.write(&Report::one(table, &record)?)
@@ -110,6 +137,19 @@ impl Split {
     ) -> Result<Record, crate::discretize::DiscretizeError> {
         let split = PatchSplit::try_new(scene, self.patch, against, axis)?;
         let best = split.best(self.parts)?;
+        let enclosures = match self.precision {
+            Some(bits) => {
+                let best = split.certified_best(bits)?;
+                let bounds = |enclosure: &Interval| enclosure.to_decimal(MOST_DECIMALS);
+                let both = bounds(&best.position).zip(bounds(&best.value));
+                both.map(|(position, gain)| Enclosures {
+                    position,
+                    gain,
+                    certificate: best.certificate.to_string(),
+                })
+            }
+            None => None,
+        };
         Ok(Record {
             patch: self.patch,
             axis: axis.name(),
@@ -119,6 +159,7 @@ impl Split {
             maximum_gain: split.maximum_gain(self.parts)?,
             residual: best.residual,
             positions: best.positions,
+            enclosures,
         })
     }
 }

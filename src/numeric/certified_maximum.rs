@@ -9,6 +9,7 @@
 use super::certified_roots::{Function, certified_roots, sign_on};
 use super::interval::Interval;
 use super::{Dual, NumericError, Scalar, maximum};
+use std::fmt::{self, Display, Formatter};
 
 /// One of the ends of the interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,6 +58,22 @@ pub enum Certificate {
         /// Why.
         reason: String,
     },
+}
+
+impl Display for Certificate {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Unique {
+                is_only_stationary_point: Some(true),
+            } => write!(f, "the only maximum, and the only stationary point"),
+            Self::Unique { .. } => write!(f, "the only highest point"),
+            Self::Several { maximisers } => write!(
+                f,
+                "the maximum, attained at one or more of {maximisers} points equally high as far as enclosed"
+            ),
+            Self::Unknown { reason } => write!(f, "not proved to be the highest: {reason}"),
+        }
+    }
 }
 
 /// A maximum with the enclosures of its position and value.

@@ -3,7 +3,7 @@
 use super::{Direction, Endpoint, Interval, Precise};
 
 /// Two decimal numbers that an interval lies between.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
 pub struct DecimalBounds {
     /// At most the lower end.
     pub lower: String,
