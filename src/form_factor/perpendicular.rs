@@ -44,7 +44,7 @@ impl<S: Scalar> Plate<S> {
     /// # Errors
     /// [`FormFactorError::BehindPlane`] if the depth starts below 0.
     pub fn try_new(depth: Span<S>, width: Span<S>) -> Result<Self, FormFactorError> {
-        if *depth.lower() < depth.lower().zero() {
+        if !depth.lower().is_nonnegative() {
             return Err(FormFactorError::BehindPlane {
                 lower: depth.lower().to_f64(),
             });

@@ -154,6 +154,11 @@ impl<S: Scalar> RectanglePair<S> {
                     if depth < depth.zero() {
                         return Ok(position.zero());
                     }
+                    if !depth.is_nonnegative() {
+                        // an interval that reaches behind the plane, where the strip exchanges nothing
+                        let lower = depth.to_f64();
+                        return Err(FormFactorError::BehindPlane { lower });
+                    }
                     strip_exchange_at_depth(
                         &depth,
                         plate.depth(),

@@ -78,6 +78,11 @@ pub trait Scalar:
     fn is_zero(&self) -> bool {
         *self == self.zero()
     }
+    /// Is this certainly ≥ 0? An interval from 0 upwards is, though it does not compare with 0.
+    #[must_use]
+    fn is_nonnegative(&self) -> bool {
+        *self >= self.zero()
+    }
     /// Absolute value.
     #[must_use]
     fn abs(&self) -> Self {

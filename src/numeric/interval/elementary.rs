@@ -226,6 +226,9 @@ impl<E: Endpoint> Scalar for Interval<E> {
         }
         self.midpoint().to_double(Direction::Down)
     }
+    fn is_nonnegative(&self) -> bool {
+        self.lower >= self.lower.constant(0.0)
+    }
     fn sqrt(&self) -> Self {
         let zero = self.lower.constant(0.0);
         if self.upper < zero {
