@@ -1,5 +1,8 @@
 //! Numbers with no more digits than are certain.
 
+use crate::numeric::interval::Endpoint;
+use crate::numeric::{Interval, Scalar};
+
 /// Most significant digits a table shows; records carry all.
 const MOST_DIGITS: i32 = 12;
 
@@ -41,6 +44,50 @@ pub fn certain_digits(value: f64, error: f64) -> String {
     }
     format!("{value:.*}", usize::try_from(decimals).unwrap_or(0))
 }
+
+/// The number in an enclosure, rounded to as many decimals as its width leaves certain, 20 at most.
+///
+/// The last decimal shown is off by at most one unit; an enclosure of 0 is `0`.
+///
+/// # Examples
+/// ```
+/// use infoscene::numeric::Interval;
+/// use infoscene::report::enclosed_digits;
+/// let third = Interval::precise(-1.0, 128) / Interval::precise(3.0, 128);
+/// assert_eq!(enclosed_digits(&third), "-0.33333333333333333333");
+/// assert_eq!(enclosed_digits(&Interval::precise(0.75, 128)), "0.75");
+/// ```
+#[must_use]
+pub fn enclosed_digits(enclosure: &Interval) -> String {
+    let exact = enclosure.to_decimal(MOST_DECIMALS);
+    if let Some(bounds) = exact.filter(|_| enclosure.is_point()) {
+        return bounds.lower;
+    }
+    if enclosure.contains_zero() {
+        return "0".to_owned();
+    }
+    let decimals = enclosure
+        .certain_decimals()
+        .saturating_sub(1)
+        .min(MOST_DECIMALS);
+    // half a unit away from 0, then cut
+    let bits = enclosure.lower().bits();
+    let half = Interval::parse(&format!("5e-{}", decimals + 1), bits);
+    let rounded = half.and_then(|half| {
+        let middle = Interval::point(enclosure.midpoint());
+        let (sign, magnitude) = if middle < middle.zero() {
+            ("-", -middle)
+        } else {
+            ("", middle)
+        };
+        let bounds = (magnitude + &half).to_decimal(decimals)?;
+        Some(format!("{sign}{}", bounds.lower))
+    });
+    rounded.unwrap_or_else(|| certain_digits(enclosure.to_f64(), enclosure.width()))
+}
+
+/// Most decimals of an enclosed number in a table; records carry all.
+const MOST_DECIMALS: u32 = 20;
 
 /// One significant digit in scientific notation, `1e-12`; 0 is `0`.
 #[must_use]

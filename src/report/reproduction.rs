@@ -1,6 +1,6 @@
 //! The verdict table: what the paper says, what was computed, and what it comes to.
 
-use super::{Report, ReportError, Table, certain_digits, scientific};
+use super::{Report, ReportError, Table, certain_digits, enclosed_digits, scientific};
 use crate::claims::{Evidence, Judgement, Measure, Verdict};
 
 /// One claim as a record: the keys are relied on by scripts.
@@ -133,20 +133,24 @@ fn row(judgement: &Judgement) -> Vec<String> {
     let [computed, error] = match &judgement.finding {
         None => ["", ""].map(str::to_owned),
         Some(finding) => {
-            let (computed, error) = match finding.measure {
-                Measure::Value { value, error } => (certain_digits(value, error), error),
-                Measure::Residual { value, tolerance } => {
-                    (certain_digits(value, tolerance), tolerance)
+            let (value, error) = match finding.measure {
+                Measure::Value { value, error } => (value, error),
+                Measure::Residual { value, tolerance } => (value, tolerance),
+            };
+            match &finding.enclosure {
+                Some(enclosure) if enclosure.is_point() => {
+                    [enclosed_digits(enclosure), "exact".to_owned()]
                 }
-            };
-            let error = match &finding.enclosure {
-                // an enclosure is narrower than doubles can say
-                Some(enclosure) if enclosure.is_point() => "exact".to_owned(),
-                Some(enclosure) => scientific(0.5 * enclosure.width()),
-                None if error > 0.0 => format!("({})", scientific(error)),
-                None => "exact".to_owned(),
-            };
-            [computed, error]
+                Some(enclosure) => [
+                    enclosed_digits(enclosure),
+                    scientific(0.5 * enclosure.width()),
+                ],
+                None if error > 0.0 => [
+                    certain_digits(value, error),
+                    format!("({})", scientific(error)),
+                ],
+                None => [certain_digits(value, error), "exact".to_owned()],
+            }
         }
     };
     let verdict = judgement.verdict.name().replace('_', " ");
