@@ -151,7 +151,7 @@ fn orthogonal_middle_gains_nothing(input: &Inputs) -> Result<Finding, ClaimError
     let position = input.interval("position")?;
     let gain = two_squares(SplitAxis::V)?
         .lifted(&position)
-        .gain(&[position.clone()])?;
+        .gain(std::slice::from_ref(&position))?;
     let nothing = position.constant(tolerance::VANISHING_GAIN);
     Ok(Finding::decided(gain < nothing, gain > nothing, gain))
 }
@@ -188,7 +188,7 @@ fn curve_has_one_maximum(input: &Inputs) -> Result<Finding, ClaimError> {
     let near = like.constant(2f64.powi(-20));
     let split_here = split.lifted(like);
     let level = like.constant(1e-5);
-    let starts_low = split_here.gain(&[near.clone()])? < level;
+    let starts_low = split_here.gain(std::slice::from_ref(&near))? < level;
     let ends_low = split_here.gain(&[like.constant(1.0) - &near])? < level;
     #[allow(clippy::cast_precision_loss, reason = "one or two")]
     let count = like.constant(maxima as f64);

@@ -100,8 +100,9 @@ fn ratio_to_truth(ratio: Interval, total: f64, input: &Inputs) -> Result<Finding
          truth; as 'proportional to' it is right",
         ratio.to_f64()
     );
-    let holds = !(ratio < one || ratio > one);
-    Ok(Finding::decided(holds, !holds, ratio).noting(note))
+    let fails = ratio.intersection(&one).is_none();
+    // an equality cannot be enclosed, only refuted; the control comes to within its enclosure
+    Ok(Finding::decided(!fails, fails, ratio).noting(note))
 }
 
 /// Three equal strips of two facing squares, `far` being the share below which the potential counts as far.

@@ -1,16 +1,15 @@
 //! The numbers everything else is written in.
 //!
 //! Each formula of this crate is written once, over [`Scalar`]: `f64` gives the
-//! fast value, [`HighPrecision`] the same formula with 256 bits. Beside it stand
+//! fast value, [`Interval`] an enclosure of the exact one, [`Dual`] the derivative with it,
+//! [`HighPrecision`] a reference value rounded to 256 bits. Beside it stand
 //! the entropy kernels (`0·log 0 = 0` lives there and nowhere else), exact and
-//! compensated sums, guarded root finding and maximisation, guarded quadrature, and
-//! the one table of tolerances.
+//! compensated sums, roots and maxima (guarded in `f64`, [certified](certified_maximum) over intervals),
+//! guarded quadrature, and the one table of tolerances.
 //!
 //! **Not here**: geometry, and anything that knows what a form factor is.
 
-mod certified_maximum;
-mod certified_point;
-mod certified_roots;
+mod certified;
 mod compensated_sum;
 mod dual;
 mod entropy_kernel;
@@ -25,9 +24,10 @@ mod scalar;
 mod scaled;
 pub mod tolerance;
 
-pub use certified_maximum::{Certificate, CertifiedMaximum, End, Objective, certified_maximum};
-pub use certified_point::{VectorFunction, certified_stationary_point};
-pub use certified_roots::{CertifiedRoot, CertifiedRoots, Function, certified_roots};
+pub use certified::{
+    Certificate, CertifiedMaximum, CertifiedRoot, CertifiedRoots, End, Function, Objective,
+    VectorFunction, certified_maximum, certified_roots, certified_stationary_point,
+};
 pub use compensated_sum::compensated_sum;
 pub use dual::Dual;
 pub use entropy_kernel::{divergence_kernel, x_ln_x, x_log2_ratio, x_log2_x};

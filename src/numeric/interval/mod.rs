@@ -1,7 +1,7 @@
 //! Intervals that contain every value their expression can take: the layer that may say *enclosure*.
 //!
 //! An operation on intervals returns an interval that contains the results for all numbers in its
-//! operands, with ends rounded outwards. A formula written over [`Scalar`] becomes an enclosure of its exact
+//! operands, with ends rounded outwards. A formula written over [`Scalar`](super::Scalar) becomes an enclosure of its exact
 //! value by being evaluated here.
 //!
 //! ```text

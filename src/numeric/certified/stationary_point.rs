@@ -13,8 +13,7 @@
 //!
 //! Reference: Moore, Kearfott and Cloud, *Introduction to Interval Analysis*, 2009, ch. 8.
 
-use super::interval::Interval;
-use super::{Dual, NumericError, Scalar};
+use crate::numeric::{Dual, Interval, NumericError, Scalar};
 use nalgebra::DMatrix;
 
 /// A function of several variables, as many values as variables, written once for every number type.

@@ -13,8 +13,7 @@
 //!
 //! Reference: Moore, Kearfott and Cloud, *Introduction to Interval Analysis*, 2009, ch. 8.
 
-use super::interval::Interval;
-use super::{Dual, Scalar};
+use crate::numeric::{Dual, Interval, Scalar};
 
 /// A function of one real variable, written once for every number type.
 pub trait Function {

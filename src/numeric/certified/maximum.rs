@@ -6,9 +6,9 @@
 //!
 //! **Not covered**: several variables; maxima at the ends themselves.
 
-use super::certified_roots::{Function, certified_roots, sign_on};
-use super::interval::Interval;
-use super::{Dual, NumericError, Scalar, maximum};
+use super::roots::{Function, certified_roots, sign_on};
+use crate::numeric::{Dual, Interval, NumericError, Scalar, maximum};
+use std::cmp::Ordering;
 use std::fmt::{self, Display, Formatter};
 
 /// One of the ends of the interval.
@@ -130,14 +130,15 @@ pub fn certified_maximum(
         let Some(value) = objective.value(&root.enclosure) else {
             continue;
         };
-        match &best {
-            Some((_, highest)) if value < *highest => {}
-            Some((position, highest)) if !(value > *highest) => {
+        let highest = best.as_ref().map(|(_, highest)| highest);
+        match highest.map(|highest| value.partial_cmp(highest)) {
+            Some(Some(Ordering::Less)) => {}
+            Some(None | Some(Ordering::Equal)) => {
                 // the larger of the two, wherever it is
-                best = Some((position.clone(), highest.larger_of(&value)));
+                best = best.map(|(position, highest)| (position, highest.larger_of(&value)));
                 maximisers += 1;
             }
-            _ => {
+            None | Some(Some(Ordering::Greater)) => {
                 best = Some((root.enclosure.clone(), value));
                 maximisers = 1;
             }
@@ -156,7 +157,7 @@ pub fn certified_maximum(
         Certificate::Several { maximisers }
     } else {
         let by_slope = region.exclusion == Exclusion::BySlope;
-        let is_only_stationary_point = by_slope.then(|| found.roots.len() == 1);
+        let is_only_stationary_point = by_slope.then_some(found.roots.len() == 1);
         Certificate::Unique {
             is_only_stationary_point,
         }
