@@ -44,6 +44,8 @@ pub struct Claim {
     pub printed: Option<Printed>,
     /// Does the paper state the configuration completely? If not, disagreement refutes nothing.
     pub complete: bool,
+    /// Does its computation return a figure's curve?
+    pub has_curve: bool,
     /// Theorems of `proofs/Statements.v` that prove the claim as it stands, or its contrary.
     pub proof: Vec<String>,
     /// What to do.
@@ -106,6 +108,8 @@ pub(super) struct Entry {
     verdict: Option<Verdict>,
     not_checked: Option<String>,
     #[serde(default)]
+    curve: bool,
+    #[serde(default)]
     proof: Vec<String>,
     note: Option<String>,
     #[serde(default)]
@@ -162,6 +166,7 @@ impl TryFrom<Entry> for Claim {
             quantity,
             printed,
             complete,
+            has_curve: entry.curve,
             proof: entry.proof,
             task,
         })

@@ -33,13 +33,8 @@ impl Curve {
                 .unwrap_or_default();
         }
         if curve.is_empty() {
-            let mut with_curve = Vec::new();
-            for claim in registry()? {
-                let finding = judge(&claim, DEFAULT_PRECISION)?.finding;
-                if finding.is_some_and(|finding| !finding.curve.is_empty()) {
-                    with_curve.push(claim.id);
-                }
-            }
+            let claims = registry()?.into_iter().filter(|claim| claim.has_curve);
+            let with_curve = claims.map(|claim| claim.id).collect();
             return Err(NoCurve {
                 id: self.id.clone(),
                 with_curve,

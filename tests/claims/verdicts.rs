@@ -83,6 +83,22 @@ fn every_open_verdict_has_its_reason() {
     }
 }
 
+/// A claim says in its data whether it has a curve.
+#[test]
+fn curves_are_where_the_data_say() {
+    for judgement in JUDGEMENTS.iter() {
+        let has_curve = judgement
+            .finding
+            .as_ref()
+            .is_some_and(|finding| !finding.curve.is_empty());
+        assert_eq!(
+            judgement.claim.has_curve, has_curve,
+            "{}",
+            judgement.claim.id
+        );
+    }
+}
+
 /// Every function is used by a claim, and its input is used by the function.
 #[test]
 fn every_computation_has_a_claim() {

@@ -178,7 +178,7 @@ fn stability_study_shows_what_naive_forms_lose() {
         let number = |row: &serde_json::Value, key: &str| row[key].as_f64().unwrap();
         let of_method = rows.iter().filter(|row| row["method"] == method);
         of_method
-            .map(|row| (number(row, "gain"), number(row, "relative_error")))
+            .map(|row| (number(row, "value"), number(row, "relative_error")))
             .collect()
     };
     let kept = errors("sum-of-terms");
@@ -206,4 +206,34 @@ fn stability_study_shows_what_naive_forms_lose() {
             .filter(|(gain, _)| *gain < 1e-8)
             .all(|(_, error)| *error > 0.1)
     );
+}
+
+/// More bits, narrower enclosures, of every quantity.
+#[test]
+fn precision_study_shows_what_certainty_costs() {
+    let answer = json(&["study", "precision", "--quick"]);
+    assert_eq!(answer["study"], "precision");
+    let rows = answer["rows"].as_array().unwrap();
+    let cases: std::collections::BTreeSet<&str> = rows
+        .iter()
+        .map(|row| row["case"].as_str().unwrap())
+        .collect();
+    assert_eq!(cases.len(), 5);
+    for case in cases {
+        let width = |bits: i32| {
+            let method = format!("enclosure, {bits} bits");
+            let mut rows = rows.iter();
+            let row = rows.find(|row| row["case"] == case && row["method"] == method.as_str());
+            row.unwrap()["relative_error"].as_f64().unwrap()
+        };
+        // the conditioning of each costs a few bits, 30 at most
+        for bits in [53, 128, 256, 512] {
+            let least = 2f64.powi(-bits - 2);
+            let width = width(bits);
+            assert!(
+                (least..least * 2f64.powi(30)).contains(&width),
+                "{case}, {bits} bits: {width:e}"
+            );
+        }
+    }
 }

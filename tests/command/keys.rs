@@ -32,10 +32,35 @@ fn reproduce_writes_every_claim_with_its_keys() {
     );
     assert_eq!(
         (&cut["evidence"], &cut["verdict"]),
-        (&"estimate".into(), &"supported".into())
+        (&"enclosure".into(), &"confirmed".into())
     );
     // 25 digits by an independent method: data/reference/splits.csv
     assert!((cut["computed"].as_f64().unwrap() - 0.399_201_026_045_385_2).abs() <= 1e-14);
+    for end in ["lower", "upper"] {
+        let bound = cut[end].as_str().unwrap();
+        assert!(
+            bound.starts_with("0.399201026045385125211245596") && bound.len() > 50,
+            "{bound}"
+        );
+    }
+    // what is not enclosed has no bounds
+    for claim in claims {
+        let is_enclosed = claim["evidence"] == "enclosure";
+        assert!(!is_enclosed || claim["lower"].is_string(), "{claim}");
+    }
+    // long enough for a longtable, the grids of figs. 4 and 5 left out for time
+    let ids: Vec<String> = registry()
+        .unwrap()
+        .into_iter()
+        .map(|claim| claim.id)
+        .collect();
+    let quick = ids
+        .iter()
+        .map(String::as_str)
+        .filter(|id| !id.starts_with("fig"));
+    let arguments = ["reproduce", "--format", "latex"].into_iter().chain(quick);
+    let latex = stdout(&arguments.collect::<Vec<_>>());
+    assert!(latex.contains("\\begin{longtable}") && latex.is_ascii());
 }
 
 #[test]
@@ -48,6 +73,41 @@ fn reproduce_takes_ids_and_keeps_paper_order() {
         .map(|c| c["id"].as_str().unwrap())
         .collect();
     assert_eq!(ids, ["fig2-parallel-cut", "fig3-cut"]);
+}
+
+/// More bits, more digits: 700 bits leave more than 200 certain.
+#[test]
+fn precision_narrows_enclosures() {
+    let answer = json(&["reproduce", "s42-mean-square-cut-2", "--precision", "700"]);
+    let claim = &answer["claims"][0];
+    let [lower, upper] = ["lower", "upper"].map(|end| claim[end].as_str().unwrap());
+    assert_eq!(lower[..200], upper[..200]);
+    // (1 + √17)/8 to 50 digits: the positive root of 4l² − l − 1
+    assert!(lower.starts_with("0.64038820320220756872767623199675962814339990317170"));
+}
+
+#[test]
+fn cuts_and_splits_are_enclosed_on_request() {
+    let cut = json(&["cut", "--exponent", "2", "--precision", "128"]);
+    let bounds = &cut["enclosures"]["mutual_information_cut"];
+    // data/reference/section_4_2.csv
+    for end in ["lower", "upper"] {
+        let bound = bounds[end].as_str().unwrap();
+        assert!(bound.starts_with("0.60749115012597432910565543104"));
+    }
+    assert!(
+        json(&["cut", "--exponent", "2"])
+            .get("enclosures")
+            .is_none()
+    );
+    let split = json(&["split", "two-squares", "--patch", "0", "--precision", "128"]);
+    let enclosures = &split["enclosures"];
+    assert_eq!(
+        enclosures["certificate"],
+        "the only maximum, and the only stationary point"
+    );
+    let bound = enclosures["position"]["lower"].as_str().unwrap();
+    assert!(bound.starts_with("0.3992010260453851252112455968"));
 }
 
 #[test]
@@ -145,8 +205,6 @@ fn every_format_is_written() {
         csv::Reader::from_reader(csv.as_bytes()).records().count(),
         1
     );
-    let latex = stdout(&["reproduce", "--format", "latex"]);
-    assert!(latex.contains("\\begin{longtable}") && latex.is_ascii());
     let short = stdout(&["reproduce", "fig2-parallel-cut", "--format", "latex"]);
     assert!(
         short.contains("\\begin{tabular}{lp{0.4\\linewidth}llll}"),
