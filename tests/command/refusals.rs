@@ -84,6 +84,7 @@ fn an_output_file_is_replaced_whole() {
     std::fs::write(&path, "old").unwrap();
     let arguments = [
         "reproduce",
+        "fig2-parallel-cut",
         "--format",
         "json",
         "--output",
@@ -101,6 +102,7 @@ fn an_output_file_is_replaced_whole() {
         std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o600)).unwrap();
         let arguments = [
             "reproduce",
+            "fig2-parallel-cut",
             "--format",
             "json",
             "--output",
