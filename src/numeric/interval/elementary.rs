@@ -13,6 +13,7 @@
 //! ```
 
 use super::super::Scalar;
+use super::arithmetic::Side;
 use super::constants::{ATAN_STEPS, Constants, LN_2_HEAD, LN_ENTRIES, LN_STEPS, WORD};
 use super::series::{atan_series, atanh, atanh_tail, exponential_tail};
 use super::{Direction, Endpoint, Interval};
@@ -324,9 +325,9 @@ impl<E: Endpoint> Scalar for Interval<E> {
     }
     fn abs(&self) -> Self {
         match self.side() {
-            super::Side::Right => self.clone(),
-            super::Side::Left => -self.clone(),
-            super::Side::Both => Self {
+            Side::Right => self.clone(),
+            Side::Left => -self.clone(),
+            Side::Both => Self {
                 lower: self.lower.constant(0.0),
                 upper: super::larger(&self.upper, &self.lower.negated()).clone(),
             },
