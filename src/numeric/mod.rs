@@ -1,8 +1,7 @@
 //! The numbers everything else is written in.
 //!
 //! Each formula of this crate is written once, over [`Scalar`]: `f64` gives the
-//! fast value, [`Interval`] an enclosure of the exact one, [`Dual`] the derivative with it,
-//! [`HighPrecision`] a reference value rounded to 256 bits. Beside it stand
+//! fast value, [`Interval`] an enclosure of the exact one, [`Dual`] the derivative with it. Beside it stand
 //! the entropy kernels (`0·log 0 = 0` lives there and nowhere else), exact and
 //! compensated sums, roots and maxima (guarded in `f64`, [certified](certified_maximum) over intervals),
 //! guarded quadrature, and the one table of tolerances.
@@ -15,7 +14,6 @@ mod dual;
 mod entropy_kernel;
 mod error;
 mod expansion;
-mod high_precision;
 pub mod interval;
 mod maximum;
 mod quadrature;
@@ -33,7 +31,6 @@ pub use dual::Dual;
 pub use entropy_kernel::{divergence_kernel, x_ln_x, x_log2_ratio, x_log2_x};
 pub use error::NumericError;
 pub use expansion::Expansion;
-pub use high_precision::{BigReal, HighPrecision};
 pub use interval::{Interval, Precise};
 pub use maximum::{Maximum, maximum, maximum_of_many};
 pub use quadrature::{Integral, integral};

@@ -9,8 +9,7 @@
 use std::fmt::Debug;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A real number type: `f64`, [`Interval`](super::Interval), [`Dual`](super::Dual),
-/// [`HighPrecision`](super::HighPrecision).
+/// A real number type: `f64`, [`Interval`](super::Interval), [`Dual`](super::Dual).
 ///
 /// The right-hand side of an operator may be borrowed, so that types without
 /// `Copy` do not drown a formula in `clone`.

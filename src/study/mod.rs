@@ -11,7 +11,7 @@ pub mod fuzz;
 pub mod precision;
 pub mod stability;
 
-pub use exact_gain::{RESOLUTION, exact_gain};
+pub use exact_gain::exact_gain;
 
 /// One measurement of a study.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]

@@ -2,7 +2,7 @@
 //!
 //! A state in two halves shares `p = 1 + d` and `q = 1 − d` with one state, `q` and `p` with another, so that both
 //! halves weigh the same and `ΔI = ½ (φ(d) + φ(−d))/ln 2`, nearly `0.72 d²`: d from 1 to 1e-15 takes ΔI from 1 bit to
-//! 1e-30. Each form is judged by the 256-bit gain of the numbers it was given:
+//! 1e-30. Each form is judged by an enclosure with 256 bits of the gain of the numbers it was given:
 //!
 //! * `difference`: `I′ − I` of the two chains, each by eq. (3), itself a stable sum;
 //! * `equation-5`: eq. (5), second line, as it is printed;
@@ -13,10 +13,13 @@ use super::Row;
 use super::exact_gain::exact_gain;
 use crate::chain::{ChainError, Refinement, ReversibleChain};
 use crate::information::{mutual_information, refinement_gain};
-use crate::numeric::{HighPrecision, Scalar, x_log2_ratio};
+use crate::numeric::{Interval, Scalar, x_log2_ratio};
 use nalgebra::dmatrix;
 use std::hint::black_box;
 use std::time::Instant;
+
+/// Bits of the enclosures that judge.
+const JUDGE: u32 = 256;
 
 /// The rows of the study; each evaluation is repeated `repetitions` times for its time.
 ///
@@ -29,10 +32,8 @@ pub fn gain_stability(repetitions: u32) -> Result<Vec<Row>, ChainError> {
         let case = format!("gain of halves, d = 1e-{exponent}");
         let (p, q) = (1.0 + d, 1.0 - d);
         let refinement = halves(p, q)?;
-        let mut add = |method: &str, exact: &HighPrecision, form: &dyn Fn() -> f64| {
-            let error = ((HighPrecision::new(form()) - exact) / exact)
-                .abs()
-                .to_f64();
+        let mut add = |method: &str, exact: &Interval, form: &dyn Fn() -> f64| {
+            let error = ((exact.constant(form()) - exact) / exact).abs().to_f64();
             let start = Instant::now();
             for _ in 0..repetitions {
                 black_box(form());
@@ -47,7 +48,7 @@ pub fn gain_stability(repetitions: u32) -> Result<Vec<Row>, ChainError> {
                 seconds,
             });
         };
-        let exact = exact_gain(&refinement);
+        let exact = exact_gain(&refinement, JUDGE);
         add("difference", &exact, &|| {
             mutual_information(refinement.refined()) - mutual_information(refinement.coarse())
         });
@@ -59,7 +60,7 @@ pub fn gain_stability(repetitions: u32) -> Result<Vec<Row>, ChainError> {
         let [p, q] = [p as f32, q as f32];
         // below 6e-8 both round to 1 and there is no gain to compute
         if p > q {
-            let exact = exact_gain(&halves(p.into(), q.into())?);
+            let exact = exact_gain(&halves(p.into(), q.into())?, JUDGE);
             add("equation-5, single", &exact, &|| {
                 equation_5_single(p, q).into()
             });

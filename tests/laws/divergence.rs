@@ -1,9 +1,10 @@
 //! The gain's building block is non-negative, exact at proportional shares, and keeps its digits.
 
+use crate::support::high_precision::HighPrecision;
 use crate::support::strategies::shares;
 use infoscene::chain::{Refinement, ReversibleChain};
 use infoscene::information::{divergence, subdivision_bound};
-use infoscene::numeric::{HighPrecision, Scalar, divergence_kernel, tolerance};
+use infoscene::numeric::{Scalar, divergence_kernel, tolerance};
 use nalgebra::dmatrix;
 use proptest::prelude::*;
 

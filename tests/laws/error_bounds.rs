@@ -1,10 +1,11 @@
 //! The running bound of the rectangle closed forms is never below their error.
 
+use crate::support::high_precision::HighPrecision;
 use crate::support::strategies::{depth, span};
 use infoscene::form_factor::perpendicular::Plate;
 use infoscene::form_factor::{Exchange, parallel, perpendicular};
 use infoscene::geometry::Span;
-use infoscene::numeric::{HighPrecision, Scalar};
+use infoscene::numeric::Scalar;
 use proptest::prelude::*;
 
 fn wide(span: &Span) -> Span<HighPrecision> {

@@ -64,7 +64,7 @@ fn fault<E: Judged>(operation: Operation, like: &E, draws: [Draw; 2]) -> Option<
 
 /// Does the range come within a few units of the largest number of the type, so that a bound may overflow?
 fn is_near_the_largest<E: Judged>(like: &E, range: &[crate::support::intervals::Judge; 2]) -> bool {
-    let twice = infoscene::numeric::BigReal::new(1.0 + 1e-13);
+    let twice = crate::support::high_precision::BigReal::new(1.0 + 1e-13);
     overflows(like, &range.clone().map(|end| end * &twice))
 }
 

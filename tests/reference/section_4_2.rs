@@ -1,8 +1,9 @@
 //! The cuts of §4.2 against 28-digit values, and against 256-bit roots for other exponents.
 
+use crate::support::high_precision::HighPrecision;
 use crate::support::references::{rows, value};
 use infoscene::discretize::{Cut, GradientCut};
-use infoscene::numeric::{HighPrecision, Scalar, tolerance};
+use infoscene::numeric::{Scalar, tolerance};
 
 /// Relative error of a complement, the crate's promise up to exponents of 1e6.
 const COMPLEMENT: f64 = 1e-12;

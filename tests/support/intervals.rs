@@ -1,8 +1,9 @@
 //! Intervals to draw, operations on them, and what they are judged by: the same operation on numbers of 448 bits, by
 //! the functions of `astro-float`, of which the intervals use none.
 
+use super::high_precision::BigReal;
 use infoscene::numeric::interval::{Direction, Endpoint};
-use infoscene::numeric::{BigReal, Interval, Precise, Scalar};
+use infoscene::numeric::{Interval, Precise, Scalar};
 use proptest::prelude::*;
 use std::cmp::Ordering;
 

@@ -1,12 +1,12 @@
 //! Arithmetic with 256 bits or any other number, rounded to nearest: reference values, never enclosures.
 //!
-//! A thin dress around `astro-float`, so that a closed form can be evaluated
-//! with some 75 digits and its `f64` value judged.
+//! A thin dress around `astro-float` and its own elementary functions, so that a closed form can be evaluated
+//! with some 75 digits: an independent judge of the library's `f64` values and of its intervals.
 //!
 //! **Not covered**: directed rounding; nothing here may be called a bound.
 
-use super::Scalar;
 use astro_float::{BigFloat, Consts, Radix, RoundingMode, Sign};
+use infoscene::numeric::Scalar;
 use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
