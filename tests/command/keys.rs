@@ -32,7 +32,7 @@ fn reproduce_writes_every_claim_with_its_keys() {
     );
     assert_eq!(
         (&cut["evidence"], &cut["verdict"]),
-        (&"enclosure".into(), &"confirmed".into())
+        (&"proof".into(), &"confirmed".into())
     );
     // 25 digits by an independent method: data/reference/splits.csv
     assert!((cut["computed"].as_f64().unwrap() - 0.399_201_026_045_385_2).abs() <= 1e-14);
