@@ -15,7 +15,7 @@ mod table;
 #[cfg(feature = "proptest")]
 pub use campaign::fuzz_report;
 pub use campaign::study_report;
-pub use number::{certain_digits, enclosed_digits, scientific};
+pub use number::{certain_digits, enclosed_digits, power_of_ten, scientific};
 pub use records::{Format, Report, ReportError};
 pub use reproduction::{curve_report, reproduction_report};
 pub use table::Table;

@@ -89,6 +89,12 @@ pub fn enclosed_digits(enclosure: &Interval) -> String {
 /// Most decimals of an enclosed number in a table; records carry all.
 const MOST_DECIMALS: u32 = 20;
 
+/// The power of ten that is not below a number > 0, `1e-55`: what of a width another platform will print, too.
+#[must_use]
+pub fn power_of_ten(value: f64) -> String {
+    format!("1e{}", value.log10().ceil())
+}
+
 /// One significant digit in scientific notation, `1e-12`; 0 is `0`.
 #[must_use]
 pub fn scientific(value: f64) -> String {

@@ -1,6 +1,8 @@
 //! The verdict table: what the paper says, what was computed, and what it comes to.
 
-use super::{Report, ReportError, Table, certain_digits, enclosed_digits, scientific};
+use super::{
+    Report, ReportError, Table, certain_digits, enclosed_digits, power_of_ten, scientific,
+};
 use crate::claims::{Evidence, Judgement, Measure, Verdict};
 
 /// One claim as a record: the keys are relied on by scripts.
@@ -143,7 +145,7 @@ fn row(judgement: &Judgement) -> Vec<String> {
                 }
                 Some(enclosure) => [
                     enclosed_digits(enclosure),
-                    scientific(0.5 * enclosure.width()),
+                    power_of_ten(0.5 * enclosure.width()),
                 ],
                 None if error > 0.0 => [
                     certain_digits(value, error),
