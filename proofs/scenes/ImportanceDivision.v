@@ -106,14 +106,14 @@ Proof.
   unfold q, received_importance. lra.
 Qed.
 
-Lemma part_transition_is_constant : forall k l,
+Lemma part_importance_transition_is_constant : forall k l,
   part_transition k l = constant_transition part_form_factor (inherited parent x) (inherited parent q) k l.
 Proof. intros. apply importance_transition_is_constant_transition. Qed.
 
 (* (a) *)
 Theorem printed_importance_parts_are_reciprocal : reciprocal N part_weight part_transition.
 Proof.
-  intros k l Hk Hl. unfold joint. rewrite !part_transition_is_constant.
+  intros k l Hk Hl. unfold joint. rewrite !part_importance_transition_is_constant.
   apply (constant_parts_are_reciprocal n N parent area form_factor x q part_area part_form_factor
     division parts received_importance_positive); assumption.
 Qed.
@@ -126,7 +126,7 @@ Theorem printed_importance_parts_cover : forall k j, (k < N)%nat -> (j < n)%nat 
 Proof.
   intros k j Hk Hj H. rewrite importance_transition_is_constant_transition. fold x. fold q.
   rewrite (constant_parts_cover n N parent form_factor x q part_form_factor k j Hk Hj H).
-  apply part_sum_ext. intros l _ _. symmetry. apply part_transition_is_constant.
+  apply part_sum_ext. intros l _ _. symmetry. apply part_importance_transition_is_constant.
 Qed.
 
 Theorem printed_importance_parts_refine_the_chain :
@@ -137,11 +137,11 @@ Proof.
     division parts (reflected_importance_positive _ _ _ _ _ _ patches) received_importance_positive)
     as [H1 H2 H3 H4 H5 H6].
   constructor; try assumption.
-  - intros k l Hk Hl. unfold joint. rewrite part_transition_is_constant. now apply H3.
-  - intros k l Hk Hl. unfold joint. rewrite part_transition_is_constant. now apply H4.
+  - intros k l Hk Hl. unfold joint. rewrite part_importance_transition_is_constant. now apply H3.
+  - intros k l Hk Hl. unfold joint. rewrite part_importance_transition_is_constant. now apply H4.
   - intros i j Hi Hj. unfold joint at 1. rewrite importance_transition_is_constant_transition.
     etransitivity; [exact (H6 i j Hi Hj) |]. unfold block_sum. apply part_sum_ext. intros k Hk _.
-    apply part_sum_ext. intros l Hl _. unfold joint. now rewrite part_transition_is_constant.
+    apply part_sum_ext. intros l Hl _. unfold joint. now rewrite part_importance_transition_is_constant.
 Qed.
 
 Theorem printed_importance_parts_never_lower_mutual_information :
@@ -161,7 +161,7 @@ Theorem printed_importance_part_row_sums_to_one_iff : forall k, (k < N)%nat ->
 Proof.
   intros k Hk. assert (Hi := parent_of_part _ _ _ _ _ _ _ division k Hk).
   rewrite (sum_ext N _ (fun l => constant_transition part_form_factor (inherited parent x)
-    (inherited parent q) k l)) by (intros; apply part_transition_is_constant).
+    (inherited parent q) k l)) by (intros; apply part_importance_transition_is_constant).
   rewrite constant_transition_row by (apply Rgt_not_eq, (received_importance_positive _ Hi)).
   rewrite (sum_ext N (fun l => inherited parent reflectance l * part_form_factor k l * inherited parent importance l)
     (fun l => part_form_factor k l * inherited parent x l))

@@ -8,9 +8,9 @@ Open Scope R_scope.
 
 (* The edge is the y-axis. The floor point is (x, y, 0) with normal along z, the wall point (0, y', z) with normal along x; so
    the cosines are z / r and x / r. *)
-Definition distance (x y y' z : R) : R := sqrt (x ^ 2 + (y - y') ^ 2 + z ^ 2).
+Definition distance_between (x y y' z : R) : R := sqrt (x ^ 2 + (y - y') ^ 2 + z ^ 2).
 Definition point_to_point_form_factor (x y y' z : R) : R :=
-  let r := distance x y y' z in (z / r) * (x / r) / (PI * r ^ 2).
+  let r := distance_between x y y' z in (z / r) * (x / r) / (PI * r ^ 2).
 
 (* Floor of depth X, of which the part 0 <= y <= t is taken; wall of height Z, 0 <= y' <= 1. *)
 Definition over_wall_width (x y z : R) : R := RInt (fun y' => point_to_point_form_factor x y y' z) 0 1.
@@ -52,7 +52,7 @@ Lemma integral_over_wall_width (x y z : R) : 0 < x ->
 Proof.
   intros Hx. assert (P : 0 < x ^ 2 + z ^ 2) by nra. set (u := x ^ 2 + z ^ 2) in *. pose proof PI_RGT_0.
   apply (integral_of_equal_functions (fun y' => x * z / PI * (1 / (u + (y - y') ^ 2) ^ 2))); [lra| |].
-  { intros y' _. unfold point_to_point_form_factor, distance. cbv zeta.
+  { intros y' _. unfold point_to_point_form_factor, distance_between. cbv zeta.
     replace (x ^ 2 + (y - y') ^ 2 + z ^ 2) with (u + (y - y') ^ 2) by (unfold u; ring).
     assert (Q : 0 < u + (y - y') ^ 2) by (pose proof (pow2_ge_0 (y - y')); lra).
     assert (S : sqrt (u + (y - y') ^ 2) * sqrt (u + (y - y') ^ 2) = u + (y - y') ^ 2) by (apply sqrt_sqrt; lra).

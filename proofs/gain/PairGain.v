@@ -48,6 +48,17 @@ Proof.
   - intros k Hk. rewrite (xlog2_receiver (q k) r) by auto. lra.
 Qed.
 
+(* With w_ik = w_i / m the factor w_i / m stands in front, and log w_j drops out. *)
+Theorem pair_gain_of_regular_subdivision : forall m weight probability receiver part_probability,
+  (1 <= m)%nat -> 0 <= probability -> 0 < receiver -> (forall k, (k < m)%nat -> 0 <= part_probability k) ->
+  sum m (fun k => weight / INR m * part_probability k) = weight * probability ->
+  pair_gain m weight probability receiver (fun _ => weight / INR m) part_probability =
+  2 * (weight / INR m * sum m (fun k => xlog2 (part_probability k) 1) - weight * xlog2 probability 1).
+Proof.
+  intros m w p r q Hm Hp Hr Hq C. rewrite receiver_weight_drops_out by assumption.
+  unfold pair_gain_without_receiver. now rewrite sum_scale.
+Qed.
+
 (* The gain of a pair is not negative: the log-sum inequality with a_k = v_k P_kj, b_k = v_k w_j. *)
 Theorem pair_gain_nonneg : forall m weight probability receiver part_weight part_probability,
   0 <= receiver -> (forall k, (k < m)%nat -> 0 <= part_weight k) ->
