@@ -25,7 +25,7 @@ Definition distribution (n : nat) (p : nat -> R) : Prop :=
   (forall i, (i < n)%nat -> 0 <= p i) /\ sum n p = 1.
 
 (* The distance of p from w: sum of |p_i - w_i|. *)
-Definition distance (n : nat) (p w : nat -> R) : R := sum n (fun i => Rabs (p i - w i)).
+Definition l1_distance (n : nat) (p w : nat -> R) : R := sum n (fun i => Rabs (p i - w i)).
 
 Lemma sum_abs : forall n f, Rabs (sum n f) <= sum n (fun i => Rabs (f i)).
 Proof.
@@ -87,7 +87,7 @@ Qed.
    most 1 - delta. As the differences p_i - w_i add up to 0, delta may be taken off that column. *)
 Lemma steps_contract : forall k c delta p, (c < n)%nat -> 0 <= delta ->
   (forall i, (i < n)%nat -> delta <= power n P k i c) -> sum n p = 1 ->
-  distance n (after_steps n P k p) w <= (1 - delta) * distance n p w.
+  l1_distance n (after_steps n P k p) w <= (1 - delta) * l1_distance n p w.
 Proof.
   intros k c delta p Hc Hd Hcol Hp.
   set (Q := fun i j => power n P k i j - (if Nat.eqb j c then delta else 0)).
@@ -103,11 +103,11 @@ Proof.
     - assert (T : sum n (fun i => p i - w i) = 0) by (rewrite sum_minus, Hp, (total_weight_one _ _ _ chain); ring).
       rewrite sum_scale_right, T, Rmult_0_l, Rminus_0_r. apply sum_ext. intros. ring.
     - rewrite <- sum_minus. apply sum_ext. intros. unfold Q. ring. }
-  unfold distance at 1.
+  unfold l1_distance at 1.
   apply Rle_trans with (sum n (fun j => sum n (fun i => Rabs (p i - w i) * Q i j))).
   - apply sum_le. intros j Hj. rewrite E by exact Hj. apply Rle_trans with (1 := sum_abs _ _).
     right. apply sum_ext. intros i Hi. rewrite Rabs_mult, (Rabs_pos_eq (Q i j)) by now apply HQ. reflexivity.
-  - right. rewrite sum_exchange. unfold distance. rewrite <- sum_scale. apply sum_ext. intros i Hi.
+  - right. rewrite sum_exchange. unfold l1_distance. rewrite <- sum_scale. apply sum_ext. intros i Hi.
     rewrite sum_scale. unfold Q. rewrite sum_minus, power_row_sum by exact Hi.
     rewrite (sum_single n c (fun _ => delta) Hc). ring.
 Qed.
@@ -116,20 +116,20 @@ Lemma some_state : (0 < n)%nat.
 Proof. assert (T := total_weight_one _ _ _ chain). destruct n; [simpl in T; lra|lia]. Qed.
 
 (* No step takes the distribution further from w. *)
-Lemma steps_never_recede : forall t p, sum n p = 1 -> distance n (after_steps n P t p) w <= distance n p w.
+Lemma steps_never_recede : forall t p, sum n p = 1 -> l1_distance n (after_steps n P t p) w <= l1_distance n p w.
 Proof.
-  intros t p Hp. rewrite <- (Rmult_1_l (distance n p w)). replace 1 with (1 - 0) by ring.
+  intros t p Hp. rewrite <- (Rmult_1_l (l1_distance n p w)). replace 1 with (1 - 0) by ring.
   apply (steps_contract t 0 0); [exact some_state|lra| |exact Hp].
   intros. apply power_nonneg; [assumption|exact some_state].
 Qed.
 
-Lemma distance_nonneg : forall p, 0 <= distance n p w.
+Lemma l1_distance_nonneg : forall p, 0 <= l1_distance n p w.
 Proof. intros. apply sum_nonneg. intros. apply Rabs_pos. Qed.
 
 (* After q times k steps the distance is multiplied by at most (1 - delta)^q. *)
-Theorem distance_falls_geometrically : forall k c delta, (c < n)%nat -> 0 <= delta ->
+Theorem l1_distance_falls_geometrically : forall k c delta, (c < n)%nat -> 0 <= delta ->
   (forall i, (i < n)%nat -> delta <= power n P k i c) ->
-  forall p q, sum n p = 1 -> distance n (after_steps n P (q * k) p) w <= (1 - delta) ^ q * distance n p w.
+  forall p q, sum n p = 1 -> l1_distance n (after_steps n P (q * k) p) w <= (1 - delta) ^ q * l1_distance n p w.
 Proof.
   intros k c delta Hc Hd Hcol p q Hp. induction q as [|q IH]; [simpl; lra|].
   replace (S q * k)%nat with (k + q * k)%nat by lia. rewrite steps_add.
@@ -163,21 +163,21 @@ Proof.
   { rewrite <- (power_row_sum k c Hc). apply (term_le_sum n (fun l => power n P k c l)); [|exact Hc].
     intros. now apply power_nonneg. }
   assert (delta <= 1) by (specialize (L c Hc); cbv beta in L; lra).
-  assert (D := distance_nonneg p).
-  destruct (pow_lt_1_zero (1 - delta)) with (y := eps / (distance n p w + 1)) as [q Hq].
+  assert (D := l1_distance_nonneg p).
+  destruct (pow_lt_1_zero (1 - delta)) with (y := eps / (l1_distance n p w + 1)) as [q Hq].
   { rewrite Rabs_pos_eq; lra. }
   { apply Rdiv_lt_0_compat; lra. }
   specialize (Hq q (le_n q)). rewrite Rabs_pos_eq in Hq by (apply pow_le; lra).
   exists (q * k)%nat. intros t Ht. unfold R_dist.
-  apply Rle_lt_trans with (distance n (after_steps n P t p) w).
+  apply Rle_lt_trans with (l1_distance n (after_steps n P t p) w).
   { apply (term_le_sum n (fun i => Rabs (after_steps n P t p i - w i))); [|exact Hj]. intros. apply Rabs_pos. }
   replace t with ((t - q * k) + q * k)%nat by lia. rewrite steps_add.
   assert (T : sum n (after_steps n P (q * k) p) = 1) by now rewrite steps_keep_total.
   apply Rle_lt_trans with (1 := steps_never_recede _ _ T).
-  apply Rle_lt_trans with (1 := distance_falls_geometrically k c delta Hc (Rlt_le _ _ Hd) L p q Hp).
-  apply Rlt_le_trans with (eps / (distance n p w + 1) * (distance n p w + 1)); [|right; field; lra].
+  apply Rle_lt_trans with (1 := l1_distance_falls_geometrically k c delta Hc (Rlt_le _ _ Hd) L p q Hp).
+  apply Rlt_le_trans with (eps / (l1_distance n p w + 1) * (l1_distance n p w + 1)); [|right; field; lra].
   assert (0 <= (1 - delta) ^ q) by (apply pow_le; lra).
-  assert ((1 - delta) ^ q * (distance n p w + 1) < eps / (distance n p w + 1) * (distance n p w + 1))
+  assert ((1 - delta) ^ q * (l1_distance n p w + 1) < eps / (l1_distance n p w + 1) * (l1_distance n p w + 1))
     by (apply Rmult_lt_compat_r; lra). lra.
 Qed.
 
@@ -186,27 +186,37 @@ Theorem walk_converges_to_stationary_distribution : forall k,
   (forall i j, (i < n)%nat -> (j < n)%nat -> 0 < power n P k i j) ->
   forall p, distribution n p -> forall j, (j < n)%nat -> Un_cv (fun t => after_steps n P t p j) (w j).
 Proof.
-  intros k H. apply (walk_converges_if_one_state_is_reached_from_all k 0 some_state). intros. apply H; [assumption|exact some_state].
+  intros k H. apply (walk_converges_if_one_state_is_reached_from_all k 0 some_state). intros.
+  apply H; [assumption|exact some_state].
 Qed.
 
-(* Three or more patches that all see each other, such as the six sides of an empty room, are such a chain: two steps
-   by way of a third patch lead from any patch to any other, and back to itself. *)
+(* It is enough that any two states, equal or not, have a state in between: then P^2 has no zero entry. So it is in a closed
+   room whose faces are divided in any way: any two patches see some patch of a third face. *)
+Theorem walk_converges_if_any_two_patches_see_a_third :
+  (forall i j, (i < n)%nat -> (j < n)%nat -> exists l, (l < n)%nat /\ 0 < P i l /\ 0 < P l j) ->
+  forall p, distribution n p -> forall j, (j < n)%nat -> Un_cv (fun t => after_steps n P t p j) (w j).
+Proof.
+  intros See. apply (walk_converges_to_stationary_distribution 2). intros i j Hi Hj.
+  assert (E1 : forall l, (l < n)%nat -> power n P 1 i l = P i l).
+  { intros l Hl. simpl. rewrite <- (sum_single_sym n i (fun a => P a l) Hi). apply sum_ext. intros a _.
+    destruct (Nat.eqb i a); lra. }
+  destruct (See i j Hi Hj) as [l [Hl [A B]]]. change (0 < sum n (fun a => power n P 1 i a * P a j)).
+  apply Rlt_le_trans with (power n P 1 i l * P l j).
+  - rewrite E1 by exact Hl. now apply Rmult_lt_0_compat.
+  - apply (term_le_sum n (fun a => power n P 1 i a * P a j)); [|exact Hl]. intros a Ha.
+    apply Rmult_le_pos; [now apply power_nonneg|now apply (transition_nonneg _ _ _ chain)].
+Qed.
+
+(* In particular three or more patches that all see each other, such as the six undivided sides of an empty room. *)
 Theorem walk_converges_if_three_or_more_patches_see_each_other : (3 <= n)%nat ->
   (forall i j, (i < n)%nat -> (j < n)%nat -> i <> j -> 0 < P i j) ->
   forall p, distribution n p -> forall j, (j < n)%nat -> Un_cv (fun t => after_steps n P t p j) (w j).
 Proof.
-  intros Hn See. apply (walk_converges_to_stationary_distribution 2). intros i j Hi Hj.
-  assert (E1 : forall l, (l < n)%nat -> power n P 1 i l = P i l).
-  { intros l Hl. simpl. rewrite <- (sum_single_sym n i (fun a => P a l) Hi). apply sum_ext. intros a _.
-    destruct (Nat.eqb i a); lra. }
+  intros Hn See. apply walk_converges_if_any_two_patches_see_a_third. intros i j Hi Hj.
   assert (M : exists l, (l < n)%nat /\ l <> i /\ l <> j).
   { destruct (Nat.eq_dec i 0), (Nat.eq_dec j 0), (Nat.eq_dec i 1), (Nat.eq_dec j 1); subst;
       try (exists 0%nat; lia); try (exists 1%nat; lia); exists 2%nat; lia. }
-  destruct M as [l [Hl [N1 N2]]]. change (0 < sum n (fun a => power n P 1 i a * P a j)).
-  apply Rlt_le_trans with (power n P 1 i l * P l j).
-  - rewrite E1 by exact Hl. apply Rmult_lt_0_compat; apply See; auto.
-  - apply (term_le_sum n (fun a => power n P 1 i a * P a j)); [|exact Hl]. intros a Ha.
-    apply Rmult_le_pos; [now apply power_nonneg|now apply (transition_nonneg _ _ _ chain)].
+  destruct M as [l [Hl [N1 N2]]]. exists l. repeat split; auto.
 Qed.
 End Convergence.
 

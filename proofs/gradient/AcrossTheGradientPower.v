@@ -28,7 +28,8 @@ Local Notation w := (gradient_weight_density total B H n m).
 Local Notation ratio := (fun x : R => H / K * x ^ m).
 
 Lemma power_integrable : forall c k a b, ex_RInt (fun x => c * x ^ k) a b.
-Proof. intros c k a b. apply multiple_integrable, (ex_RInt_continuous (V := R_CompleteNormedModule)). intros x _. apply power_is_continuous. Qed.
+Proof. intros c k a b. apply multiple_integrable, (ex_RInt_continuous (V := R_CompleteNormedModule)).
+  intros x _. apply power_is_continuous. Qed.
 
 Lemma flux_density_form : forall x, g x = / total * K * B * x ^ n.
 Proof. intros x. unfold gradient_flux_density. ring. Qed.

@@ -47,7 +47,8 @@ Proof.
     - apply (ex_RInt_ext (V := R_NormedModule) (fun _ => 0)); [|apply ex_RInt_const].
       intros x. rewrite Rmin_left, Rmax_right by lra. intros Hx. unfold F. destruct (Rle_dec 0 x), (Rle_dec x 1); lra. }
   assert (E : forall c, 0 <= c <= 1 -> RInt F 0 c = RInt f 0 c).
-  { intros c Hc. apply (RInt_ext (V := R_CompleteNormedModule)). intros x. rewrite Rmin_left, Rmax_right by lra. intros Hx. apply inside. lra. }
+  { intros c Hc. apply (RInt_ext (V := R_CompleteNormedModule)). intros x.
+    rewrite Rmin_left, Rmax_right by lra. intros Hx. apply inside. lra. }
   assert (J : forall z, -1 < z < 2 -> ex_RInt F 0 z).
   { intros z Hz. apply (ex_RInt_Chasles (V := R_NormedModule) F 0 (-1) z).
     - apply ex_RInt_swap, (ex_RInt_Chasles_1 (V := R_CompleteNormedModule) F (-1) 0 2); [lra|exact I].

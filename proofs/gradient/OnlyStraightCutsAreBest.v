@@ -2,7 +2,8 @@
    cut across it (up to strips without flux) gains strictly less than some straight cut. *)
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
-From Infoscene Require Import Sums Information LogSum Stationarity GradientPatch IntegralsOverParts AcrossTheGradient AcrossTheGradientGain.
+From Infoscene Require Import Sums Information LogSum Stationarity GradientPatch IntegralsOverParts
+  AcrossTheGradient AcrossTheGradientGain.
 Open Scope R_scope.
 
 (* Strictly between two weights the information is strictly below the larger of its two values at the ends. *)

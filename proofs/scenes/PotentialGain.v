@@ -108,6 +108,30 @@ Proof.
   rewrite sum_plus, !sum_scale, H. ring.
 Qed.
 
+(* With the weights normalised, as those of a Markov chain are: divided by the total of the generalized areas. So the
+   printed expression is the total times the gain. *)
+Theorem normalized_constant_radiosity_pair_gain :
+  forall m total area_i form_factor part_area part_form_factor reflectance emittance radiosity_i radiosity_j,
+  total <> 0 ->
+  0 < reflectance -> emittance < radiosity_i -> 0 < radiosity_j -> 0 <= form_factor ->
+  (forall k, (k < m)%nat -> 0 <= part_form_factor k) ->
+  sum m (fun k => part_area k * part_form_factor k) = area_i * form_factor ->
+  total * pair_gain_without_receiver m
+    (area_i * radiosity_i * ((radiosity_i - emittance) / reflectance) / total)
+    (reflectance * form_factor * radiosity_j / (radiosity_i - emittance))
+    (fun k => part_area k * radiosity_i * ((radiosity_i - emittance) / reflectance) / total)
+    (fun k => reflectance * part_form_factor k * radiosity_j / (radiosity_i - emittance))
+  = 2 * radiosity_i * radiosity_j
+      * (sum m (fun k => part_area k * xlog2 (part_form_factor k) 1) - area_i * xlog2 form_factor 1).
+Proof.
+  intros m T Ai F a f r E Bi Bj HT Hr HE Hj HF Hf H.
+  rewrite <- (constant_radiosity_pair_gain m Ai F a f r E Bi Bj) by assumption. unfold pair_gain_without_receiver.
+  rewrite (sum_ext m (fun k => a k * Bi * ((Bi - E) / r) / T * xlog2 (r * f k * Bj / (Bi - E)) 1)
+    (fun k => / T * (a k * Bi * ((Bi - E) / r) * xlog2 (r * f k * Bj / (Bi - E)) 1)))
+    by (intros; unfold Rdiv; ring).
+  rewrite sum_scale. field. repeat split; try assumption; lra.
+Qed.
+
 (* Regular subdivision: at most 2 B_i B_j A_i F_ij log2 m. *)
 Theorem regular_constant_radiosity_gain_at_most :
   forall m area_i form_factor part_form_factor reflectance emittance radiosity_i radiosity_j,
