@@ -107,7 +107,8 @@ Qed.
 
 (* ---- B.2 ---- *)
 
-Lemma gain_in_lit_part_by_flux : forall total area_j area_a f_a area_d f_d area_c,
+(* The middle of (14): the gain, with the flux of the lit part d spread over all of b. *)
+Theorem gain_in_lit_part_is_middle_of_14 : forall total area_j area_a f_a area_d f_d area_c,
   0 < total -> 0 < area_j -> 0 < area_d + area_c ->
   gain_in_lit_part total area_j area_a f_a area_d f_d area_c
   = 2 * (information_term total area_j area_a f_a
@@ -125,7 +126,7 @@ Theorem equation_14_strict : forall total area_j area_a form_factor_a area_d for
   gain_in_lit_part total area_j area_a form_factor_a area_d form_factor_d area_c
   < right_side_of_14 total area_j area_a form_factor_a area_d form_factor_d area_c.
 Proof.
-  intros total aj a fa d fd c HT Hj Hd Hf Hc. rewrite gain_in_lit_part_by_flux by lra. unfold right_side_of_14.
+  intros total aj a fa d fd c HT Hj Hd Hf Hc. rewrite gain_in_lit_part_is_middle_of_14 by lra. unfold right_side_of_14.
   apply Rmult_lt_compat_l; [lra |]. apply Rplus_lt_compat_r, Rplus_lt_compat_l, Rmult_lt_compat_l.
   - repeat apply Rmult_lt_0_compat; try assumption. now apply Rinv_0_lt_compat.
   - assert (0 < d * fd / aj * total)
@@ -142,7 +143,7 @@ Proof.
   intros total aj a fa d fd c HT Hj Hd Hf Hc Hdc.
   destruct (Req_dec d 0) as [-> |], (Req_dec fd 0) as [-> |], (Req_dec c 0) as [-> |];
     try (left; apply equation_14_strict; lra);
-    rewrite gain_in_lit_part_by_flux by lra; unfold right_side_of_14; right;
+    rewrite gain_in_lit_part_is_middle_of_14 by lra; unfold right_side_of_14; right;
     rewrite ?Rplus_0_r; unfold Rdiv; ring.
 Qed.
 
@@ -211,7 +212,7 @@ Qed.
 Theorem discontinuity_is_not_best_if_form_factors_differ :
   gain_of_discontinuity 32 16 1 (7/8) 7 (1/56) 8 < gain_in_lit_part 32 16 1 (7/8) 7 (1/56) 8.
 Proof.
-  rewrite gain_of_discontinuity_by_terms, gain_in_lit_part_by_flux by lra.
+  rewrite gain_of_discontinuity_by_terms, gain_in_lit_part_is_middle_of_14 by lra.
   apply Rmult_lt_compat_l; [lra |]. apply Rplus_lt_compat_r.
   unfold information_term. rewrite !xlog2_is_product. unfold joined_form_factor.
   replace ((1 * (7 / 8) + 7 * (1 / 56)) / (1 + 7) / (16 / 32)) with (/ 2 * / 2) by field.

@@ -147,7 +147,16 @@ Theorem gain_falls_beyond_discontinuity : forall total area_j area flux line las
   gain_of_cut total area_j area flux last t < gain_of_cut total area_j area flux last s.
 Proof. exact DiscontinuityCuts.gain_falls_beyond_discontinuity. Qed.
 
-(* B.2: one part all lit. *)
+(* B.2: one part all lit. The middle of (14), and its right side. *)
+Theorem gain_in_lit_part_is_middle_of_14 : forall total area_j area_a f_a area_d f_d area_c,
+  0 < total -> 0 < area_j -> 0 < area_d + area_c ->
+  gain_in_lit_part total area_j area_a f_a area_d f_d area_c
+  = 2 * (information_term total area_j area_a f_a
+         + area_d / total * f_d * log2 (area_d * f_d / area_j * total / (area_d + area_c))
+         - information_term total area_j (area_a + (area_d + area_c))
+             (joined_form_factor area_a f_a (area_d + area_c) (joined_form_factor area_d f_d area_c 0))).
+Proof. exact DiscontinuityMeshing.gain_in_lit_part_is_middle_of_14. Qed.
+
 Theorem equation_14 : forall total area_j area_a form_factor_a area_d form_factor_d area_c,
   0 < total -> 0 < area_j -> 0 <= area_d -> 0 <= form_factor_d -> 0 <= area_c -> 0 < area_d + area_c ->
   gain_of_division total area_j
