@@ -1,6 +1,6 @@
 (* The exchange of two perpendicular rectangles with a common edge of length w, as an integral over the two depths:
    integrated over both widths, the kernel at distances x and z from the edge is x z w atan(w/s) / s^3 with s^2 = x^2 + z^2
-   (WidthIntegral.v); integrated over x and z it gives w^2 PI exchange_area (X/w) (Z/w), the closed form. *)
+   (FormFactorIntegral.v); integrated over x and z it gives w^2 PI exchange_area (X/w) (Z/w), the closed form. *)
 From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Infoscene Require Import CutGain PerpendicularSquares.
