@@ -1,0 +1,250 @@
+(* Section 2: an information-theoretic framework. *)
+From Coq Require Import Reals.
+From Coquelicot Require Import Coquelicot.
+From Infoscene Require Import Sums Information FiniteSums ConstantKernel ContinuousChain ContinuousInformation
+  Convergence Corollary1 Divisions DoubleIntegral IntegralChain IntegralScenes MarkovChains MutualInformation
+  Refinement SourceAndDestination Visibility WeightedScene.
+Open Scope R_scope.
+
+(* ==== The words used below ==== *)
+
+Theorem words_of_logarithms : forall x y : R,
+  log2 x = ln x / ln 2 /\ xlog2 0 y = 0 /\ (x <> 0 -> xlog2 x y = x * log2 (x / y)).
+Proof. split; [reflexivity|split; [apply xlog2_0|apply xlog2_nonzero]]. Qed.
+
+Theorem words_of_markov_chains : forall (n : nat) (w : nat -> R) (P : nat -> nat -> R),
+  mutual_information n w P = sum n (fun i => sum n (fun j => w i * xlog2 (P i j) (w j))) /\
+  entropy n w = - sum n (fun i => xlog2 (w i) 1) /\
+  entropy_rate n w P = - sum n (fun i => sum n (fun j => w i * xlog2 (P i j) 1)) /\
+  (markov_chain n w P <->
+    (forall i, (i < n)%nat -> 0 <= w i) /\ (forall i j, (i < n)%nat -> (j < n)%nat -> 0 <= P i j) /\
+    sum n w = 1 /\ (forall i, (i < n)%nat -> sum n (fun j => P i j) = 1)) /\
+  (reciprocal n w P <-> forall i j, (i < n)%nat -> (j < n)%nat -> w i * P i j = w j * P j i) /\
+  (stationary n w P <-> forall j, (j < n)%nat -> sum n (fun i => w i * P i j) = w j).
+Proof. split; [|split; [|split; [|split; [split; [intros []|intros [? [? []]]; constructor]|]]]]; try easy; auto. Qed.
+
+Theorem words_of_scenes : forall (n : nat) (area : nat -> R) (form_factor : nat -> nat -> R),
+  (scene n area form_factor <->
+    (forall i, (i < n)%nat -> 0 < area i) /\ (forall i j, (i < n)%nat -> (j < n)%nat -> 0 <= form_factor i j) /\
+    (forall i j, (i < n)%nat -> (j < n)%nat -> area i * form_factor i j = area j * form_factor j i)) /\
+  (closed n form_factor <-> forall i, (i < n)%nat -> sum n (fun j => form_factor i j) = 1).
+Proof. split; [split; [intros []|intros [? []]; constructor]|]; try easy; auto. Qed.
+
+(* ==== Section 2: an information-theoretic framework ==== *)
+
+(* Convergence to the stationary distribution: where some power of P is positive; a control where it fails. *)
+Theorem words_of_steps : forall (n t i j : nat) (P : nat -> nat -> R) (p w : nat -> R),
+  after_steps n P 0 p = p /\ after_steps n P (S t) p j = sum n (fun l => after_steps n P t p l * P l j) /\
+  power n P 0 i j = (if Nat.eqb i j then 1 else 0) /\ power n P (S t) i j = sum n (fun l => power n P t i l * P l j) /\
+  (distribution n p <-> (forall l, (l < n)%nat -> 0 <= p l) /\ sum n p = 1) /\
+  l1_distance n p w = sum n (fun l => Rabs (p l - w l)) /\
+  swap_weight i = 1 / 2 /\ swap_transition i j = (if Nat.eqb i j then 0 else 1).
+Proof. easy. Qed.
+
+Theorem l1_distance_falls_geometrically : forall (n : nat) (w : nat -> R) (P : nat -> nat -> R), markov_chain n w P
+  -> stationary n w P -> forall (k c : nat) (delta : R), (c < n)%nat -> 0 <= delta -> (forall i, (i < n)%nat ->
+  delta <= power n P k i c) -> forall (p : nat -> R) (q : nat), sum n p = 1 -> l1_distance n (after_steps n P (q *
+  k) p) w <= (1 - delta) ^ q * l1_distance n p w.
+Proof. exact Convergence.l1_distance_falls_geometrically. Qed.
+
+Theorem walk_converges_if_one_state_is_reached_from_all : forall (n : nat) (w : nat -> R) (P : nat -> nat -> R),
+  markov_chain n w P -> stationary n w P -> forall k c : nat, (c < n)%nat -> (forall i, (i < n)%nat -> 0 < power n P
+  k i c) -> forall p : nat -> R, distribution n p -> forall j : nat, (j < n)%nat -> Un_cv (fun t => after_steps n P
+  t p j) (w j).
+Proof. exact Convergence.walk_converges_if_one_state_is_reached_from_all. Qed.
+
+Theorem walk_converges_to_stationary_distribution : forall (n : nat) (w : nat -> R) (P : nat -> nat -> R),
+  markov_chain n w P -> stationary n w P -> forall k : nat, (forall i j : nat, (i < n)%nat -> (j < n)%nat -> 0 <
+  power n P k i j) -> forall p : nat -> R, distribution n p -> forall j : nat, (j < n)%nat -> Un_cv (fun t =>
+  after_steps n P t p j) (w j).
+Proof. exact Convergence.walk_converges_to_stationary_distribution. Qed.
+
+Theorem walk_converges_if_any_two_patches_see_a_third :
+  forall (n : nat) (w : nat -> R) (P : nat -> nat -> R),
+  markov_chain n w P -> stationary n w P ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> exists l, (l < n)%nat /\ 0 < P i l /\ 0 < P l j) ->
+  forall p, distribution n p -> forall j, (j < n)%nat -> Un_cv (fun t => after_steps n P t p j) (w j).
+Proof. exact Convergence.walk_converges_if_any_two_patches_see_a_third. Qed.
+
+Theorem walk_converges_if_three_or_more_patches_see_each_other : forall (n : nat) (w : nat -> R) (P : nat -> nat ->
+  R), markov_chain n w P -> stationary n w P -> (3 <= n)%nat -> (forall i j : nat, (i < n)%nat -> (j < n)%nat -> i
+  <> j -> 0 < P i j) -> forall p : nat -> R, distribution n p -> forall j : nat, (j < n)%nat -> Un_cv (fun t =>
+  after_steps n P t p j) (w j).
+Proof. exact Convergence.walk_converges_if_three_or_more_patches_see_each_other. Qed.
+
+Theorem swap_chain_is_reciprocal_markov_chain : markov_chain 2 swap_weight swap_transition /\ reciprocal 2
+  swap_weight swap_transition.
+Proof. exact Convergence.swap_chain_is_reciprocal_markov_chain. Qed.
+
+Theorem walk_between_two_patches_does_not_converge : let p := fun i => match i with | 0%nat => 1 | S _ => 0 end in
+  distribution 2 p /\ ~ (exists l, Un_cv (fun t => after_steps 2 swap_transition t p 0) l).
+Proof. exact Convergence.walk_between_two_patches_does_not_converge. Qed.
+
+(* The visibility chain: w_i = A_i / A_T and P_ij = F_ij. *)
+Theorem visibility_chain_is_markov : forall n area form_factor,
+  (0 < n)%nat -> scene n area form_factor -> closed n form_factor ->
+  markov_chain n (fun i => area i / sum n area) form_factor.
+Proof. exact Visibility.visibility_chain_is_markov. Qed.
+
+Theorem visibility_chain_is_reciprocal : forall n area form_factor,
+  scene n area form_factor -> reciprocal n (fun i => area i / sum n area) form_factor.
+Proof. exact Visibility.visibility_chain_is_reciprocal. Qed.
+
+Theorem relative_areas_are_stationary : forall n area form_factor,
+  (0 < n)%nat -> scene n area form_factor -> closed n form_factor ->
+  stationary n (fun i => area i / sum n area) form_factor.
+Proof. exact Visibility.relative_areas_are_stationary. Qed.
+
+Theorem words_of_integrals :
+  forall (point : Type) n (over : nat -> (point -> R) -> R) integrable form_factor brightness received i j,
+  (integrals point n over integrable <->
+    (forall i f g, (i < n)%nat -> integrable f -> integrable g ->
+       integrable (fun x => f x + g x) /\ over i (fun x => f x + g x) = over i f + over i g) /\
+    (forall i c f, (i < n)%nat -> integrable f ->
+       integrable (fun x => c * f x) /\ over i (fun x => c * f x) = c * over i f) /\
+    (forall i f g, (i < n)%nat -> (forall x, f x = g x) -> integrable f -> integrable g /\ over i f = over i g)) /\
+  (exchange_kernel point n over integrable form_factor brightness <->
+    (forall x y, form_factor x y = form_factor y x) /\
+    (forall x, integrable (fun y => form_factor x y * brightness y)) /\
+    (forall j, (j < n)%nat -> integrable (fun x => brightness x * over j (fun y => form_factor x y * brightness y))) /\
+    (forall i j, (i < n)%nat -> (j < n)%nat ->
+       over i (fun x => over j (fun y => form_factor x y * brightness x * brightness y)) =
+       over j (fun y => over i (fun x => form_factor x y * brightness x * brightness y)))) /\
+  integral_exchange over form_factor brightness i j =
+    over i (fun x => over j (fun y => form_factor x y * brightness x * brightness y)) /\
+  integral_area over brightness received i = over i (fun x => brightness x * received x) /\
+  integral_weight n over brightness received i =
+    integral_area over brightness received i / sum n (integral_area over brightness received) /\
+  integral_transition over form_factor brightness received i j =
+    integral_exchange over form_factor brightness i j / integral_area over brightness received i.
+Proof.
+  intros. split; [split; [intros []|intros [? []]; constructor]; auto|].
+  split; [split; [intros []|intros [? [? []]]; constructor]; auto|easy].
+Qed.
+
+Theorem continuous_visibility_has_constant_density : forall point n over integrable form_factor,
+  integrals point n over integrable ->
+  forall total,
+  (forall x y, form_factor x y = form_factor y x) ->
+  (forall x, integrable (form_factor x)) -> (forall x, sum n (fun j => over j (form_factor x)) = 1) ->
+  forall y, sum n (fun i => over i (fun x => 1 / total * form_factor x y)) = 1 / total.
+Proof. exact IntegralScenes.continuous_visibility_has_constant_density. Qed.
+
+(* Mutual information, eqs. (1) to (3). *)
+Theorem mutual_information_is_entropy_less_entropy_rate : forall n w P,
+  markov_chain n w P -> stationary n w P ->
+  sum n (fun i => sum n (fun j => w i * xlog2 (P i j) (w j))) =
+  - sum n (fun i => xlog2 (w i) 1) - - sum n (fun i => sum n (fun j => w i * xlog2 (P i j) 1)).
+Proof. exact MutualInformation.mutual_information_is_entropy_less_entropy_rate. Qed.
+
+Theorem visibility_information_is_entropy_less_entropy_rate : forall n area form_factor,
+  (0 < n)%nat -> scene n area form_factor -> closed n form_factor ->
+  sum n (fun i => sum n (fun j =>
+    area i / sum n area * (form_factor i j * log2 (form_factor i j * sum n area / area j))))
+  = entropy n (fun i => area i / sum n area) - entropy_rate n (fun i => area i / sum n area) form_factor.
+Proof. exact Visibility.visibility_information_is_entropy_less_entropy_rate. Qed.
+
+Theorem mutual_information_nonneg : forall n w P,
+  markov_chain n w P -> stationary n w P -> 0 <= mutual_information n w P.
+Proof. exact MutualInformation.mutual_information_nonneg. Qed.
+
+Theorem mutual_information_at_most_entropy : forall n w P,
+  markov_chain n w P -> stationary n w P -> mutual_information n w P <= entropy n w.
+Proof. exact MutualInformation.mutual_information_at_most_entropy. Qed.
+
+(* "The amount of information that the destination patch conveys about the source patch, and vice versa." *)
+Theorem words_of_source_and_destination : forall (n : nat) (w : nat -> R) (P J : nat -> nat -> R) (first second : nat -> R) (i j : nat),
+  source_given_destination n w P j i = w i * P i j / sum n (fun k => w k * P k j) /\
+  entropy_of_destination_given_source n w P = entropy_rate n w P /\
+  entropy_of_source_given_destination n w P =
+    - sum n (fun j => sum n (fun k => w k * P k j) * sum n (fun i => xlog2 (source_given_destination n w P j i) 1)) /\
+  information_about n first second J = sum n (fun i => sum n (fun j => xlog2 (J i j) (first i * second j))).
+Proof. easy. Qed.
+
+Theorem information_is_symmetric : forall (n : nat) (first second : nat -> R) (J : nat -> nat -> R),
+  information_about n first second J = information_about n second first (fun j i : nat => J i j).
+Proof. exact SourceAndDestination.information_is_symmetric. Qed.
+
+Theorem mutual_information_is_information_about : forall (n : nat) (w : nat -> R) (P : nat -> nat -> R),
+  mutual_information n w P = information_about n w w (joint w P).
+Proof. exact SourceAndDestination.mutual_information_is_information_about. Qed.
+
+Theorem reciprocal_chain_runs_backwards_alike : forall (n : nat) (w : nat -> R) (P : nat -> nat -> R), markov_chain
+  n w P -> reciprocal n w P -> forall i j : nat, (i < n)%nat -> (j < n)%nat -> w j <> 0 -> source_given_destination
+  n w P j i = P j i.
+Proof. exact SourceAndDestination.reciprocal_chain_runs_backwards_alike. Qed.
+
+Theorem conditional_entropies_agree_for_reciprocal_chain : forall (n : nat) (w : nat -> R) (P : nat -> nat -> R),
+  markov_chain n w P -> reciprocal n w P -> entropy_of_source_given_destination n w P =
+  entropy_of_destination_given_source n w P.
+Proof. exact SourceAndDestination.conditional_entropies_agree_for_reciprocal_chain. Qed.
+
+Theorem mutual_information_is_what_destination_tells_of_source : forall (n : nat) (w : nat -> R) (P : nat -> nat ->
+  R), markov_chain n w P -> stationary n w P -> mutual_information n w P = entropy n w -
+  entropy_of_source_given_destination n w P.
+Proof. exact SourceAndDestination.mutual_information_is_what_destination_tells_of_source. Qed.
+
+Theorem source_and_destination_tell_the_same_of_each_other : forall (n : nat) (w : nat -> R) (P : nat -> nat -> R),
+  markov_chain n w P -> stationary n w P -> entropy n w - entropy_of_source_given_destination n w P = entropy n w -
+  entropy_of_destination_given_source n w P.
+Proof. exact SourceAndDestination.source_and_destination_tell_the_same_of_each_other. Qed.
+
+(* Eq. (4) with A_T = 1, for a kernel f continuous on the plane: intervals of [0, 1] in place of patches. *)
+Theorem words_of_discretizations : forall (C D : chain) (f : R -> R -> R) (n : nat) (p : nat -> R),
+  information C = mutual_information (states C) (weight C) (transition C) /\
+  (refined_by C D <->
+    exists parent, refines (states C) (states D) parent (weight C) (transition C) (weight D) (transition D)) /\
+  (division n p <-> p 0%nat = 0 /\ p n = 1 /\ forall k, p k <= p (S k)) /\
+  states (discretized f n p) = n /\
+  (forall k, weight (discretized f n p) k = p (S k) - p k) /\
+  (forall k l, transition (discretized f n p) k l =
+     RInt (fun x => RInt (fun y => f x y) (p l) (p (S l))) (p k) (p (S k)) / (p (S k) - p k)).
+Proof. split; [easy|split; [easy|split; [split; [intros []|intros [? []]; constructor]|]]]; auto. Qed.
+
+Theorem discretized_is_markov_chain : forall f : R -> R -> R,
+  (forall x y, continuity_2d_pt f x y) ->
+  (forall x y, 0 <= x <= 1 -> 0 <= y <= 1 -> 0 <= f x y) ->
+  (forall x, 0 <= x <= 1 -> RInt (fun y => f x y) 0 1 = 1) ->
+  forall n p, division n p -> (forall k, (k < n)%nat -> p k < p (S k)) ->
+  let C := discretized f n p in markov_chain (states C) (weight C) (transition C).
+Proof. exact ContinuousChain.discretized_is_markov_chain. Qed.
+
+Theorem discretized_is_reciprocal : forall f : R -> R -> R,
+  (forall x y, continuity_2d_pt f x y) ->
+  (forall x y, 0 <= x <= 1 -> 0 <= y <= 1 -> f x y = f y x) ->
+  forall n p, division n p ->
+  let C := discretized f n p in reciprocal (states C) (weight C) (transition C).
+Proof. exact ContinuousChain.discretized_is_reciprocal. Qed.
+
+Theorem order_of_integration : forall f : R -> R -> R, (forall x y, continuity_2d_pt f x y) ->
+  forall a b c d, a <= b -> c <= d ->
+  RInt (fun x => RInt (fun y => f x y) c d) a b = RInt (fun y => RInt (fun x => f x y) a b) c d.
+Proof. exact ContinuousChain.order_of_integration. Qed.
+
+Theorem discrete_information_tends_to_continuous : forall f : R -> R -> R,
+  (forall x y, continuity_2d_pt f x y) ->
+  forall eps, 0 < eps -> exists delta, 0 < delta /\ forall n p, division n p ->
+  (forall k, (k < n)%nat -> p (S k) - p k < delta) ->
+  Rabs (information (discretized f n p) -
+    RInt (fun x => RInt (fun y => xlog2 (f x y) 1) 0 1) 0 1) <= eps.
+Proof. exact ContinuousInformation.discrete_information_tends_to_continuous. Qed.
+
+Theorem discrete_information_at_most_continuous : forall f : R -> R -> R,
+  (forall x y, continuity_2d_pt f x y) ->
+  (forall x y, 0 <= x <= 1 -> 0 <= y <= 1 -> 0 <= f x y) ->
+  forall n p, division n p ->
+  information (discretized f n p) <= RInt (fun x => RInt (fun y => xlog2 (f x y) 1) 0 1) 0 1.
+Proof. exact ContinuousInformation.discrete_information_at_most_continuous. Qed.
+
+(* "Always lower" than the continuous one is too much: a constant kernel, as inside a sphere, loses nothing. *)
+Theorem constant_kernel_loses_nothing : forall n p, division n p ->
+  information (discretized (fun _ _ => 1) n p) = 0 /\
+  RInt (fun x => RInt (fun y => xlog2 1 1) 0 1) 0 1 = 0.
+Proof. exact ConstantKernel.constant_kernel_loses_nothing. Qed.
+
+Theorem tilted_kernel_fulfils_hypotheses : continuous_in_both tilted_kernel /\
+  (forall x y, 0 <= x <= 1 -> 0 <= y <= 1 -> 0 <= tilted_kernel x y) /\
+  (forall x, 0 <= x <= 1 -> RInt (fun y => tilted_kernel x y) 0 1 = 1) /\
+  (forall x y, tilted_kernel x y = tilted_kernel y x) /\
+  tilted_kernel 1 1 = 2 /\ tilted_kernel 1 0 = 0.
+Proof. exact ContinuousChain.tilted_kernel_fulfils_hypotheses. Qed.

@@ -1,0 +1,246 @@
+(* Section 3.5: importance. *)
+From Coq Require Import Reals.
+From Coquelicot Require Import Coquelicot.
+From Infoscene Require Import Sums Information FiniteSums DividedScene Grouping Importance ImportanceDivision
+  IntegralChain IntegralScenes MarkovChains PiecewiseScenes Radiosity Refinement StateRefinement Theorem1
+  WeightedScene.
+Open Scope R_scope.
+
+(* ==== Section 3.5: importance ==== *)
+
+(* With integrals: brightness R I. *)
+Theorem importance_received_with_integrals : forall point n over integrable form_factor,
+  integrals point n over integrable ->
+  forall reflectance initial_importance importance,
+  (forall x, integrable (fun y => reflectance y * form_factor x y * importance y)) ->
+  (forall x, importance x =
+     initial_importance x + sum n (fun j => over j (fun y => reflectance y * form_factor x y * importance y))) ->
+  forall x, importance x - initial_importance x =
+    sum n (fun j => over j (fun y => form_factor x y * (reflectance y * importance y))).
+Proof. exact IntegralScenes.importance_received_with_integrals. Qed.
+
+(* Importances and reflectivities constant along each patch. *)
+Theorem words_of_importance : forall n area form_factor reflectance initial_importance importance,
+  (importance_equation n form_factor reflectance initial_importance importance <-> forall i, (i < n)%nat ->
+    importance i = initial_importance i + sum n (fun j => reflectance j * form_factor i j * importance j)) /\
+  (forall i, importance_area area reflectance initial_importance importance i =
+    area i * (reflectance i * importance i) * (importance i - initial_importance i)) /\
+  (forall i, importance_weight n area reflectance initial_importance importance i =
+    importance_area area reflectance initial_importance importance i /
+    sum n (importance_area area reflectance initial_importance importance)) /\
+  (forall i j, importance_transition form_factor reflectance initial_importance importance i j =
+    reflectance j * form_factor i j * importance j / (importance i - initial_importance i)) /\
+  (importance_solution n area form_factor reflectance initial_importance importance <->
+    scene n area form_factor /\ importance_equation n form_factor reflectance initial_importance importance /\
+    (forall i, (i < n)%nat -> 0 < reflectance i) /\ (forall i, (i < n)%nat -> 0 <= initial_importance i) /\
+    (forall i, (i < n)%nat -> initial_importance i < importance i)).
+Proof. repeat (split; [easy|]). split; [intros []|intros [? [? [? []]]]; constructor]; auto. Qed.
+
+Theorem importance_rows_sum_to_one : forall n form_factor reflectance initial_importance importance,
+  importance_equation n form_factor reflectance initial_importance importance ->
+  (forall i, (i < n)%nat -> importance i <> initial_importance i) ->
+  forall i, (i < n)%nat ->
+  sum n (fun j => reflectance j * form_factor i j * importance j / (importance i - initial_importance i)) = 1.
+Proof. exact Importance.importance_rows_sum_to_one. Qed.
+
+Theorem importance_reciprocity : forall n area form_factor reflectance initial_importance importance,
+  importance_equation n form_factor reflectance initial_importance importance ->
+  (forall i, (i < n)%nat -> importance i <> initial_importance i) ->
+  scene n area form_factor ->
+  forall i j, (i < n)%nat -> (j < n)%nat ->
+  area i * (reflectance i * importance i) * (importance i - initial_importance i)
+    * (reflectance j * form_factor i j * importance j / (importance i - initial_importance i))
+  = area j * (reflectance j * importance j) * (importance j - initial_importance j)
+    * (reflectance i * form_factor j i * importance i / (importance j - initial_importance j)).
+Proof. exact Importance.importance_reciprocity. Qed.
+
+Theorem importance_chain_is_reciprocal : forall n area form_factor reflectance initial_importance importance,
+  importance_equation n form_factor reflectance initial_importance importance ->
+  (forall i, (i < n)%nat -> importance i <> initial_importance i) ->
+  scene n area form_factor ->
+  reciprocal n (importance_weight n area reflectance initial_importance importance)
+    (importance_transition form_factor reflectance initial_importance importance).
+Proof. exact Importance.importance_chain_is_reciprocal. Qed.
+
+Theorem importance_weights_are_stationary :
+  forall n area form_factor reflectance initial_importance importance,
+  importance_equation n form_factor reflectance initial_importance importance ->
+  (forall i, (i < n)%nat -> importance i <> initial_importance i) ->
+  scene n area form_factor ->
+  stationary n (importance_weight n area reflectance initial_importance importance)
+    (importance_transition form_factor reflectance initial_importance importance).
+Proof. exact Importance.importance_weights_are_stationary. Qed.
+
+Theorem importance_chain_is_markov : forall n area form_factor reflectance initial_importance importance,
+  importance_solution n area form_factor reflectance initial_importance importance -> (0 < n)%nat ->
+  markov_chain n (importance_weight n area reflectance initial_importance importance)
+    (importance_transition form_factor reflectance initial_importance importance).
+Proof. exact Importance.importance_chain_is_markov. Qed.
+
+Theorem uniform_reflected_importance_solves_iff : forall n form_factor reflectance initial_importance k,
+  closed n form_factor -> (forall i, (i < n)%nat -> reflectance i <> 0) ->
+  importance_equation n form_factor reflectance initial_importance (fun i => k / reflectance i) <->
+  (forall i, (i < n)%nat -> initial_importance i = k * (1 / reflectance i - 1)).
+Proof. exact Importance.uniform_reflected_importance_solves_iff. Qed.
+
+Theorem uniform_reflected_importance_is_the_only_solution :
+  forall n area form_factor reflectance initial_importance k importance,
+  scene n area form_factor -> closed n form_factor ->
+  (forall i, (i < n)%nat -> 0 < reflectance i < 1) ->
+  (forall i, (i < n)%nat -> initial_importance i = k * (1 / reflectance i - 1)) ->
+  importance_equation n form_factor reflectance initial_importance importance ->
+  forall i, (i < n)%nat -> reflectance i * importance i = k.
+Proof. exact Importance.uniform_reflected_importance_is_the_only_solution. Qed.
+
+Theorem importance_reverts_to_visibility :
+  forall n area form_factor reflectance initial_importance k importance,
+  scene n area form_factor -> closed n form_factor -> k <> 0 ->
+  (forall i, (i < n)%nat -> 0 < reflectance i < 1) ->
+  (forall i, (i < n)%nat -> initial_importance i = k * (1 / reflectance i - 1)) ->
+  importance_equation n form_factor reflectance initial_importance importance ->
+  forall i, (i < n)%nat ->
+  importance_weight n area reflectance initial_importance importance i = area i / sum n area /\
+  (forall j, (j < n)%nat ->
+     importance_transition form_factor reflectance initial_importance importance i j = form_factor i j).
+Proof. exact Importance.importance_reverts_to_visibility. Qed.
+
+(* The importance equation is the radiosity equation for B = R I and E = R V. *)
+Theorem importance_solution_is_radiosity_solution :
+  forall n area form_factor reflectance initial_importance importance,
+  importance_solution n area form_factor reflectance initial_importance importance ->
+  radiosity_solution n area form_factor reflectance
+    (fun i => reflectance i * initial_importance i) (fun i => reflectance i * importance i).
+Proof. exact PiecewiseScenes.importance_solution_is_radiosity_solution. Qed.
+
+Theorem importance_area_is_radiosity_area : forall area reflectance initial_importance importance i,
+  reflectance i <> 0 ->
+  importance_area area reflectance initial_importance importance i =
+  radiosity_area area reflectance
+    (fun i => reflectance i * initial_importance i) (fun i => reflectance i * importance i) i.
+Proof. exact PiecewiseScenes.importance_area_is_radiosity_area. Qed.
+
+Theorem importance_transition_is_radiosity_transition :
+  forall form_factor reflectance initial_importance importance i j,
+  reflectance i <> 0 -> importance i <> initial_importance i ->
+  importance_transition form_factor reflectance initial_importance importance i j =
+  radiosity_transition form_factor reflectance
+    (fun i => reflectance i * initial_importance i) (fun i => reflectance i * importance i) i j.
+Proof. exact PiecewiseScenes.importance_transition_is_radiosity_transition. Qed.
+
+(* The hypotheses of Theorem 1. *)
+Theorem dividing_a_patch_of_constant_importance_fulfils_hypotheses_of_theorem_1 :
+  forall n s m area form_factor reflectance initial_importance importance
+    part_area part_form_factor part_initial_importance,
+  let part_reflectance := inherited (parent_state n s) reflectance in
+  let part_importance := inherited (parent_state n s) importance in
+  importance_solution n area form_factor reflectance initial_importance importance ->
+  importance_solution (n - 1 + m) part_area part_form_factor part_reflectance
+    part_initial_importance part_importance ->
+  divided_patch n s m area form_factor part_area part_form_factor ->
+  refines_state n s m
+    (importance_weight n area reflectance initial_importance importance)
+    (importance_transition form_factor reflectance initial_importance importance)
+    (importance_weight (n - 1 + m) part_area part_reflectance part_initial_importance part_importance)
+    (importance_transition part_form_factor part_reflectance part_initial_importance part_importance).
+Proof. exact ImportanceDivision.dividing_a_patch_of_constant_importance_fulfils_hypotheses_of_theorem_1. Qed.
+
+Theorem dividing_a_patch_of_constant_importance_never_lowers_mutual_information :
+  forall n s m area form_factor reflectance initial_importance importance
+    part_area part_form_factor part_initial_importance,
+  let part_reflectance := inherited (parent_state n s) reflectance in
+  let part_importance := inherited (parent_state n s) importance in
+  importance_solution n area form_factor reflectance initial_importance importance ->
+  importance_solution (n - 1 + m) part_area part_form_factor part_reflectance
+    part_initial_importance part_importance ->
+  divided_patch n s m area form_factor part_area part_form_factor ->
+  mutual_information n
+    (importance_weight n area reflectance initial_importance importance)
+    (importance_transition form_factor reflectance initial_importance importance)
+  <= mutual_information (n - 1 + m)
+       (importance_weight (n - 1 + m) part_area part_reflectance part_initial_importance part_importance)
+       (importance_transition part_form_factor part_reflectance part_initial_importance part_importance).
+Proof. exact ImportanceDivision.dividing_a_patch_of_constant_importance_never_lowers_mutual_information. Qed.
+
+Theorem printed_importance_parts_are_reciprocal :
+  forall n N parent area form_factor reflectance initial_importance importance part_area part_form_factor,
+  importance_solution n area form_factor reflectance initial_importance importance ->
+  scene N part_area part_form_factor ->
+  divided_scene n N parent area form_factor part_area part_form_factor ->
+  reciprocal N
+    (importance_weight N part_area
+       (inherited parent reflectance) (inherited parent initial_importance) (inherited parent importance))
+    (importance_transition part_form_factor
+       (inherited parent reflectance) (inherited parent initial_importance) (inherited parent importance)).
+Proof. exact ImportanceDivision.printed_importance_parts_are_reciprocal. Qed.
+
+Theorem printed_importance_parts_cover :
+  forall n N parent form_factor reflectance initial_importance importance part_form_factor k j,
+  (k < N)%nat -> (j < n)%nat ->
+  part_sum N parent j (part_form_factor k) = form_factor (parent k) j ->
+  importance_transition form_factor reflectance initial_importance importance (parent k) j
+  = part_sum N parent j (importance_transition part_form_factor
+      (inherited parent reflectance) (inherited parent initial_importance) (inherited parent importance) k).
+Proof. exact ImportanceDivision.printed_importance_parts_cover. Qed.
+
+Theorem printed_importance_parts_never_lower_mutual_information :
+  forall n N parent area form_factor reflectance initial_importance importance part_area part_form_factor,
+  importance_solution n area form_factor reflectance initial_importance importance ->
+  scene N part_area part_form_factor ->
+  divided_scene n N parent area form_factor part_area part_form_factor ->
+  mutual_information n (importance_weight n area reflectance initial_importance importance)
+    (importance_transition form_factor reflectance initial_importance importance)
+  <= mutual_information N
+       (importance_weight N part_area
+          (inherited parent reflectance) (inherited parent initial_importance) (inherited parent importance))
+       (importance_transition part_form_factor
+          (inherited parent reflectance) (inherited parent initial_importance) (inherited parent importance)).
+Proof. exact ImportanceDivision.printed_importance_parts_never_lower_mutual_information. Qed.
+
+Theorem printed_importance_part_row_sums_to_one_iff :
+  forall n N parent area form_factor reflectance initial_importance importance part_area part_form_factor,
+  importance_solution n area form_factor reflectance initial_importance importance ->
+  divided_scene n N parent area form_factor part_area part_form_factor ->
+  forall k, (k < N)%nat ->
+  sum N (importance_transition part_form_factor
+    (inherited parent reflectance) (inherited parent initial_importance) (inherited parent importance) k) = 1 <->
+  importance (parent k) = initial_importance (parent k)
+    + sum N (fun l => reflectance (parent l) * part_form_factor k l * importance (parent l)).
+Proof. exact ImportanceDivision.printed_importance_part_row_sums_to_one_iff. Qed.
+
+Theorem patch_importance_weight_is_grouped : forall N area reflectance initial_importance importance patch i,
+  part_sum N patch i (fun k => area k * (reflectance k * importance k) * (importance k - initial_importance k))
+  / sum N (fun k => area k * (reflectance k * importance k) * (importance k - initial_importance k))
+  = grouped_weight N patch (importance_weight N area reflectance initial_importance importance) i.
+Proof. exact PiecewiseScenes.patch_importance_weight_is_grouped. Qed.
+
+Theorem patch_importance_transition_is_grouped :
+  forall N area form_factor reflectance initial_importance importance,
+  (0 < N)%nat -> importance_solution N area form_factor reflectance initial_importance importance ->
+  forall patch i j,
+  block_sum N patch i j
+    (fun k l => form_factor k l * (area k * (reflectance k * reflectance l) * (importance k * importance l)))
+  / part_sum N patch i (fun k => area k * (reflectance k * importance k) * (importance k - initial_importance k))
+  = grouped_transition N patch (importance_weight N area reflectance initial_importance importance)
+      (importance_transition form_factor reflectance initial_importance importance) i j.
+Proof. exact PiecewiseScenes.patch_importance_transition_is_grouped. Qed.
+
+Theorem patch_importance_chain_is_markov_and_reciprocal :
+  forall N area form_factor reflectance initial_importance importance,
+  (0 < N)%nat -> importance_solution N area form_factor reflectance initial_importance importance ->
+  let w := importance_weight N area reflectance initial_importance importance in
+  let P := importance_transition form_factor reflectance initial_importance importance in
+  forall n patch, groups n N patch ->
+  markov_chain n (grouped_weight N patch w) (grouped_transition N patch w P) /\
+  reciprocal n (grouped_weight N patch w) (grouped_transition N patch w P).
+Proof. exact PiecewiseScenes.patch_importance_chain_is_markov_and_reciprocal. Qed.
+
+Theorem parts_refine_patches_of_varying_importance :
+  forall N area form_factor reflectance initial_importance importance,
+  (0 < N)%nat -> importance_solution N area form_factor reflectance initial_importance importance ->
+  let w := importance_weight N area reflectance initial_importance importance in
+  let P := importance_transition form_factor reflectance initial_importance importance in
+  forall n m part patch, groups m N part -> groups n m patch ->
+  refines n m patch
+    (grouped_weight N (fun k => patch (part k)) w) (grouped_transition N (fun k => patch (part k)) w P)
+    (grouped_weight N part w) (grouped_transition N part w P).
+Proof. exact PiecewiseScenes.parts_refine_patches_of_varying_importance. Qed.
