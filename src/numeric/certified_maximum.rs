@@ -109,8 +109,10 @@ pub fn certified_maximum(
     let found = certified_roots(&Slope(objective), (region.from, region.to), bits);
     let mut best: Option<(Interval, Interval)> = None;
     let mut maximisers = 0;
+    let mut without_value = None;
     for root in found.roots.iter().filter(|root| !root.rises) {
         let Some(value) = objective.value(&root.enclosure) else {
+            without_value = Some(root.enclosure.to_f64());
             continue;
         };
         match &best {
@@ -131,6 +133,9 @@ pub fn certified_maximum(
     };
     let certificate = if let Some((from, to)) = found.undecided.first() {
         let reason = format!("nothing could be decided between {from} and {to}");
+        Certificate::Unknown { reason }
+    } else if let Some(position) = without_value {
+        let reason = format!("the objective has no value at the stationary point {position}");
         Certificate::Unknown { reason }
     } else if region.exclusion == Exclusion::None {
         let reason = "nothing is known next to the ends".to_owned();
@@ -233,10 +238,16 @@ impl Region {
             }
         }
         let left = left?;
+        // an end that is left may have higher values next to it than any stationary point
+        let is_inside = *left.lower() > lower && *left.upper() < upper;
         Some(Self {
             from: *left.lower(),
             to: *left.upper(),
-            exclusion: Exclusion::ByBound,
+            exclusion: if is_inside {
+                Exclusion::ByBound
+            } else {
+                Exclusion::None
+            },
         })
     }
 }

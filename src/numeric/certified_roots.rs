@@ -150,10 +150,14 @@ impl<F: Function> Search<'_, F> {
                 }
                 Outcome::AtMostOne(rest) => {
                     // a root on the border is seen from a box with room on either side
-                    if let Some(wider) = self.widened(&domain)
+                    if let Some(wider) = self.widened(&domain, narrowest)
                         && let Outcome::Unique(enclosure, slope) = self.outcome(&wider)
                     {
                         self.record(wider, enclosure, slope);
+                        continue;
+                    }
+                    if rest.width() < 0.5 * domain.width() && self.evaluations < MOST_EVALUATIONS {
+                        boxes.push(rest);
                         continue;
                     }
                     rest
@@ -169,8 +173,9 @@ impl<F: Function> Search<'_, F> {
         }
     }
 
-    fn widened(&self, domain: &Interval<f64>) -> Option<Interval<f64>> {
-        let room = 0.5 * domain.width();
+    /// With room of half the width on either side, of `least` about a box that is hardly more than a point.
+    fn widened(&self, domain: &Interval<f64>, least: f64) -> Option<Interval<f64>> {
+        let room = least.max(0.5 * domain.width());
         let lower = (domain.lower() - room).max(self.range.0);
         let upper = (domain.upper() + room).min(self.range.1);
         Interval::try_new(lower, upper)

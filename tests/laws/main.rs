@@ -6,6 +6,7 @@
 )]
 
 mod additivity;
+mod certified;
 mod closure;
 mod cuts;
 mod divergence;
