@@ -10,6 +10,7 @@ mod certified;
 mod closure;
 mod cuts;
 mod divergence;
+mod dual_numbers;
 mod error_bounds;
 mod independent_roads;
 mod interval_ends;
