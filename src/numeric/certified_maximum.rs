@@ -95,8 +95,8 @@ impl<O: Objective> Function for SlopeNear<'_, O> {
 /// The global maximum of `objective` in the open interval `range`, enclosed to about `bits` bits.
 ///
 /// # Errors
-/// [`NumericError::EmptyInterval`]; [`NumericError::NoInteriorMaximum`] if no root of the derivative is found at
-/// which it falls.
+/// [`NumericError::EmptyInterval`]; [`NumericError::NoInteriorMaximum`] if the derivative has no root at which it
+/// falls, [`NumericError::NotIsolated`] if none is found and something is undecided.
 pub fn certified_maximum(
     objective: &impl Objective,
     (lower, upper): (f64, f64),
@@ -129,7 +129,14 @@ pub fn certified_maximum(
         }
     }
     let Some((position, value)) = best else {
-        return Err(NumericError::NoInteriorMaximum { lower, upper });
+        let undecided = found.undecided.first();
+        return Err(undecided.map_or(
+            NumericError::NoInteriorMaximum { lower, upper },
+            |(lower, upper)| NumericError::NotIsolated {
+                lower: *lower,
+                upper: *upper,
+            },
+        ));
     };
     let certificate = if let Some((from, to)) = found.undecided.first() {
         let reason = format!("nothing could be decided between {from} and {to}");

@@ -224,9 +224,26 @@ impl<F: Function> Search<'_, F> {
         }
     }
 
+    /// The enclosure in doubles: on a wide box [`Function::on_box`] may know the slope where plain evaluation does not.
+    fn tightened_on_boxes(&mut self, enclosure: Interval<f64>) -> Interval<f64> {
+        let mut domain = enclosure;
+        for _ in 0..TIGHTENINGS {
+            let (Outcome::Unique(rest, _) | Outcome::AtMostOne(rest)) = self.outcome(&domain)
+            else {
+                break;
+            };
+            let shrinks = rest.width() < 0.5 * domain.width();
+            domain = rest;
+            if !shrinks {
+                break;
+            }
+        }
+        domain
+    }
+
     /// The enclosure at more bits, as narrow as the function's own rounding lets it become.
     fn tightened(&mut self, enclosure: &Interval<f64>, bits: u32) -> Option<Interval> {
-        let mut domain = Interval::from_doubles(enclosure, bits);
+        let mut domain = Interval::from_doubles(&self.tightened_on_boxes(*enclosure), bits);
         for _ in 0..TIGHTENINGS {
             let slope = self.function.value(&Dual::variable(domain.clone()))?.slope;
             if !slope.is_bounded() || slope.contains_zero() {

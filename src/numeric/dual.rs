@@ -150,6 +150,9 @@ impl<S: Scalar> Scalar for Dual<S> {
     fn is_zero(&self) -> bool {
         self.value.is_zero() && self.slope.is_zero()
     }
+    fn reaches_below_zero(&self) -> bool {
+        self.value.reaches_below_zero()
+    }
     fn sqrt(&self) -> Self {
         let root = self.value.sqrt();
         self.through(root.clone(), || root.constant(0.5) / &root)

@@ -78,6 +78,11 @@ pub trait Scalar:
     fn is_zero(&self) -> bool {
         *self == self.zero()
     }
+    /// Is a part of this below 0?
+    #[must_use]
+    fn reaches_below_zero(&self) -> bool {
+        *self < self.zero()
+    }
     /// Absolute value.
     #[must_use]
     fn abs(&self) -> Self {

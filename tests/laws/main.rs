@@ -6,6 +6,7 @@
 )]
 
 mod additivity;
+mod agreement;
 mod certified;
 mod closure;
 mod cuts;

@@ -226,6 +226,9 @@ impl<E: Endpoint> Scalar for Interval<E> {
         }
         self.midpoint().to_double(Direction::Down)
     }
+    fn reaches_below_zero(&self) -> bool {
+        self.lower.sign().is_lt()
+    }
     fn sqrt(&self) -> Self {
         let zero = self.lower.constant(0.0);
         if self.upper < zero {
