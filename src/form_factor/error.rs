@@ -25,6 +25,12 @@ pub enum FormFactorError {
         /// Where the depth starts, < 0.
         lower: f64,
     },
+    /// An interval reaches from one side of the other rectangle's plane to the other side.
+    #[error("it is not certain on which side of the other plane a depth of {depth} is")]
+    Astride {
+        /// About the middle of it.
+        depth: f64,
+    },
     /// The value over- or underflows `f64`.
     #[error("the exchange area leaves the range of f64: {value:e}")]
     OutOfRange {

@@ -154,18 +154,14 @@ impl<S: Scalar> RectanglePair<S> {
                     if depth < depth.zero() {
                         return Ok(position.zero());
                     }
-                    if !depth.is_nonnegative() {
-                        // an interval that reaches behind the plane, where the strip exchanges nothing
-                        let lower = depth.to_f64();
-                        return Err(FormFactorError::BehindPlane { lower });
-                    }
+                    in_front(&depth)?;
                     strip_exchange_at_depth(
                         &depth,
                         plate.depth(),
                         &Offsets::between(across, plate.width()),
                     )
                 } else {
-                    match self.depth(*normal, plane, *faces_along) {
+                    match self.depth(*normal, plane, *faces_along)? {
                         Some(depth) => {
                             let width = plate.width();
                             let offsets =
@@ -192,7 +188,7 @@ impl<S: Scalar> RectanglePair<S> {
                 plane,
                 faces_along,
                 plate,
-            } => match self.depth(*across, plane, *faces_along) {
+            } => match self.depth(*across, plane, *faces_along)? {
                 Some(depth) => {
                     let width = self.first[other(*across) as usize].clone();
                     let first = Plate::try_new(depth, width)?;
@@ -216,14 +212,27 @@ impl<S: Scalar> RectanglePair<S> {
     }
 
     /// The part of the first rectangle in front of the second one's plane, as distances from it.
-    fn depth(&self, across: SplitAxis, plane: &S, faces_along: bool) -> Option<Span<S>> {
+    fn depth(
+        &self,
+        across: SplitAxis,
+        plane: &S,
+        faces_along: bool,
+    ) -> Result<Option<Span<S>>, FormFactorError> {
         let extent = &self.first[across as usize];
         let depth = if faces_along {
             extent.shifted(&-plane.clone())
         } else {
             extent.mirrored(plane)
         };
-        depth.above(&plane.zero())
+        let zero = plane.zero();
+        if *depth.upper() < zero {
+            return Ok(None);
+        }
+        in_front(depth.upper())?;
+        if !(*depth.lower() < zero) {
+            in_front(depth.lower())?;
+        }
+        Ok(depth.above(&zero))
     }
 }
 
@@ -275,6 +284,16 @@ fn relative<S: Scalar>(position: &S) -> Result<(), GeometryError> {
             position: number,
             lower: 0.0,
             upper: 1.0,
+        });
+    }
+    Ok(())
+}
+
+/// Refuses a depth that may be in front of a plane or behind it.
+fn in_front<S: Scalar>(depth: &S) -> Result<(), FormFactorError> {
+    if !depth.is_nonnegative() {
+        return Err(FormFactorError::Astride {
+            depth: depth.to_f64(),
         });
     }
     Ok(())

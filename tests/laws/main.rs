@@ -6,9 +6,12 @@
 )]
 
 mod additivity;
+mod agreement;
+mod certified;
 mod closure;
 mod cuts;
 mod divergence;
+mod dual_numbers;
 mod error_bounds;
 mod independent_roads;
 mod interval_ends;

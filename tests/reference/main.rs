@@ -6,6 +6,7 @@
 )]
 
 mod cube_grids;
+mod enclosures;
 mod form_factors;
 mod section_4_2;
 mod splits;

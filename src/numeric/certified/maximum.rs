@@ -112,8 +112,8 @@ impl<O: Objective> Function for SlopeNear<'_, O> {
 /// The global maximum of `objective` in the open interval `range`, enclosed to about `bits` bits.
 ///
 /// # Errors
-/// [`NumericError::EmptyInterval`]; [`NumericError::NoInteriorMaximum`] if no root of the derivative is found at
-/// which it falls.
+/// [`NumericError::EmptyInterval`]; [`NumericError::NoInteriorMaximum`] if the derivative has no root at which it
+/// falls, [`NumericError::NotIsolated`] if none is found and something is undecided.
 pub fn certified_maximum(
     objective: &impl Objective,
     (lower, upper): (f64, f64),
@@ -126,8 +126,10 @@ pub fn certified_maximum(
     let found = certified_roots(&Slope(objective), (region.from, region.to), bits);
     let mut best: Option<(Interval, Interval)> = None;
     let mut maximisers = 0;
+    let mut without_value = None;
     for root in found.roots.iter().filter(|root| !root.rises) {
         let Some(value) = objective.value(&root.enclosure) else {
+            without_value = Some(root.enclosure.to_f64());
             continue;
         };
         let highest = best.as_ref().map(|(_, highest)| highest);
@@ -145,10 +147,20 @@ pub fn certified_maximum(
         }
     }
     let Some((position, value)) = best else {
-        return Err(NumericError::NoInteriorMaximum { lower, upper });
+        let undecided = found.undecided.first();
+        return Err(undecided.map_or(
+            NumericError::NoInteriorMaximum { lower, upper },
+            |(lower, upper)| NumericError::NotIsolated {
+                lower: *lower,
+                upper: *upper,
+            },
+        ));
     };
     let certificate = if let Some((from, to)) = found.undecided.first() {
         let reason = format!("nothing could be decided between {from} and {to}");
+        Certificate::Unknown { reason }
+    } else if let Some(position) = without_value {
+        let reason = format!("the objective has no value at the stationary point {position}");
         Certificate::Unknown { reason }
     } else if region.exclusion == Exclusion::None {
         let reason = "nothing is known next to the ends".to_owned();
@@ -251,10 +263,16 @@ impl Region {
             }
         }
         let left = left?;
+        // an end that is left may have higher values next to it than any stationary point
+        let is_inside = *left.lower() > lower && *left.upper() < upper;
         Some(Self {
             from: *left.lower(),
             to: *left.upper(),
-            exclusion: Exclusion::ByBound,
+            exclusion: if is_inside {
+                Exclusion::ByBound
+            } else {
+                Exclusion::None
+            },
         })
     }
 }

@@ -149,10 +149,14 @@ impl<F: Function> Search<'_, F> {
                 }
                 Outcome::AtMostOne(rest) => {
                     // a root on the border is seen from a box with room on either side
-                    if let Some(wider) = self.widened(&domain)
+                    if let Some(wider) = self.widened(&domain, narrowest)
                         && let Outcome::Unique(enclosure, slope) = self.outcome(&wider)
                     {
                         self.record(wider, enclosure, slope);
+                        continue;
+                    }
+                    if rest.width() < 0.5 * domain.width() && self.evaluations < MOST_EVALUATIONS {
+                        boxes.push(rest);
                         continue;
                     }
                     rest
@@ -168,8 +172,9 @@ impl<F: Function> Search<'_, F> {
         }
     }
 
-    fn widened(&self, domain: &Interval<f64>) -> Option<Interval<f64>> {
-        let room = 0.5 * domain.width();
+    /// With room of half the width on either side, of `least` about a box that is hardly more than a point.
+    fn widened(&self, domain: &Interval<f64>, least: f64) -> Option<Interval<f64>> {
+        let room = least.max(0.5 * domain.width());
         let lower = (domain.lower() - room).max(self.range.0);
         let upper = (domain.upper() + room).min(self.range.1);
         Interval::try_new(lower, upper)
@@ -218,9 +223,26 @@ impl<F: Function> Search<'_, F> {
         }
     }
 
+    /// The enclosure in doubles: on a wide box [`Function::on_box`] may know the slope where plain evaluation does not.
+    fn tightened_on_boxes(&mut self, enclosure: Interval<f64>) -> Interval<f64> {
+        let mut domain = enclosure;
+        for _ in 0..TIGHTENINGS {
+            let (Outcome::Unique(rest, _) | Outcome::AtMostOne(rest)) = self.outcome(&domain)
+            else {
+                break;
+            };
+            let shrinks = rest.width() < 0.5 * domain.width();
+            domain = rest;
+            if !shrinks {
+                break;
+            }
+        }
+        domain
+    }
+
     /// The enclosure at more bits, as narrow as the function's own rounding lets it become.
     fn tightened(&mut self, enclosure: &Interval<f64>, bits: u32) -> Option<Interval> {
-        let mut domain = Interval::from_doubles(enclosure, bits);
+        let mut domain = Interval::from_doubles(&self.tightened_on_boxes(*enclosure), bits);
         for _ in 0..TIGHTENINGS {
             let slope = self.function.value(&Dual::variable(domain.clone()))?.slope;
             if !slope.is_bounded() || slope.contains_zero() {
