@@ -3,7 +3,7 @@ From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
 From Infoscene Require Import Sums Information FiniteSums ConstantKernel ContinuousChain ContinuousInformation
   Convergence Corollary1 Divisions DoubleIntegral IntegralChain IntegralScenes MarkovChains MutualInformation
-  Refinement SourceAndDestination Visibility WeightedScene.
+  Refinement SourceAndDestination Sphere Visibility WeightedScene.
 Open Scope R_scope.
 
 (* ==== The words used below ==== *)
@@ -241,6 +241,25 @@ Theorem constant_kernel_loses_nothing : forall n p, division n p ->
   information (discretized (fun _ _ => 1) n p) = 0 /\
   RInt (fun x => RInt (fun y => xlog2 1 1) 0 1) 0 1 = 0.
 Proof. exact ConstantKernel.constant_kernel_loses_nothing. Qed.
+
+Theorem constant_form_factor_loses_nothing :
+  forall (point : Type) n (over : nat -> (point -> R) -> R) integrable,
+  integrals point n over integrable -> integrable (fun _ => 1) ->
+  (forall i, (i < n)%nat -> 0 < over i (fun _ => 1)) -> (0 < n)%nat ->
+  let area := fun i => over i (fun _ => 1) in
+  let total := sum n area in
+  mutual_information n (fun i => area i / total) (fun i j => over i (fun x => over j (fun y => 1 / total)) / area i) = 0 /\
+  sum n (fun i => sum n (fun j =>
+    over i (fun x => over j (fun y => 1 / total * (1 / total) * log2 (total * (1 / total)))))) = 0.
+Proof. exact Sphere.constant_form_factor_loses_nothing. Qed.
+
+Theorem form_factor_inside_a_sphere_is_constant : forall r x1 x2 x3 y1 y2 y3 : R, 0 < r ->
+  x1 ^ 2 + x2 ^ 2 + x3 ^ 2 = r ^ 2 -> y1 ^ 2 + y2 ^ 2 + y3 ^ 2 = r ^ 2 ->
+  let d := sqrt ((y1 - x1) ^ 2 + (y2 - x2) ^ 2 + (y3 - x3) ^ 2) in
+  let cosine_x := ((y1 - x1) * (- x1 / r) + (y2 - x2) * (- x2 / r) + (y3 - x3) * (- x3 / r)) / d in
+  let cosine_y := ((x1 - y1) * (- y1 / r) + (x2 - y2) * (- y2 / r) + (x3 - y3) * (- y3 / r)) / d in
+  0 < d -> cosine_x * cosine_y / (PI * d ^ 2) = 1 / (4 * PI * r ^ 2).
+Proof. exact Sphere.form_factor_inside_a_sphere_is_constant. Qed.
 
 Theorem tilted_kernel_fulfils_hypotheses : continuous_in_both tilted_kernel /\
   (forall x y, 0 <= x <= 1 -> 0 <= y <= 1 -> 0 <= tilted_kernel x y) /\
