@@ -52,7 +52,6 @@ struct CannotWrite {
 
 impl Output {
     /// Refuses a place that cannot be written to, before long work begins.
-    #[cfg(feature = "proptest")]
     pub(super) fn check(&self) -> Result<(), Box<dyn std::error::Error>> {
         if self.output != Path::new("-") {
             folder_of(&self.output).map_err(|source| cannot_write(&self.output, source))?;

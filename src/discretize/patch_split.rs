@@ -353,9 +353,9 @@ impl Objective for PatchSplit {
             };
             let near = flux([zero, middle], moved, value)? / (area * before);
             let far = flux([middle, one], -moved, -value)? / (area * after);
-            derivative = derivative + &stationarity(&rate, &area, &near, &far);
+            derivative = derivative + stationarity(&rate, &area, &near, &far);
         }
-        Some(derivative * &Dual::constant_like(&split.bits_per_nat()))
+        Some(derivative * Dual::constant_like(&split.bits_per_nat()))
     }
 
     fn slope_near<S: Scalar>(&self, end: End, distance: &S) -> Option<S> {

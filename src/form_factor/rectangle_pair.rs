@@ -229,7 +229,8 @@ impl<S: Scalar> RectanglePair<S> {
             return Ok(None);
         }
         in_front(depth.upper())?;
-        if !(*depth.lower() < zero) {
+        let is_clipped = *depth.lower() < zero;
+        if !is_clipped {
             in_front(depth.lower())?;
         }
         Ok(depth.above(&zero))
