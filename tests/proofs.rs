@@ -1,7 +1,12 @@
-//! The folder `proofs` without Coq: page, files, claims and decimals name the same theorems and the same numbers.
+//! The folder `proofs` without Coq: page, files, claims and decimals name the same theorems and the same numbers, and
+//! intervals enclose what is proved.
 //! That the proofs hold is what `proofs/check` checks.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+use infoscene::discretize::{GradientCut, PatchSplit};
+use infoscene::geometry::SplitAxis;
+use infoscene::numeric::Interval;
+use infoscene::scene::Scene;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -251,13 +256,62 @@ fn definitions(name: &str, lower: &str, upper: &str) -> [String; 2] {
     })
 }
 
+fn table() -> csv::Reader<fs::File> {
+    csv::ReaderBuilder::new()
+        .comment(Some(b'#'))
+        .from_path(folder("data/proved_decimals.csv"))
+        .unwrap()
+}
+
+/// What interval arithmetic encloses under the name of a row of the table.
+fn enclosed(name: &str) -> Interval {
+    const BITS: u32 = 192;
+    let best = |scene, against: &[usize]| {
+        let scene = Scene::built_in(scene).unwrap();
+        let split = PatchSplit::try_new(&scene, 0, against, SplitAxis::U).unwrap();
+        split.certified_best(BITS).unwrap()
+    };
+    match name {
+        "fig2_parallel_cut" => best("two-squares", &[1]).position,
+        "fig2_parallel_gain" => best("two-squares", &[1]).value,
+        "fig3_cut" => best("three-squares", &[1, 2]).position,
+        "fig3_gain" => best("three-squares", &[1, 2]).value,
+        _ => {
+            let (kind, exponent) = name.rsplit_once('_').unwrap();
+            let n: f64 = exponent.parse().unwrap();
+            let m = if kind.ends_with("corrected") { n } else { 1.0 };
+            let cut = GradientCut::try_new(n, m).unwrap();
+            let found = if kind == "mean_square_cut" {
+                cut.certified_mean_square_cut(BITS)
+            } else {
+                cut.certified_mutual_information_cut(BITS)
+            };
+            found.unwrap().position
+        }
+    }
+}
+
+/// Two roads to every decimal: Coq's theorem, and an enclosure that lies between its bounds.
+#[test]
+fn what_is_proved_contains_what_is_enclosed() {
+    for row in table().records() {
+        let row = row.unwrap();
+        let bound = |column: usize| Interval::parse(&row[column], 192).unwrap();
+        let enclosure = enclosed(&row[0]);
+        assert!(
+            bound(1) < enclosure && enclosure < bound(2),
+            "{}: {:?}",
+            &row[0],
+            enclosure.to_decimal(60)
+        );
+        assert!(enclosure.width() < 1e-40);
+    }
+}
+
 #[test]
 fn decimals_are_those_of_the_table() {
     let stated = stated();
-    let mut rows = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .from_path(folder("data/proved_decimals.csv"))
-        .unwrap();
+    let mut rows = table();
     assert_eq!(
         rows.headers().unwrap(),
         vec!["name", "lower", "upper", "theorem"]
