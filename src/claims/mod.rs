@@ -2,8 +2,9 @@
 //!
 //! The claims stand in `data/paper/`, in paper order: place, quantity in our own words, printed value if
 //! there is one, the recorded verdict, the inputs of the computation, and a *control*: a change of input
-//! under which the verdict must turn. One file per section computes; [`judge`] judges by the mechanical
-//! rule of [`Verdict`].
+//! under which the verdict must turn; and the theorems of `proofs/` that prove the claim as it stands, or its
+//! contrary. One file per section computes; [`judge`] judges by the mechanical rule of [`Verdict`]. A theorem raises what
+//! agrees with it to *proof*; it never hides a computation that does not agree.
 //!
 //! **Not here**: printing.
 
