@@ -333,7 +333,7 @@ impl Objective for PatchSplit {
         let split = self.lifted(domain);
         let area = Dual::constant_like(&split.area);
         let before = Dual::variable(*domain);
-        let after = Dual::constant_like(&one) - &before;
+        let after = Dual::constant_like(&one) - before;
         let mut derivative = Dual::constant_like(&zero);
         for ((pair, wide), point) in split.pairs.iter().zip(&on_box.pairs).zip(&at_middle.pairs) {
             let wide = wide
@@ -351,11 +351,11 @@ impl Objective for PatchSplit {
                 let value = at_middle + change;
                 Some(Dual { value, slope })
             };
-            let near = flux([zero, middle], moved, value)? / &(area * &before);
-            let far = flux([middle, one], -moved, -value)? / &(area * &after);
-            derivative = derivative + &stationarity(&rate, &area, &near, &far);
+            let near = flux([zero, middle], moved, value)? / (area * before);
+            let far = flux([middle, one], -moved, -value)? / (area * after);
+            derivative = derivative + stationarity(&rate, &area, &near, &far);
         }
-        Some(derivative * &Dual::constant_like(&split.bits_per_nat()))
+        Some(derivative * Dual::constant_like(&split.bits_per_nat()))
     }
 
     fn slope_near<S: Scalar>(&self, end: End, distance: &S) -> Option<S> {
