@@ -229,8 +229,8 @@ impl<S: Scalar> RectanglePair<S> {
             return Ok(None);
         }
         in_front(depth.upper())?;
-        let is_clipped = *depth.lower() < zero;
-        if !is_clipped {
+        let starts_behind = *depth.lower() < zero;
+        if !starts_behind {
             in_front(depth.lower())?;
         }
         Ok(depth.above(&zero))

@@ -98,40 +98,53 @@ pub trait Scalar:
     }
 }
 
+/// Inlined into other crates too, where a formula over `f64` is compiled anew.
 impl Scalar for f64 {
+    #[inline]
     fn constant(&self, value: f64) -> Self {
         value
     }
+    #[inline]
     fn pi(&self) -> Self {
         std::f64::consts::PI
     }
+    #[inline]
     fn to_f64(&self) -> f64 {
         *self
     }
+    #[inline]
     fn sqrt(&self) -> Self {
         f64::sqrt(*self)
     }
+    #[inline]
     fn ln(&self) -> Self {
         f64::ln(*self)
     }
+    #[inline]
     fn ln_1p(&self) -> Self {
         f64::ln_1p(*self)
     }
+    #[inline]
     fn exp(&self) -> Self {
         f64::exp(*self)
     }
+    #[inline]
     fn exp_m1(&self) -> Self {
         f64::exp_m1(*self)
     }
+    #[inline]
     fn atan2(&self, x: &Self) -> Self {
         f64::atan2(*self, *x)
     }
+    #[inline]
     fn divergence_kernel(&self) -> Self {
         super::divergence_kernel(*self)
     }
+    #[inline]
     fn x_ln_x(&self) -> Self {
         super::x_ln_x(*self)
     }
+    #[inline]
     fn abs(&self) -> Self {
         f64::abs(*self)
     }

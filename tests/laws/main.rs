@@ -7,7 +7,9 @@
 
 mod additivity;
 mod agreement;
-mod certified;
+mod certified_maxima;
+mod certified_points;
+mod certified_roots;
 mod closure;
 mod cuts;
 mod divergence;
