@@ -1,8 +1,11 @@
 //! Certified maxima against functions whose maximum is known beforehand.
 
+use infoscene::discretize::PatchSplit;
+use infoscene::geometry::SplitAxis;
 use infoscene::numeric::{
-    Certificate, End, Interval, NumericError, Objective, Scalar, certified_maximum,
+    Certificate, Dual, End, Interval, NumericError, Objective, Scalar, certified_maximum,
 };
+use infoscene::scene::Scene;
 use proptest::prelude::*;
 
 /// Precision of the enclosures.
@@ -290,5 +293,51 @@ fn what_has_no_maximum_is_refused() {
     ] {
         let refusal = certified_maximum(&Shares(1.0, 1.0), (lower, upper), BITS).unwrap_err();
         assert!(matches!(refusal, NumericError::EmptyInterval { .. }));
+    }
+}
+
+/// What a split says of its slope on a box holds at every point of the box: value and derivative, to the ends.
+#[test]
+fn slopes_on_boxes_contain_the_slopes_in_them() {
+    let scenes = [
+        (Scene::floor_and_wall(1.0), 1),
+        (Scene::floor_and_wall(100.0), 1),
+        (Scene::facing_squares(0.5), 1),
+        (Scene::built_in("three-squares"), 2),
+    ];
+    for (scene, neighbours) in scenes {
+        let against: Vec<usize> = (1..=neighbours).collect();
+        for axis in SplitAxis::ALL {
+            let split = PatchSplit::try_new(scene.as_ref().unwrap(), 0, &against, axis).unwrap();
+            for (lower, width) in [
+                (0.03, 1e-3),
+                (0.1, 0.05),
+                (0.37, 0.1),
+                (0.4, 1e-6),
+                (0.93, 0.02),
+                (0.2, 0.4),
+                (0.5, 0.45),
+                (0.05, 0.9),
+            ] {
+                let domain = Interval::try_new(lower, lower + width).unwrap();
+                let Some(Dual { value, slope }) = split.slope_on_box(&domain) else {
+                    continue;
+                };
+                for share in [0.0, 0.1, 0.5, 0.77, 1.0] {
+                    let at = (lower + share * width).min(lower + width);
+                    let exact = split
+                        .slope(&Dual::variable(Interval::precise(at, 128)))
+                        .unwrap();
+                    for (wide, point) in [(&value, &exact.value), (&slope, &exact.slope)] {
+                        let wide = Interval::from_doubles(wide, 128);
+                        assert!(point.width() < 1e-25, "{axis:?} {lower} {width}");
+                        assert!(
+                            wide.contains(point),
+                            "{axis:?} {lower} {width}: {wide:?} {point:?}"
+                        );
+                    }
+                }
+            }
+        }
     }
 }
