@@ -225,12 +225,18 @@ impl<S: Scalar> RectanglePair<S> {
             extent.mirrored(plane)
         };
         let zero = plane.zero();
-        if *depth.upper() < zero {
+        let top = depth.upper();
+        if (-top.clone()).is_nonnegative() {
             return Ok(None);
         }
-        in_front(depth.upper())?;
-        let is_clipped = *depth.lower() < zero;
-        if !is_clipped {
+        in_front(top)?;
+        if *depth.lower() < zero {
+            // clipped: from the plane itself up, nothing is not excluded
+            if !(*top > zero) {
+                let depth = top.to_f64();
+                return Err(FormFactorError::Astride { depth });
+            }
+        } else {
             in_front(depth.lower())?;
         }
         Ok(depth.above(&zero))
