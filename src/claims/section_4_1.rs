@@ -126,6 +126,21 @@ fn certified(split: &PatchSplit, input: &Inputs) -> Result<CertifiedMaximum, Cla
     }
 }
 
+/// The proved place of the maximum: of several that are equally high as far as enclosed, any may be it.
+fn certified_place(split: &PatchSplit, input: &Inputs) -> Result<CertifiedMaximum, ClaimError> {
+    let best = certified(split, input)?;
+    only_place(&best.certificate)?;
+    Ok(best)
+}
+
+fn only_place(certificate: &Certificate) -> Result<(), ClaimError> {
+    if matches!(certificate, Certificate::Unique { .. }) {
+        return Ok(());
+    }
+    let reason = certificate.to_string();
+    Err(ClaimError::NotCertified { reason })
+}
+
 fn orthogonal_cut_gains_little(input: &Inputs) -> Result<Finding, ClaimError> {
     let scene = Scene::floor_and_wall(input.number("depth")?)?;
     let along = |axis| PatchSplit::try_new(&scene, 0, &[1], axis);
@@ -159,7 +174,7 @@ fn orthogonal_middle_gains_nothing(input: &Inputs) -> Result<Finding, ClaimError
 fn best_parallel_cut(input: &Inputs) -> Result<Finding, ClaimError> {
     let scene = Scene::floor_and_wall(input.number("depth")?)?;
     let split = PatchSplit::try_new(&scene, 0, &[1], SplitAxis::U)?;
-    let best = certified(&split, input)?;
+    let best = certified_place(&split, input)?;
     let note = format!(
         "gain {:.7} bit, {:.7} in the middle",
         best.value.to_f64(),
@@ -193,11 +208,19 @@ fn curve_has_one_maximum(input: &Inputs) -> Result<Finding, ClaimError> {
     #[allow(clippy::cast_precision_loss, reason = "one or two")]
     let count = like.constant(maxima as f64);
     let holds = rises_and_falls && starts_low && ends_low;
-    Ok(Finding::decided(holds, !rises_and_falls, count).with_curve(curve(&split)?))
+    // a second stationary point, all of them being simple, is a second turn of the curve
+    let fails = match best.certificate {
+        Certificate::Unique {
+            is_only_stationary_point,
+        } => is_only_stationary_point == Some(false),
+        Certificate::Several { .. } => true,
+        Certificate::Unknown { .. } => false,
+    };
+    Ok(Finding::decided(holds, fails, count).with_curve(curve(&split)?))
 }
 
 fn best_corner_cut(input: &Inputs) -> Result<Finding, ClaimError> {
-    let best = certified(&corner(input.count("neighbours")?)?, input)?;
+    let best = certified_place(&corner(input.count("neighbours")?)?, input)?;
     let note = format!("gain {:.7} bit", best.value.to_f64());
     Ok(Finding::enclosed(best.position).noting(note))
 }
@@ -205,8 +228,8 @@ fn best_corner_cut(input: &Inputs) -> Result<Finding, ClaimError> {
 /// At `fraction` of the two-square optimum the slope of the orthogonal gain must be negative: it grows
 /// towards the edge.
 fn orthogonal_slope_explains_the_shift(input: &Inputs) -> Result<Finding, ClaimError> {
-    let pair = certified(&two_squares(SplitAxis::U)?, input)?.position;
-    let three = certified(&corner(2)?, input)?.position;
+    let pair = certified_place(&two_squares(SplitAxis::U)?, input)?.position;
+    let three = certified_place(&corner(2)?, input)?.position;
     let at = input.interval("fraction")? * &pair;
     let slope = two_squares(SplitAxis::V)?
         .lifted(&at)
@@ -246,10 +269,7 @@ fn best_grid(cells: u32, input: &Inputs) -> Result<CertifiedGrid, ClaimError> {
 
 fn best_three_cell_grid(input: &Inputs) -> Result<Finding, ClaimError> {
     let grid = best_grid(3, input)?;
-    if let Certificate::Unknown { reason } = &grid.certificate {
-        let reason = reason.clone();
-        return Err(ClaimError::NotCertified { reason });
-    }
+    only_place(&grid.certificate)?;
     let units = input.interval("units_per_edge")?;
     let line = grid.half[0].clone();
     let note = format!(
@@ -266,6 +286,7 @@ fn best_three_cell_grid(input: &Inputs) -> Result<Finding, ClaimError> {
 fn best_grid_lies_nearer_to_the_edges(input: &Inputs) -> Result<Finding, ClaimError> {
     let cells = input.count("cells")?;
     let best = best_grid(cells, input)?;
+    only_place(&best.certificate)?;
     let like = &best.mutual_information;
     let gain = like.clone() - &CertifiedGrid::regular(cells, input.bits())?;
     let regular = like.constant(1.0) / &like.constant(f64::from(cells));
@@ -281,14 +302,18 @@ fn best_grid_lies_nearer_to_the_edges(input: &Inputs) -> Result<Finding, ClaimEr
 }
 
 fn figure_4_cases_lose(input: &Inputs) -> Result<Finding, ClaimError> {
-    let axis = |name| Ok::<_, ClaimError>(input.interval(name)? / &input.interval("axis")?);
-    let at = |name| three_cells(&axis(name)?);
+    let units = input.interval("axis")?;
+    let at = |name| three_cells(&(input.interval(name)? / &units));
     let [lower, best, upper] = [at("lower")?, at("best")?, at("upper")?];
     let curve = (1..100)
         .map(|tenth| f64::from(tenth) / 10.0)
         .map(|x| Ok([x, three_cells(&(x / 20.0))?]))
         .collect::<Result<Vec<_>, ClaimError>>()?;
-    let is_unique = matches!(best_grid(3, input)?.certificate, Certificate::Unique { .. });
+    let highest = best_grid(3, input)?;
+    // "near": as far as the axis is read, to half a unit
+    let distance = (units * &highest.half[0] - &input.interval("best")?).abs();
+    let is_near = distance < distance.constant(0.5);
+    let is_unique = matches!(highest.certificate, Certificate::Unique { .. });
     let note = format!(
         "{:.5} bit at 2, {:.5} near 6, {:.5} at 8",
         lower.to_f64(),
@@ -297,7 +322,7 @@ fn figure_4_cases_lose(input: &Inputs) -> Result<Finding, ClaimError> {
     );
     let lost = best - &lower.larger_of(&upper);
     let zero = lost.zero();
-    let finding = Finding::decided(lost > zero && is_unique, lost < zero, lost);
+    let finding = Finding::decided(lost > zero && is_unique && is_near, lost < zero, lost);
     Ok(finding.noting(note).with_curve(curve))
 }
 

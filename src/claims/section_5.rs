@@ -101,8 +101,8 @@ fn ratio_to_truth(ratio: Interval, total: f64, input: &Inputs) -> Result<Finding
         ratio.to_f64()
     );
     let fails = ratio.intersection(&one).is_none();
-    // an equality cannot be enclosed, only refuted; the control comes to within its enclosure
-    Ok(Finding::decided(!fails, fails, ratio).noting(note))
+    // an equality cannot be enclosed, only refuted; the control comes to within its enclosure and is left open
+    Ok(Finding::decided(false, fails, ratio).noting(note))
 }
 
 /// Three equal strips of two facing squares, `far` being the share below which the potential counts as far.

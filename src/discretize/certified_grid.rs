@@ -35,7 +35,7 @@ impl CertifiedGrid {
     /// The grid of `cells` equal cells a side.
     ///
     /// # Errors
-    /// [`DiscretizeError::Geometry`] for zero cells.
+    /// [`DiscretizeError::OutOfRange`] for zero cells.
     pub fn regular(cells: u32, bits: u32) -> Result<Interval, DiscretizeError> {
         CubeGrid::regular_like(cells, &Interval::precise(1.0, bits))?.mutual_information()
     }
@@ -43,7 +43,7 @@ impl CertifiedGrid {
     /// The best grid of `cells` cells a side: the global maximum for three, else the maximum near the regular grid.
     ///
     /// # Errors
-    /// [`DiscretizeError::Numeric`] if it cannot be isolated.
+    /// [`DiscretizeError::Numeric`] if it cannot be isolated; [`DiscretizeError::OutOfRange`] for zero cells.
     pub fn best(cells: u32, bits: u32) -> Result<Self, DiscretizeError> {
         if cells == 3 {
             let CertifiedMaximum {

@@ -55,14 +55,7 @@ impl CubeGrid {
     /// # Errors
     /// [`DiscretizeError::OutOfRange`] for zero cells.
     pub fn regular(cells: u32) -> Result<Self, DiscretizeError> {
-        if cells == 0 {
-            let (parameter, condition) = ("the number of cells", "at least 1");
-            return Err(DiscretizeError::OutOfRange {
-                parameter,
-                value: 0.0,
-                condition,
-            });
-        }
+        at_least_one(cells)?;
         Self::try_new(&super::regular_positions(cells))
     }
 
@@ -114,8 +107,9 @@ impl<S: Scalar> CubeGrid<S> {
     /// The grid of `cells` equal cells a side, in the type and precision of `like`.
     ///
     /// # Errors
-    /// As [`mirrored`](Self::mirrored), for zero cells.
+    /// [`DiscretizeError::OutOfRange`] for zero cells.
     pub fn regular_like(cells: u32, like: &S) -> Result<Self, DiscretizeError> {
+        at_least_one(cells)?;
         let count = like.constant(f64::from(cells));
         let lines = (1..cells).map(|k| like.constant(f64::from(k)) / &count);
         Self::from_lines(&lines.collect::<Vec<S>>(), like)
@@ -186,4 +180,17 @@ impl<S: Scalar> CubeGrid<S> {
             (CellPair::new(&self.cells, class), count)
         })
     }
+}
+
+/// Refuses a grid without cells.
+const fn at_least_one(cells: u32) -> Result<(), DiscretizeError> {
+    if cells > 0 {
+        return Ok(());
+    }
+    let (parameter, condition) = ("the number of cells", "at least 1");
+    Err(DiscretizeError::OutOfRange {
+        parameter,
+        value: 0.0,
+        condition,
+    })
 }

@@ -151,7 +151,10 @@ impl PatchSplit {
 
     /// The cut into two parts that gains the most, enclosed to about `bits` bits, with what is proved about it.
     ///
-    /// Positions are those of the scene as given: its coordinates count as exact.
+    /// The scene is the one in `f64`: its pairs as placed (coordinates in the frame of the patch, rounded to ε of
+    /// themselves) and its areas as rounded count as exact. For coordinates whose differences and products are
+    /// doubles, as in the paper's scenes of two and three squares, that is the scene itself; else the true
+    /// position and gain may miss the enclosures by what this rounding does. The total area does not enter the position.
     ///
     /// # Errors
     /// [`DiscretizeError::Numeric`] if no interior maximum is found.

@@ -225,12 +225,19 @@ impl<S: Scalar> RectanglePair<S> {
             extent.mirrored(plane)
         };
         let zero = plane.zero();
-        if *depth.upper() < zero {
+        let top = depth.upper();
+        if (-top.clone()).is_nonnegative() {
             return Ok(None);
         }
-        in_front(depth.upper())?;
-        let starts_behind = *depth.lower() < zero;
-        if !starts_behind {
+        in_front(top)?;
+        if *depth.lower() < zero {
+            // clipped: what is left must certainly be something
+            let is_left = *top > zero;
+            if !is_left {
+                let depth = top.to_f64();
+                return Err(FormFactorError::Astride { depth });
+            }
+        } else {
             in_front(depth.lower())?;
         }
         Ok(depth.above(&zero))

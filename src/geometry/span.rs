@@ -80,7 +80,8 @@ impl<S: Scalar> Span<S> {
         &self.length
     }
 
-    /// The part at and above `floor`; `None` if nothing of positive length is left.
+    /// The part at and above `floor`; `None` if nothing of positive length is left. Over intervals the comparison must be
+    /// certain: a span that may or may not reach above `floor` counts as nothing.
     #[must_use]
     pub fn above(&self, floor: &S) -> Option<Self> {
         if self.lower < *floor {
@@ -118,7 +119,8 @@ impl<S: Scalar> Span<S> {
     /// [`GeometryError::EmptySpan`] if they coincide or are out of order.
     pub fn part(&self, from: &S, to: &S) -> Result<Self, GeometryError> {
         let at = |t: &S| {
-            if *t == t.constant(1.0) {
+            // 1 itself, not a variable that is there just now
+            if (t.clone() - &t.constant(1.0)).is_zero() {
                 self.upper.clone()
             } else {
                 self.length.clone() * t + &self.lower

@@ -179,6 +179,16 @@ impl<S: Scalar> Scalar for Dual<S> {
                 value,
             };
         }
+        let zero = value.zero();
+        let is_aside = matches!(
+            self.value.partial_cmp(&zero),
+            Some(Ordering::Less | Ordering::Greater)
+        );
+        if !is_aside && !x.value.is_nonnegative() {
+            // the angle may jump across the half-line x < 0, y = 0, and a jump has no bounded slope
+            let slope = value.constant(1.0) / &zero;
+            return Self { value, slope };
+        }
         let turn = self.slope.clone() * &x.value - &(x.slope.clone() * &self.value);
         let slope = turn / &(self.value.square() + &x.value.square());
         Self { value, slope }

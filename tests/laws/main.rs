@@ -24,5 +24,6 @@ mod optimisers;
 mod reciprocity;
 mod refinement;
 mod refusals;
+mod soundness;
 #[path = "../support/mod.rs"]
 mod support;

@@ -79,7 +79,7 @@ impl Display for Certificate {
 /// A maximum with the enclosures of its position and value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CertifiedMaximum {
-    /// Contains the maximiser.
+    /// Contains the maximiser if it is [`Certificate::Unique`]; of several, the first of the points that may be it.
     pub position: Interval,
     /// Contains the maximum.
     pub value: Interval,
