@@ -334,8 +334,7 @@ fn best_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
         .map(|line| format!("{:.4}", line.to_f64()))
         .collect();
     let note = format!(
-        "lines at {} from either end, the only stationary grid near the regular one, not shown to be the highest of \
-         all; the figure states neither cells nor lines, and the difference to the regular grid agrees better \
+        "lines at {} from either end, a strict local maximum, not shown to be the highest of all; the figure states neither cells nor lines, and the difference to the regular grid agrees better \
          than the level",
         lines.join(", ")
     );

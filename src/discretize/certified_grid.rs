@@ -77,7 +77,7 @@ impl CertifiedGrid {
             mutual_information: grid.mutual_information()?,
             half,
             certificate: Certificate::Unknown {
-                reason: "a maximum that is the only one nearby, not shown to be the highest"
+                reason: "a strict maximum, the only one within 1e-12, not shown to be the highest"
                     .to_owned(),
             },
         })

@@ -6,7 +6,7 @@
 //! ```text
 //!   certified_roots               all roots of a function on an interval
 //!   certified_maximum             the global maximum on an open interval
-//!   certified_stationary_point    a strict local maximum in several variables, the only one nearby
+//!   certified_stationary_point    a strict local maximum in several variables, the only one within 1e-12
 //! ```
 //!
 //! **Not covered**: double roots; global maxima in several variables.
