@@ -161,7 +161,7 @@ fn orthogonal_cut_gains_little(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(finding.noting(note).with_curve(curve(&orthogonal)?))
 }
 
-/// The gain of two equal fluxes is enclosed about 0; `Theorem` in the claim's data says that it is 0.
+/// The gain of two equal fluxes is enclosed about 0; that it is 0 is the theorem named in the claim's data.
 fn orthogonal_middle_gains_nothing(input: &Inputs) -> Result<Finding, ClaimError> {
     let position = input.interval("position")?;
     let gain = two_squares(SplitAxis::V)?
