@@ -18,8 +18,12 @@ mod error;
 mod exchange;
 pub mod parallel;
 pub mod perpendicular;
+mod polygon;
 mod rectangle_pair;
+mod route;
 
 pub use error::FormFactorError;
 pub use exchange::{Exchange, ExchangeArea};
+pub use polygon::{DEFAULT_TOLERANCE, Polygon};
 pub use rectangle_pair::RectanglePair;
+pub use route::{Answer, Route};
