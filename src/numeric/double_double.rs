@@ -51,6 +51,12 @@ impl DoubleDouble {
         self.high
     }
 
+    /// What the leading double leaves.
+    #[must_use]
+    pub const fn low(self) -> f64 {
+        self.low
+    }
+
     /// The sum of two doubles, the first not smaller than the second.
     fn fast_sum(a: f64, b: f64) -> Self {
         let high = a + b;
