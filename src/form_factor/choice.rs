@@ -18,7 +18,7 @@ use super::point_to_polygon::point_to_polygon;
 use super::shape::Shape;
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, RectanglePair, Route};
 use crate::geometry::Rectangle;
-use crate::numeric::SQUARED_EPSILON;
+use crate::numeric::{DoubleDouble, SQUARED_EPSILON};
 use glam::DVec3;
 use smallvec::SmallVec;
 use std::cell::RefCell;
@@ -121,12 +121,19 @@ fn rectangles(
     } else {
         Route::PerpendicularRectangles
     };
-    // the second one's coordinates in the frame of the first are rounded once
-    let sides = |r: &Rectangle| {
-        let [a, b, _, d] = r.corners();
-        2.0 * (a.distance(b) + a.distance(d))
+    // the second one's coordinates in the frame of the first are rounded once, unless they are exact there
+    let origin = first.origin();
+    let exact = |corner: DVec3| {
+        let pairs = corner.to_array().into_iter().zip(origin.to_array());
+        pairs.into_iter().all(|(x, o)| DoubleDouble::difference(x, o).low() == 0.0)
     };
-    exchange.error_bound += f64::EPSILON * reach * (sides(first) + sides(second));
+    if !second.corners().into_iter().all(exact) {
+        let sides = |r: &Rectangle| {
+            let [a, b, _, d] = r.corners();
+            2.0 * (a.distance(b) + a.distance(d))
+        };
+        exchange.error_bound += f64::EPSILON * reach * (sides(first) + sides(second));
+    }
     (exchange.error_bound <= tolerance * exchange.value).then_some(Answer { exchange, route })
 }
 
@@ -139,10 +146,12 @@ struct View<'a> {
     gap: f64,
     /// An upper bound on all distances.
     reach: f64,
-    /// Relative errors of the heights' mean.
-    height_errors: [f64; 2],
-    /// What corners that are off may change.
-    slack: f64,
+    /// What an error of all heights above a plane changes, relative to the value, per length.
+    sensitivities: [f64; 2],
+    /// What corners may be off.
+    off: f64,
+    /// What that changes at most, per length: by flux through ribbons, and relative to the value for polygons apart.
+    slack: [f64; 2],
     /// An idea of the value.
     estimate: f64,
     tolerance: f64,
@@ -198,10 +207,14 @@ impl<'a> View<'a> {
         let means = heights.map(|heights| heights.iter().sum::<f64>() / heights.len() as f64);
         let gap = if gap > 0.0 { gap } else { 0.0 };
         let spread = if gap > 0.0 { (reach / gap).powi(4) } else { f64::INFINITY };
-        // a height is within 4 ε of the distance; a mean of weighted heights weighs by the kernel, whose range is `spread`
-        let height_errors = means.map(|mean| 4.0 * f64::EPSILON * reach / mean * spread.min(1e4));
+        // heights h weighted by the kernel K: Σ K/Σ h K is at most 1/h_min, and at most (K_max/K_min)/h_mean
+        let sensitivities = [0, 1].map(|k| (1.0 / least(heights[k])).min(spread / means[k]));
         let received = |shape: &Shape| (shape.area / (PI * gap * gap)).min(1.0);
         let ribbons = first.perimeter * received(second) + second.perimeter * received(first);
+        // corners that are off by δ change heights, areas and r⁴, too: relative to the value
+        let relative = sensitivities[0] + sensitivities[1] + 4.0 / gap
+            + first.perimeter / first.area
+            + second.perimeter / second.area;
         // between the far formula and that of two patches near to each other
         let square = distance * distance + first.area.max(second.area) / PI;
         let cosines = means[0] * means[1] / (distance * distance).max(means[0] * means[1]);
@@ -212,8 +225,9 @@ impl<'a> View<'a> {
             heights,
             gap,
             reach,
-            height_errors,
-            slack: 2.0 * off * ribbons,
+            sensitivities,
+            off,
+            slack: [2.0 * ribbons, 2.0 * relative],
             estimate,
             tolerance,
         }
@@ -252,7 +266,7 @@ impl<'a> View<'a> {
     ) -> Option<Answer> {
         let mut exchange = exchange?;
         if route != Route::DoubleDouble {
-            exchange.error_bound += self.slack;
+            exchange.error_bound += self.slack(self.off, exchange.value);
         }
         let ExchangeArea { value, error_bound } = exchange;
         let answer = Answer { exchange, route };
@@ -264,6 +278,11 @@ impl<'a> View<'a> {
             *best = Some(answer);
         }
         None
+    }
+
+    /// What corners that are off may change.
+    fn slack(&self, off: f64, value: f64) -> f64 {
+        off * self.slack[0].min(self.slack[1] * value.abs())
     }
 
     /// The absolute error that truncation may have.
@@ -367,7 +386,8 @@ impl<'a> View<'a> {
         let value = kernel(first, second, &mut work.sums);
         let truncation: f64 = (0..2).map(|k| self.convergence(k).error(points[k])).sum();
         let terms = 0.5 * (first.weights.len() + second.weights.len()) as f64;
-        let relative = (24.0 + terms) * f64::EPSILON + self.height_errors[0] + self.height_errors[1];
+        let heights = 4.0 * f64::EPSILON * self.reach * (self.sensitivities[0] + self.sensitivities[1]);
+        let relative = (24.0 + terms) * f64::EPSILON + heights;
         ExchangeArea {
             value,
             error_bound: relative * value + truncation * self.largest(),
@@ -380,8 +400,8 @@ impl<'a> View<'a> {
         let wanted = 0.01 * self.wanted();
         let mut exchange = precise_contour([&outlines[0], &outlines[1]], wanted)?;
         // the clip is right to 64 ε² of the coordinates; a polygon that is not planar is off by its tilt
-        let tilt = first.tilt.max(second.tilt) + 64.0 * SQUARED_EPSILON;
-        exchange.error_bound += 2.0 * tilt * self.reach * (first.perimeter() + second.perimeter());
+        let off = (first.tilt.max(second.tilt) + 64.0 * SQUARED_EPSILON) * self.reach;
+        exchange.error_bound += self.slack(off, exchange.value);
         Some(exchange)
     }
 }

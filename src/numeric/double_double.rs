@@ -82,11 +82,12 @@ impl DoubleDouble {
 
     /// `Σ_{i ≥ 0} sign^i z^(2i+1)/(2i+1)` for |z| ≤ 1/60.
     fn odd_series(self, sign: f64) -> Self {
-        // z¹⁸ is below ε² there
+        // z²⁰ is below ε² there; the first terms need no low half
         let square = (self * self).scaled(sign);
-        let mut sum = Self::from(1.0 / 19.0);
-        for odd in [17.0, 15.0, 13.0, 11.0, 9.0, 7.0, 5.0, 3.0, 1.0] {
-            sum = sum * square + Self::from(1.0) / Self::from(odd);
+        let rough = square.high * (1.0 / 17.0 + square.high * (1.0 / 19.0 + square.high / 21.0));
+        let mut sum = Self::fast_sum(ODD_RECIPROCALS[0].high, ODD_RECIPROCALS[0].low + rough);
+        for reciprocal in &ODD_RECIPROCALS[1..] {
+            sum = sum * square + *reciprocal;
         }
         sum * self
     }
@@ -97,6 +98,23 @@ impl DoubleDouble {
         Self { high, low }
     }
 }
+
+/// 1/15, 1/13, … 1, to 106 bits: the low halves are (1 − k high)/k, exact in the numerator.
+const ODD_RECIPROCALS: [DoubleDouble; 8] = {
+    let mut reciprocals = [DoubleDouble { high: 1.0, low: 0.0 }; 8];
+    let mut i = 0;
+    while i < 7 {
+        let k = 15.0 - 2.0 * i as f64;
+        let high = 1.0 / k;
+        // high = top + rest with few bits each, so that k times them is exact
+        let split = 134_217_729.0 * high;
+        let top = split - (split - high);
+        let rest = high - top;
+        reciprocals[i] = DoubleDouble { high, low: ((1.0 - k * top) - k * rest) / k };
+        i += 1;
+    }
+    reciprocals
+};
 
 /// `ln(c)` for `c = 22/32 … 46/32`.
 static LOGARITHMS: LazyLock<Vec<DoubleDouble>> = LazyLock::new(|| {
