@@ -12,7 +12,7 @@
 
 use super::contour::{Scratch, contour, precise_contour};
 use super::gauss_points::{Convergence, Rule};
-use super::horizon::{Side, precise_outline, side_of};
+use super::horizon::{HEIGHT_ERROR, Side, precise_outline, side_of};
 use super::kernel::kernel;
 use super::point_to_polygon::point_to_polygon;
 use super::shape::Shape;
@@ -146,8 +146,6 @@ struct View<'a> {
     gap: f64,
     /// An upper bound on all distances.
     reach: f64,
-    /// What an error of all heights above a plane changes, relative to the value, per length.
-    sensitivities: [f64; 2],
     /// What corners may be off.
     off: f64,
     /// What that changes at most, per length: by flux through ribbons, and relative to the value for polygons apart.
@@ -193,7 +191,8 @@ impl<'a> View<'a> {
         let [first, second] = shapes;
         let between = second.centre - first.centre;
         let distance = between.length();
-        let reach = distance + first.radius + second.radius;
+        let corners = first.corners.iter().flat_map(|x| second.corners.iter().map(|y| (*x - *y).length_squared()));
+        let reach = corners.fold(0.0, f64::max).sqrt() * (1.0 + 4.0 * f64::EPSILON);
         // planes that have one polygon on one side and the other on the other: across the centres' line, and their own
         let farthest = |shape: &Shape, direction: DVec3| {
             let along = shape.corners.iter().map(|c| (*c - first.centre).dot(direction));
@@ -225,7 +224,6 @@ impl<'a> View<'a> {
             heights,
             gap,
             reach,
-            sensitivities,
             off,
             slack: [2.0 * ribbons, 2.0 * relative],
             estimate,
@@ -293,7 +291,7 @@ impl<'a> View<'a> {
     /// Rough work of the contour, in nanoseconds; infinite if cancellation leaves too little.
     fn contour_work(&self) -> f64 {
         let [first, second] = self.shapes;
-        let rounding = 2.0 * f64::EPSILON * self.reach * first.perimeter * second.perimeter;
+        let rounding = f64::EPSILON * self.reach * first.perimeter * second.perimeter;
         if rounding > self.tolerance * self.estimate {
             return f64::INFINITY;
         }
@@ -350,7 +348,10 @@ impl<'a> View<'a> {
 
     fn follow(&self, plan: Plan, work: &mut Work) -> Option<ExchangeArea> {
         match plan {
-            Plan::Contour => contour(self.shapes[0], self.shapes[1], self.wanted(), &mut work.scratch),
+            Plan::Contour => {
+                let range = [self.gap, self.reach];
+                contour(self.shapes[0], self.shapes[1], range, self.wanted(), &mut work.scratch)
+            },
             Plan::PointToPolygon { over, points } => Some(self.over_one(over, points, work)),
             Plan::Kernel { points } => Some(self.over_both(points, work)),
         }
@@ -386,8 +387,7 @@ impl<'a> View<'a> {
         let value = kernel(first, second, &mut work.sums);
         let truncation: f64 = (0..2).map(|k| self.convergence(k).error(points[k])).sum();
         let terms = 0.5 * (first.weights.len() + second.weights.len()) as f64;
-        let heights = 4.0 * f64::EPSILON * self.reach * (self.sensitivities[0] + self.sensitivities[1]);
-        let relative = (24.0 + terms) * f64::EPSILON + heights;
+        let relative = (24.0 + terms) * f64::EPSILON + 2.0 * HEIGHT_ERROR;
         ExchangeArea {
             value,
             error_bound: relative * value + truncation * self.largest(),

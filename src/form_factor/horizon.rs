@@ -19,8 +19,12 @@ use crate::numeric::{DoubleDouble, Scalar};
 use glam::DVec3;
 use smallvec::SmallVec;
 
-/// Heights of corners above the other polygon's plane, all ≥ 0.
+/// Heights of corners above the other polygon's plane, all ≥ 0, each within [`HEIGHT_ERROR`] of itself.
 pub(super) type Heights = SmallVec<[f64; 4]>;
+
+/// The relative error of a height: a product of three terms is within 4 ε of the distance, and taken again to 106 bits where
+/// it is smaller than that by 64.
+pub(super) const HEIGHT_ERROR: f64 = 256.0 * f64::EPSILON;
 
 /// How a polygon lies to another one's plane.
 #[derive(Debug, Clone, PartialEq)]
@@ -60,12 +64,11 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, f64) {
     // what the rounding of coordinates may do to a height
     let noise = 4.0 * f64::EPSILON * (reach + origin.abs().max_element());
     let distance = shape.centre.distance(origin) + shape.radius;
-    // the product below is within 4 ε of the distance, the plane within its tilt
-    let unsure = 4.0 * f64::EPSILON * distance + noise;
     let tilted = plane.tilt * distance;
     let mut slack = tilted;
     let mut refined = |corner: &DVec3, height: f64| -> f64 {
-        if height.abs() > 64.0 * unsure {
+        // a height that is not small beside the distance is known to 2⁻⁴⁵ of itself
+        if height.abs() > distance / 64.0 + 64.0 * noise {
             return height;
         }
         if plane.shape.corners.contains(corner) {

@@ -9,10 +9,14 @@
 //! Sums and products are within 4 ε², quotients and roots within 16 ε², functions within 64 ε² (held by
 //! `double_doubles_keep_their_bound`), as long as nothing leaves the range of `f64`.
 //!
+//! Everything is inlined, so that code made for a processor with fused multiply-add has it inside.
+//!
 //! **Not covered**: infinities, and magnitudes below 1e-290, whose low halves are lost.
 //!
 //! Reference: Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
 //! arithmetic", *ACM Trans. Math. Softw.* 44 (2017), 15.
+
+#![allow(clippy::inline_always, reason = "the machine code is made where it is called")]
 
 use super::{Interval, Scalar};
 use std::cmp::Ordering;
@@ -32,6 +36,7 @@ pub const SQUARED_EPSILON: f64 = f64::EPSILON * f64::EPSILON;
 impl DoubleDouble {
     /// The sum of two doubles, exactly but for its rounding to 106 bits.
     #[must_use]
+    #[inline(always)]
     pub fn sum(a: f64, b: f64) -> Self {
         let high = a + b;
         let other = high - a;
@@ -41,6 +46,7 @@ impl DoubleDouble {
 
     /// `a − b`, exactly but for its rounding to 106 bits.
     #[must_use]
+    #[inline(always)]
     pub fn difference(a: f64, b: f64) -> Self {
         Self::sum(a, -b)
     }
@@ -58,6 +64,7 @@ impl DoubleDouble {
     }
 
     /// The sum of two doubles, the first not smaller than the second.
+    #[inline(always)]
     fn fast_sum(a: f64, b: f64) -> Self {
         let high = a + b;
         Self {
@@ -66,6 +73,7 @@ impl DoubleDouble {
         }
     }
 
+    #[inline(always)]
     fn times(self, factor: f64) -> Self {
         let high = self.high * factor;
         let low = self.high.mul_add(factor, -high);
@@ -73,6 +81,7 @@ impl DoubleDouble {
     }
 
     /// Times a power of two.
+    #[inline(always)]
     fn scaled(self, power: f64) -> Self {
         Self {
             high: self.high * power,
@@ -81,6 +90,7 @@ impl DoubleDouble {
     }
 
     /// `Σ_{i ≥ 0} sign^i z^(2i+1)/(2i+1)` for |z| ≤ 1/60.
+    #[inline(always)]
     fn odd_series(self, sign: f64) -> Self {
         // z²⁰ is below ε² there; the first terms need no low half
         let square = (self * self).scaled(sign);
@@ -136,12 +146,14 @@ static LN_2: LazyLock<DoubleDouble> =
     LazyLock::new(|| DoubleDouble::of_enclosure(&Interval::precise(2.0, 192).ln()));
 
 impl From<f64> for DoubleDouble {
+    #[inline(always)]
     fn from(high: f64) -> Self {
         Self { high, low: 0.0 }
     }
 }
 
 impl PartialOrd for DoubleDouble {
+    #[inline(always)]
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         match self.high.partial_cmp(&other.high) {
             Some(Ordering::Equal) => self.low.partial_cmp(&other.low),
@@ -152,6 +164,7 @@ impl PartialOrd for DoubleDouble {
 
 impl Neg for DoubleDouble {
     type Output = Self;
+    #[inline(always)]
     fn neg(self) -> Self {
         Self {
             high: -self.high,
@@ -162,6 +175,7 @@ impl Neg for DoubleDouble {
 
 impl Add for DoubleDouble {
     type Output = Self;
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
         let high = Self::sum(self.high, other.high);
         let low = Self::sum(self.low, other.low);
@@ -172,6 +186,7 @@ impl Add for DoubleDouble {
 
 impl Sub for DoubleDouble {
     type Output = Self;
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -179,6 +194,7 @@ impl Sub for DoubleDouble {
 
 impl Mul for DoubleDouble {
     type Output = Self;
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let high = self.high * other.high;
         let low = self.high.mul_add(other.high, -high);
@@ -189,6 +205,7 @@ impl Mul for DoubleDouble {
 
 impl Div for DoubleDouble {
     type Output = Self;
+    #[inline(always)]
     fn div(self, other: Self) -> Self {
         let first = self.high / other.high;
         let rest = self - other.times(first);
@@ -202,6 +219,7 @@ macro_rules! by_reference {
     ($($operator:ident $method:ident),*) => {$(
         impl $operator<&Self> for DoubleDouble {
             type Output = Self;
+            #[inline(always)]
             fn $method(self, other: &Self) -> Self {
                 $operator::$method(self, *other)
             }
@@ -211,15 +229,19 @@ macro_rules! by_reference {
 by_reference!(Add add, Sub sub, Mul mul, Div div);
 
 impl Scalar for DoubleDouble {
+    #[inline(always)]
     fn constant(&self, value: f64) -> Self {
         value.into()
     }
+    #[inline(always)]
     fn pi(&self) -> Self {
         *PI
     }
+    #[inline(always)]
     fn to_f64(&self) -> f64 {
         self.high
     }
+    #[inline(always)]
     fn sqrt(&self) -> Self {
         let root = self.high.sqrt();
         if root <= 0.0 {
@@ -228,6 +250,7 @@ impl Scalar for DoubleDouble {
         let rest = *self - Self::from(root) * Self::from(root);
         Self::fast_sum(root, rest.high / (2.0 * root))
     }
+    #[inline(always)]
     fn ln(&self) -> Self {
         // exact powers of two, so that the leading half of m lies in [√½, √2)
         let exponent = (self.high * std::f64::consts::SQRT_2).log2().floor();
@@ -239,6 +262,7 @@ impl Scalar for DoubleDouble {
         let series = ((m - c) / (m + c)).odd_series(1.0).scaled(2.0);
         LN_2.times(exponent) + (log_c + series)
     }
+    #[inline(always)]
     fn ln_1p(&self) -> Self {
         if self.high.abs() < 1.0 / 32.0 {
             // 2 atanh(x/(2 + x))
@@ -247,9 +271,11 @@ impl Scalar for DoubleDouble {
             (*self + Self::from(1.0)).ln()
         }
     }
+    #[inline(always)]
     fn exp(&self) -> Self {
         self.exp_m1() + Self::from(1.0)
     }
+    #[inline(always)]
     fn exp_m1(&self) -> Self {
         // halved until small, then (1 + y)² − 1 = y (2 + y) as often
         let halvings = (self.high.abs() * 64.0).log2().ceil().max(0.0);
@@ -266,6 +292,7 @@ impl Scalar for DoubleDouble {
         }
         y
     }
+    #[inline(always)]
     fn atan2(&self, x: &Self) -> Self {
         let (up, across) = (self.abs(), x.abs());
         let steep = up > across;
@@ -280,6 +307,7 @@ impl Scalar for DoubleDouble {
         let half = if x.high < 0.0 { *PI - quadrant } else { quadrant };
         if self.high < 0.0 { -half } else { half }
     }
+    #[inline(always)]
     fn divergence_kernel(&self) -> Self {
         let x = *self;
         if x <= Self::from(-1.0) {
@@ -296,6 +324,7 @@ impl Scalar for DoubleDouble {
         }
         sum * x * x
     }
+    #[inline(always)]
     fn x_ln_x(&self) -> Self {
         if self.is_zero() {
             *self
