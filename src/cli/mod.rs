@@ -9,6 +9,7 @@ mod cut;
 mod fuzz;
 mod output;
 mod reproduce;
+mod scene;
 mod split;
 mod study;
 
