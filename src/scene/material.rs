@@ -60,9 +60,10 @@ impl Material {
         if !(emittance.is_finite() && emittance >= 0.0) {
             return Err(MaterialError::EmittanceOutOfRange { emittance });
         }
+        // zero has no sign here
         Ok(Self {
-            reflectance,
-            emittance,
+            reflectance: reflectance + 0.0,
+            emittance: emittance + 0.0,
         })
     }
 

@@ -10,7 +10,7 @@ const OBJ: &str = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0.0\nv 0 1 0\nv .5 .5 1
     g side \\\nwall # left\nf 1/1 2//2 5/1/1\nf -1 -3 -5\n";
 const MTL: &str = "newmtl grey\nKd 0.5 .25 1\nKe 1 2 3\nNs 10\nmap_Kd a.png\n";
 const VS3: &str = "T title\nC encl=1 eps=1e-4\nF 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 1 0\nV 4 0 1 0\nV 5 .5 .5 1e0\n\
-    S 1 1 2 3 4 0 0 .9 floor ! part\nS 2 1 2 3 0 1 0 .25 mat\nS 3 1 2 5 0 0 0 1 a\nS 4 2 3 5 0 0 3 1 b\nO 5 3 4 5\n\
+    S 1 1 2 3 4 0 0 .9 floor ! part\nS 2 1 2 3 0 1 0 .25 mat\nS 3 1 2 5 0 0 0 1 a\nS 4 2 3 5 0 0 3 1 b\nO 5 3 4 5 0\n\
     End of data\n";
 
 /// The three readers, by what the file would be.

@@ -50,7 +50,7 @@ fn bad_faces_are_named_with_line_and_patch() {
             &["at least 3 corners, this one has 2", "add corners"],
         ),
         ("f", &["at least 3 corners, this one has 0", "add corners"]),
-        ("f 1 3 2 4", &["edges 0 and 2", "cross", "reorder"]),
+        ("v 0 3 0\nf 1 3 2 5", &["edges 0 and 2", "cross", "reorder"]),
         ("v 2 0 0\nf 1 2 5", &["no area", "move its corners apart"]),
         (
             "v 0 0 0.5\nf 1 2 3 5 4",
@@ -255,7 +255,7 @@ fn bad_surfaces_of_view3d_are_named_with_their_patch() {
             &["patch 1 (S 8, a)", "off the plane", "--triangulate"],
         ),
         (
-            "O 8 1 3 2 4",
+            "V 6 0 3 0\nO 8 1 3 2 6",
             &["patch O 8 (surface 8)", "cross", "reorder"],
         ),
         (
@@ -279,7 +279,7 @@ fn bad_surfaces_of_view3d_are_named_with_their_patch() {
             &["patch 1 (S 8, a)", "leave an area of 0e0"],
         ),
         (
-            "O 9 1 2 3\nS 8 1 2 3 0 0 9 .9 a",
+            "O 9 1 2 3 0\nS 8 1 2 3 0 0 9 .9 a",
             &["patch 1 (S 8, a)", "surface 9 only obstructs"],
         ),
         (

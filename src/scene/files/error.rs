@@ -209,7 +209,7 @@ const fn mend(error: &GeometryError) -> &'static str {
         GeometryError::TooFewCorners { .. } => ": add corners or remove the face",
         GeometryError::NotFinite { .. } => ": mend the vertex",
         GeometryError::NoArea { .. } => {
-            ": move its corners apart and off one line, or remove the face"
+            ": move its corners apart, off one line and into their order, or remove the face"
         }
         GeometryError::NotPlanar { .. } => " (--triangulate does)",
         GeometryError::NotSimple { .. } => ", so reorder or split the face",
