@@ -77,6 +77,42 @@ fn truncated_files_are_read_or_refused() {
     }
 }
 
+/// A keyword, a separator or a number, most of them at the ends of what is allowed.
+fn word() -> impl Strategy<Value = String> {
+    let keywords = [
+        "v", "f", "o", "g", "usemtl", "mtllib", "newmtl", "Kd", "Ke", "V", "S", "O", "F", "C", "T",
+        "End", "\n", "\n", "\n", "\\\n", "#", "!", "/", "\\", "=", "grey", "\u{2028}", "\0", "\r",
+    ];
+    let numbers = [
+        "0",
+        "1",
+        "-1",
+        "2",
+        "3",
+        "4",
+        "6",
+        "-6",
+        "1e308",
+        "-1e308",
+        "5e-324",
+        "nan",
+        "inf",
+        "1/1",
+        "//",
+        "+1",
+        "0.5",
+        "18446744073709551615",
+        "-9223372036854775808",
+        "1e-99999999999",
+        "0.9e99999999999999999999",
+    ];
+    prop_oneof![
+        1 => proptest::sample::select(keywords.to_vec()).prop_map(str::to_owned),
+        2 => proptest::sample::select(numbers.to_vec()).prop_map(str::to_owned),
+        1 => any::<f64>().prop_map(|x| format!("{x:?}")),
+    ]
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(500))]
 
@@ -89,19 +125,32 @@ proptest! {
     #[test]
     fn random_words_are_read_or_refused(
         format in 0..3usize,
-        words in proptest::collection::vec(prop_oneof![
-            proptest::sample::select(vec![
-                "v", "f", "o", "g", "usemtl", "mtllib", "newmtl", "Kd", "Ke", "V", "S", "O", "F", "C", "T", "End",
-                "\n", "\n", "\n", "\\\n", "#", "!", "/", "\\", "=", "grey", "\u{2028}", "\0", "\r",
-            ]).prop_map(str::to_owned),
-            proptest::sample::select(vec![
-                "0", "1", "-1", "2", "3", "4", "1e308", "-1e308", "5e-324", "nan", "inf", "1/1", "//", "+1", "0.5",
-                "18446744073709551615", "-9223372036854775808", "1e-99999999999", "0.9e99999999999999999999",
-            ]).prop_map(str::to_owned),
-            any::<f64>().prop_map(|x| format!("{x:?}")),
-        ], 0..80),
+        words in proptest::collection::vec(word(), 0..80),
     ) {
         check(format, words.join(" ").as_bytes())?;
+    }
+
+    /// A valid file with words replaced, and lines left out or said twice.
+    #[test]
+    fn files_with_wrong_words_are_read_or_refused(
+        format in 0..3usize,
+        changes in proptest::collection::vec((any::<Index>(), any::<Index>(), 0..6usize, word()), 1..4),
+    ) {
+        let mut lines: Vec<String> = valid(format).lines().map(str::to_owned).collect();
+        for (line, place, kind, word) in changes {
+            let line = line.index(lines.len());
+            match kind {
+                0 => lines.insert(line, lines[line].clone()),
+                1 if lines.len() > 1 => drop(lines.remove(line)),
+                _ => {
+                    let mut words: Vec<&str> = lines[line].split(' ').collect();
+                    let place = place.index(words.len());
+                    words[place] = &word;
+                    lines[line] = words.join(" ");
+                }
+            }
+        }
+        check(format, (lines.join("\n") + "\n").as_bytes())?;
     }
 
     /// A valid file with bytes changed, cut out and put in.
