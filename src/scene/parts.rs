@@ -154,12 +154,15 @@ pub(super) fn check_inside(
     }
     let across = normal.any_orthonormal_vector();
     let up = normal.cross(across);
+    // in units of the diameter, so that products stay in range
     let flat = |patch: &Patch| -> Vec<DVec2> {
-        let corners = patch.corners().iter().map(|corner| *corner - origin);
+        let corners = patch.corners().iter();
+        let corners = corners.map(|corner| (*corner - origin) / diameter);
         corners
             .map(|c| DVec2::new(c.dot(across), c.dot(up)))
             .collect()
     };
+    let allowed = tolerance::PLANARITY;
     let (inner, outer) = (flat(inner), flat(outer));
     let leaves = edges(&inner).any(|(a, b)| {
         [a, 0.5 * (a + b)]

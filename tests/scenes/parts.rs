@@ -62,6 +62,22 @@ fn a_part_outside_its_base_is_refused() {
     }
 }
 
+/// In any unit of length.
+#[test]
+fn inside_and_outside_do_not_depend_on_the_scale() {
+    for exponent in [-150, 150] {
+        let scale = 10f64.powi(exponent);
+        let square = |from: f64, to: f64| {
+            let corners = [(from, from), (to, from), (to, to), (from, to)];
+            polygon(&corners.map(|(x, y)| (scale * x, scale * y)))
+        };
+        let with_part = |part| scene(&[square(0.0, 1.0), part]).with_base(1, 0);
+        assert!(with_part(square(0.25, 0.5)).is_ok());
+        let refusal = with_part(square(0.5, 1.5)).unwrap_err();
+        assert_eq!(refusal, SceneError::PartOutside { part: 1, base: 0 });
+    }
+}
+
 #[test]
 fn a_part_is_in_the_plane_of_its_base_and_faces_the_same_way() {
     let part = [DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y];

@@ -80,6 +80,31 @@ fn a_dart_is_cut_through_its_reflex_corner() {
     }
 }
 
+/// The choice does not depend on the unit of length: products of coordinates are as large as 1e450 here, as small as 1e-360.
+#[test]
+fn the_same_triangles_are_found_at_any_scale() {
+    let corners = [
+        [0.0, 0.0, 0.0],
+        [2.0, 0.0, 0.1],
+        [2.0, 2.0, 0.0],
+        [0.5, 1.0, 0.2],
+        [0.0, 2.0, 0.0],
+    ];
+    let place = |scale: f64| {
+        let corners = corners.map(|corner| scale * DVec3::from_array(corner));
+        let found = triangles(&corners);
+        let places = found.iter().map(|patch| {
+            let place = |corner| corners.iter().position(|other| other == corner);
+            patch.corners().iter().map(place).collect()
+        });
+        places.collect::<Vec<Vec<_>>>()
+    };
+    assert_eq!(place(1.0).len(), 3);
+    for exponent in [-120, 150] {
+        assert_eq!(place(10f64.powi(exponent)), place(1.0));
+    }
+}
+
 #[test]
 fn planar_faces_stay_whole() {
     let square = [DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];

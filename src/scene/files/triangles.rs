@@ -30,22 +30,18 @@ pub(super) fn patches_of_face(
 
 fn triangulated(corners: &[DVec3]) -> Result<Vec<Patch>, GeometryError> {
     let origin = corners[0];
-    let next = corners.iter().cycle().skip(1);
-    let doubled: DVec3 = corners
-        .iter()
-        .zip(next)
-        .map(|(a, b)| (*a - origin).cross(*b - origin))
-        .sum();
+    let distances = corners.iter().map(|c| c.distance(origin));
+    // in units of the diameter, so that products stay in range
+    let unit = distances.fold(0.0, f64::max);
+    let local: Vec<DVec3> = corners.iter().map(|c| (*c - origin) / unit).collect();
+    let doubled: DVec3 = local.windows(2).map(|pair| pair[0].cross(pair[1])).sum();
     let normal = doubled.normalize_or_zero();
-    let flattened = corners
-        .iter()
-        .map(|c| *c - normal * (*c - origin).dot(normal));
+    let flattened = local.iter().map(|c| *c - normal * c.dot(normal));
     Patch::try_new(flattened.collect())?; // is the outline simple?
     let across = normal.any_orthonormal_vector();
     let up = normal.cross(across);
-    let flat: Vec<DVec2> = corners
+    let flat: Vec<DVec2> = local
         .iter()
-        .map(|c| *c - origin)
         .map(|c| DVec2::new(c.dot(across), c.dot(up)))
         .collect();
     let mut left: Vec<usize> = (0..corners.len()).collect();
@@ -57,7 +53,7 @@ fn triangulated(corners: &[DVec3]) -> Result<Vec<Patch>, GeometryError> {
         let mut hull = None;
         for k in ears {
             first = first.or(Some(k));
-            if has_all_in_front(corners, &left, k) {
+            if has_all_in_front(&local, &left, k) {
                 hull = Some(k);
                 break;
             }
