@@ -18,7 +18,7 @@ use std::collections::HashMap;
 use std::hash::Hash;
 
 impl Scene {
-    /// The same scene with polygons that only obstruct: they are no patches, and both of their sides block.
+    /// The same scene with polygons that only obstruct: they are no patches and have no row.
     #[must_use]
     pub fn with_obstructions(self, obstructions: Vec<NamedPatch>) -> Self {
         Self {

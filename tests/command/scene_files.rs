@@ -153,3 +153,53 @@ fn bad_files_are_refused_and_nothing_is_written() {
     assert_refused(&folder.path().join("missing.obj"), &["cannot be read"]);
     assert_refused(folder.path(), &["it is a folder"]);
 }
+
+/// What is written is the same scene, in either format; what a format cannot hold is refused and nothing is written.
+#[test]
+fn scenes_are_converted() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let names = || {
+        let entries = folder.path().read_dir().unwrap();
+        let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name()).collect();
+        names.sort();
+        names
+    };
+    for refused in [
+        ["convert", "cornell-box", &path("room.vs3")],
+        ["convert", "cornell-box", &path("room.stl")],
+        ["convert", "cornell-box", &path("no folder/room.obj")],
+        ["convert", "cornell-box", &path("room #1.obj")],
+        ["convert", "nothing", &path("room.obj")],
+    ] {
+        infoscene(&refused).assert().code(2).stdout("");
+        assert!(names().is_empty(), "{refused:?} wrote {:?}", names());
+    }
+    for (scene, out, written) in [
+        (
+            "cornell-box",
+            "my room.obj",
+            vec!["my room.mtl", "my room.obj"],
+        ),
+        (
+            "two-squares",
+            "squares.vs3",
+            vec!["my room.mtl", "my room.obj", "squares.vs3"],
+        ),
+    ] {
+        infoscene(&["convert", scene, &path(out)])
+            .assert()
+            .success()
+            .stdout("");
+        assert_eq!(names(), written);
+    }
+    let read = |name: &str| {
+        let path = folder.path().join(name);
+        infoscene::scene::files::read(&path, Default::default())
+            .unwrap()
+            .scene
+    };
+    let built_in = |name: &str| infoscene::scene::Scene::built_in(name).unwrap();
+    assert_eq!(read("my room.obj"), built_in("cornell-box"));
+    assert_eq!(read("squares.vs3"), built_in("two-squares"));
+}

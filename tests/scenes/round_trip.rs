@@ -175,6 +175,10 @@ fn odd_names_do_not_spoil_a_file() {
 #[test]
 fn what_a_format_cannot_say_is_refused() {
     let room = Scene::built_in("cornell-box").unwrap();
+    for library in ["", " ", "a#.mtl", "a\\", "a\nb", " a"] {
+        let refusal = write_obj(&room, library).unwrap_err().to_string();
+        assert!(refusal.contains("choose a name"), "{refusal}");
+    }
     let refusal = write_view3d(&room).unwrap_err().to_string();
     assert!(
         refusal.contains("patch 1 (light 0) emits light"),

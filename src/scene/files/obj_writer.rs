@@ -1,5 +1,6 @@
 //! A scene as Wavefront OBJ and MTL.
 
+use super::error::excerpt;
 use crate::scene::{Material, NamedPatch, Scene, SceneError};
 use glam::DVec3;
 use std::collections::HashMap;
@@ -20,7 +21,8 @@ pub struct ObjText {
 /// text, as the reader makes them; else the reader puts such a number after them. `#` and `\` in a name become `_`.
 ///
 /// # Errors
-/// [`SceneError::NotExpressible`] if polygons only obstruct, a patch lies in another one, or patches are summed.
+/// [`SceneError::NotExpressible`] if polygons only obstruct, a patch lies in another one, or patches are summed; or
+/// if `library` is no name that such a file can hold.
 pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, SceneError> {
     let not = |what: &str| SceneError::NotExpressible {
         format: "Wavefront OBJ",
@@ -28,6 +30,13 @@ pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, SceneError> {
         mend: "write View3D .vs3",
     };
     let count = scene.patches().len();
+    if library.is_empty() || library.trim() != library || library.contains(['#', '\\', '\n']) {
+        return Err(SceneError::NotExpressible {
+            format: "Wavefront OBJ",
+            what: format!("its materials are in \"{}\"", excerpt(library)),
+            mend: "choose a name without # and \\, and without spaces around it",
+        });
+    }
     if !scene.obstructions().is_empty() {
         return Err(not("a polygon only obstructs"));
     }
