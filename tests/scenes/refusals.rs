@@ -279,6 +279,15 @@ fn bad_surfaces_of_view3d_are_named_with_their_patch() {
             &["patch 1 (S 8, a)", "leave an area of 0e0"],
         ),
         (
+            "O 9 1 2 3 0\nS 8 1 3 4 0 9 0 .9 a",
+            &[
+                "patch 1 (S 8, a)",
+                "not inside the obstruction",
+                "surface 9",
+                "write 0",
+            ],
+        ),
+        (
             "O 9 1 2 3 0\nS 8 1 2 3 0 0 9 .9 a",
             &["patch 1 (S 8, a)", "surface 9 only obstructs"],
         ),

@@ -5,7 +5,7 @@ use super::error::{Fault, FileError, excerpt};
 use super::source::Source;
 use super::triangles::patches_of_face;
 use crate::scene::parts::check_inside;
-use crate::scene::{Material, NamedPatch, Scene, SceneError};
+use crate::scene::{Material, NamedPatch, Scene};
 use glam::DVec3;
 use std::collections::{HashMap, HashSet};
 
@@ -110,9 +110,16 @@ pub(super) fn assemble(
                 mend: "make both planar",
             }));
         }
-        scene = in_base(scene, own.start, base)
-            .map_err(Box::new)
-            .map_err(|source| at(Fault::Scene { source }))?;
+        scene = if base.surface.obstructs {
+            in_obstruction(scene, own.start, base).map_err(at)?
+        } else {
+            let with_base = scene.with_base(own.start, base.indices.start);
+            with_base.map_err(|source| {
+                at(Fault::Scene {
+                    source: Box::new(source),
+                })
+            })?
+        };
     }
     let labels = labels(source, surfaces, &placed)?;
     scene
@@ -122,14 +129,18 @@ pub(super) fn assemble(
 }
 
 /// What lies in an obstruction is a patch like any other: nothing of the obstruction counts.
-fn in_base(scene: Scene, part: usize, base: &Placed) -> Result<Scene, SceneError> {
-    let start = base.indices.start;
-    if base.surface.obstructs {
-        let (inner, outer) = (&scene.patches[part], &scene.obstructions[start]);
-        check_inside((part, &inner.shape), (start, &outer.shape))?;
-        Ok(scene)
-    } else {
-        scene.with_base(part, start)
+fn in_obstruction(scene: Scene, part: usize, base: &Placed) -> Result<Scene, Fault> {
+    let index = base.indices.start;
+    let (inner, outer) = (&scene.patches[part], &scene.obstructions[index]);
+    match check_inside((part, &inner.shape), (index, &outer.shape)) {
+        Ok(()) => Ok(scene),
+        Err(_) => Err(Fault::NotSupported {
+            what: format!(
+                "it is not inside the obstruction that is its base, surface {}, facing the same way",
+                base.surface.number
+            ),
+            mend: "move it there, or write 0 as its base",
+        }),
     }
 }
 
