@@ -149,11 +149,12 @@ fn rectangles(
     };
     // the second one's coordinates in the frame of the first are rounded once, unless they are exact there
     let origin = first.origin();
-    let exact = |corner: DVec3| {
+    let far = second.corners()[2];
+    let exact = [second.origin(), far].into_iter().all(|corner| {
         let pairs = corner.to_array().into_iter().zip(origin.to_array());
         pairs.into_iter().all(|(x, o)| DoubleDouble::difference(x, o).low() == 0.0)
-    };
-    if !second.corners().into_iter().all(exact) {
+    });
+    if !exact {
         let sides = |r: &Rectangle| {
             let [a, b, _, d] = r.corners();
             2.0 * (a.distance(b) + a.distance(d))
