@@ -36,3 +36,10 @@ use rand::{Rng,SeedableRng};
   for (k,v) in stats { let m=|f:&dyn Fn(&(f64,f64))->f64|{let mut w:Vec<f64>=v.iter().map(|x|f(x).log10()).collect();w.sort_by(f64::total_cmp);(w[w.len()/2],w[w.len()*9/10])}; println!("  {k:18} {} log10 err {:.1?} bound {:.1?}",v.len(),m(&|x|x.0),m(&|x|x.1)); }
  }
 }
+#[test] fn prof(){
+ let f=|v:&[(f64,f64,f64)]|{let m=glam::DMat3::from_axis_angle(DVec3::new(1.0,2.0,3.0).normalize(),0.7);Polygon::new(&Patch::try_new(v.iter().map(|c|m*DVec3::new(c.0,c.1,c.2)).collect()).unwrap())};
+ let a=f(&[(0.0,0.0,0.0),(1.0,0.0,0.0),(1.0,1.0,0.0),(0.0,1.0,0.0)]);
+ let b=f(&[(0.0,0.0,0.0),(0.0,1.0,0.0),(0.7,1.0,0.9),(0.7,0.0,0.9)]);
+ println!("{:?}",a.exchange_area(&b,1e-12));
+ for _ in 0..2_000_000 { std::hint::black_box(a.exchange_area(std::hint::black_box(&b),1e-12)).ok(); }
+}

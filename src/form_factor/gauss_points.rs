@@ -18,7 +18,7 @@
 //! (Trefethen, *Approximation Theory and Approximation Practice*, 2013, theorem 19.3), for each of the directions, and for
 //! every z1 that far away: beside the middle of the line φ is a right angle, off its end φ is less and ρ more.
 
-use super::potential::Points;
+use super::potential::{Points, padded};
 use super::shape::Shape;
 use crate::numeric::{GaussLegendre, MOST_POINTS};
 use glam::DVec3;
@@ -28,7 +28,7 @@ use std::sync::OnceLock;
 #[derive(Debug, Default)]
 pub(super) struct Rule {
     pub points: Points,
-    /// Weights; their sum is the area.
+    /// Weights; their sum is the area. The last ones may be 0.
     pub weights: Vec<f64>,
     /// Heights above the other plane.
     pub heights: Vec<f64>,
@@ -84,9 +84,13 @@ impl Rule {
     pub(super) fn fill(&mut self, shape: &Shape, corner_heights: &[f64], origin: DVec3, n: usize) {
         let square = Square::with(n);
         let (each, all) = (square.weights.len(), square.weights.len() * shape.cells.len());
+        // what fills the last vector lies at the middle, and weighs nothing
+        let all = padded(all);
         let Self { points: Points { x, y, z }, weights, heights } = self;
-        for column in [&mut *x, y, z, weights, heights] {
-            column.resize(all, 0.0);
+        let middle = shape.centre - origin;
+        for (column, value) in [(&mut *x, middle.x), (y, middle.y), (z, middle.z), (weights, 0.0), (heights, 0.0)] {
+            column.clear();
+            column.resize(all, value);
         }
         for (i, (cell, [j, js, jt])) in shape.cells.iter().zip(&shape.jacobians).enumerate() {
             let part = i * each..(i + 1) * each;

@@ -67,6 +67,19 @@ impl Points {
     pub(super) fn len(&self) -> usize {
         self.x.len()
     }
+
+    /// Repeats the last point until the processor's vectors are full: what is left over would take as long as all of them.
+    pub(super) fn pad(&mut self) {
+        for column in [&mut self.x, &mut self.y, &mut self.z] {
+            let last = column.last().copied().unwrap_or(0.0);
+            column.resize(padded(column.len()), last);
+        }
+    }
+}
+
+/// The next multiple of eight doubles, a vector of today's widest processors.
+pub(super) const fn padded(len: usize) -> usize {
+    len.next_multiple_of(8)
 }
 
 static VECTOR_UNIT: LazyLock<pulp::Arch> = LazyLock::new(pulp::Arch::new);
