@@ -43,3 +43,10 @@ use rand::{Rng,SeedableRng};
  println!("{:?}",a.exchange_area(&b,1e-12));
  for _ in 0..2_000_000 { std::hint::black_box(a.exchange_area(std::hint::black_box(&b),1e-12)).ok(); }
 }
+#[test] fn prof2(){
+ let f=|v:&[(f64,f64,f64)]|{Polygon::new(&Patch::try_new(v.iter().map(|c|DVec3::new(c.0,c.1,c.2)).collect()).unwrap())};
+ let a=f(&[(0.0,0.0,0.0),(1.0,0.0,0.0),(1.0,1.0,0.0),(0.0,1.0,0.0)]);
+ let b=f(&[(0.25,0.0,1.0),(0.25,1.0,1.0),(2.0,1.0,1.0),(2.0,0.0,1.0)]);
+ println!("{:?}",a.exchange_area(&b,1e-12));
+ for _ in 0..5_000_000 { std::hint::black_box(a.exchange_area(std::hint::black_box(&b),1e-12)).ok(); }
+}

@@ -378,7 +378,7 @@ impl<'a> View<'a> {
             plans.push((150.0 + on(k) * corners * 3.0, Plan::PointToPolygon { over: k, points: points[k] }));
         }
         if points[0].max(points[1]) < MOST {
-            plans.push((150.0 + 4.0 * (on(0) + on(1)) + on(0) * on(1) * 0.4, Plan::Kernel { points }));
+            plans.push((150.0 + 4.0 * (on(0) + on(1)) + on(0) * on(1) * 0.25, Plan::Kernel { points }));
         }
         plans
     }
@@ -450,7 +450,7 @@ impl<'a> View<'a> {
             work.rules[k].fill(self.shapes[k], self.heights[k], origin, points[k]);
         }
         let [first, second] = &work.rules;
-        let value = kernel(first, second, &mut work.sums);
+        let value = kernel(first, second, self.reach, &mut work.sums);
         let largest = self.largest();
         let truncation: f64 = (0..2).map(|k| self.truncation(k, points[k], largest)).sum();
         let terms = 0.5 * (first.weights.len() + second.weights.len()) as f64;
