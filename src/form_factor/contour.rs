@@ -10,7 +10,10 @@
 //!
 //! Reference: Sparrow, "A new and simpler formulation for radiative angle factors", *J. Heat Transfer* 85 (1963), 81–87.
 
-#![allow(clippy::inline_always, reason = "the machine code is made where it is called")]
+#![allow(
+    clippy::inline_always,
+    reason = "the machine code is made where it is called"
+)]
 
 use super::ExchangeArea;
 use super::edge_pair::{
@@ -54,7 +57,9 @@ type Edges<S> = SmallVec<[Edge<S>; 4]>;
 #[inline(always)]
 fn edges<S: Scalar + Copy>(corners: &[Vector<S>]) -> Edges<S> {
     let n = corners.len();
-    (0..n).map(|i| Edge::new(corners[i], corners[(i + 1) % n])).collect()
+    (0..n)
+        .map(|i| Edge::new(corners[i], corners[(i + 1) % n]))
+        .collect()
 }
 
 /// In `f64`; distances are from `gap` to `reach`, `wanted` is the absolute error that truncation may have. `None` if edges come too near to each other
@@ -85,19 +90,31 @@ pub(super) fn contour(
     };
     let (p, q) = (place(outer), place(inner));
     let lift = |corners: &[DVec3]| -> SmallVec<[Vector<f64>; 8]> {
-        corners.iter().map(|corner| Vector(corner.to_array())).collect()
+        corners
+            .iter()
+            .map(|corner| Vector(corner.to_array()))
+            .collect()
     };
     let (a_edges, b_edges) = (edges(&lift(&p)), edges(&lift(&q)));
     let precision = Precision::new(gap, reach, 1.0, f64::EPSILON);
     let per_length = wanted * TAU / (outer.perimeter * inner.perimeter);
 
-    let Scratch { points, weights, runs, logs, seen, seen_back } = scratch;
+    let Scratch {
+        points,
+        weights,
+        runs,
+        logs,
+        seen,
+        seen_back,
+    } = scratch;
     points.clear();
     weights.clear();
     runs.clear();
     let (m, k) = (p.len(), q.len());
     // the ellipse for which the largest rule does
-    let narrowest = (-(2.0 * per_length).ln() / (2.0 * f64::from(MOST))).exp().max(ellipse(APART));
+    let narrowest = (-(2.0 * per_length).ln() / (2.0 * f64::from(MOST)))
+        .exp()
+        .max(ellipse(APART));
     let mut relations: SmallVec<[Option<Relation<f64>>; 16]> = SmallVec::with_capacity(m * k);
     let mut error = 0.0;
     let mut run = |i: usize, only: Option<usize>, (middle, half): (f64, f64), n: usize| {
@@ -108,7 +125,11 @@ pub(super) fn contour(
             points.push(start + (middle + half * x) * along);
             weights.push(half * weight * a_edges[i].length);
         }
-        runs.push(Run { edge: i, only, points: from..weights.len() });
+        runs.push(Run {
+            edge: i,
+            only,
+            points: from..weights.len(),
+        });
     };
     for (i, a) in a_edges.iter().enumerate() {
         let middle = Vector(((p[i] + p[(i + 1) % m]) * 0.5).to_array());
@@ -179,7 +200,9 @@ pub(super) fn contour(
             };
             if serves {
                 let potentials = weights[points.clone()].iter().zip(&row[points.clone()]);
-                let integral: f64 = potentials.map(|(weight, potential)| weight * potential).sum();
+                let integral: f64 = potentials
+                    .map(|(weight, potential)| weight * potential)
+                    .sum();
                 sum += integral * a_edges[*edge].direction.dot(b.direction);
             }
         }
@@ -204,17 +227,17 @@ pub(super) fn precise_contour(
 }
 
 #[inline(always)]
-fn precise_sum(
-    [p, q]: [&[Vector<DoubleDouble>]; 2],
-    wanted: f64,
-) -> Option<ExchangeArea> {
-    let distances = p.iter().flat_map(|x| q.iter().map(|y| x.minus(*y).length().to_f64()));
+fn precise_sum([p, q]: [&[Vector<DoubleDouble>]; 2], wanted: f64) -> Option<ExchangeArea> {
+    let distances = p
+        .iter()
+        .flat_map(|x| q.iter().map(|y| x.minus(*y).length().to_f64()));
     let reach = distances.fold(0.0, f64::max);
     // functions are within 64 ε², where the double forms count on 2 ε
     let epsilon = 32.0 * SQUARED_EPSILON;
     let precision = Precision::new(0.0, reach, DoubleDouble::from(1.0), epsilon);
     let (a_edges, b_edges) = (edges(p), edges(q));
-    let perimeter = |edges: &Edges<DoubleDouble>| edges.iter().map(|e| e.length.to_f64()).sum::<f64>();
+    let perimeter =
+        |edges: &Edges<DoubleDouble>| edges.iter().map(|e| e.length.to_f64()).sum::<f64>();
     let per_length = wanted * TAU / (perimeter(&a_edges) * perimeter(&b_edges));
     let (mut sum, mut error) = (DoubleDouble::from(0.0), 0.0);
     for a in &a_edges {
@@ -230,8 +253,8 @@ fn precise_sum(
                 }
             };
             sum = sum + cosine * pair.value;
-            error += cosine.to_f64().abs() * pair.error
-                + precision.epsilon * pair.value.to_f64().abs();
+            error +=
+                cosine.to_f64().abs() * pair.error + precision.epsilon * pair.value.to_f64().abs();
         }
     }
     Some(ExchangeArea {

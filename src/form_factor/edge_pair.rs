@@ -17,7 +17,10 @@
 //! most, `∫ ½ ln(1 + δ²/t²) dt = π δ` bounds what each potential is off by. Skew edges near to each other are cut into
 //! panels, graded towards the other one, until a [Gauss rule](gauss_error) is certain on each.
 
-#![allow(clippy::inline_always, reason = "the machine code is made where it is called")]
+#![allow(
+    clippy::inline_always,
+    reason = "the machine code is made where it is called"
+)]
 
 use super::potential::{log_distance, potential};
 use crate::geometry::Vector;
@@ -35,7 +38,7 @@ pub(super) struct Edge<S> {
 
 impl<S: Scalar + Copy> Edge<S> {
     #[inline(always)]
-pub(super) fn new(start: Vector<S>, end: Vector<S>) -> Self {
+    pub(super) fn new(start: Vector<S>, end: Vector<S>) -> Self {
         let along = end.minus(start);
         let length = along.length();
         Self {
@@ -46,13 +49,13 @@ pub(super) fn new(start: Vector<S>, end: Vector<S>) -> Self {
     }
 
     #[inline(always)]
-fn at(&self, t: S) -> Vector<S> {
+    fn at(&self, t: S) -> Vector<S> {
         self.ends[0].plus(self.direction, t * self.length)
     }
 
     /// Its potential at a point.
     #[inline(always)]
-pub(super) fn potential(&self, point: Vector<S>, inverse_square: S) -> S {
+    pub(super) fn potential(&self, point: Vector<S>, inverse_square: S) -> S {
         let [a, c] = self.ends.map(|end| end.minus(point));
         let logs = [a, c].map(|end| log_distance(end, inverse_square));
         potential(a, c, self.direction, self.length, logs)
@@ -60,7 +63,7 @@ pub(super) fn potential(&self, point: Vector<S>, inverse_square: S) -> S {
 
     /// A lower bound on the distance of a point, as a double.
     #[inline(always)]
-pub(super) fn distance(&self, point: Vector<S>) -> f64 {
+    pub(super) fn distance(&self, point: Vector<S>) -> f64 {
         let from_start = point.minus(self.ends[0]);
         let along = from_start.dot(self.direction).to_f64();
         let nearest = along.clamp(0.0, self.length.to_f64());
@@ -90,7 +93,11 @@ impl<S: Scalar + Copy> Precision<S> {
     /// For distances from `gap` (0 if they touch) to `reach`: `x |ln x|` is at most 1/e below 1.
     pub(super) fn new(gap: f64, reach: f64, like: S, epsilon: f64) -> Self {
         const BELOW_ONE: f64 = 0.368;
-        let half_range = if gap > 0.0 { 0.5 * (reach / gap).ln() } else { f64::INFINITY };
+        let half_range = if gap > 0.0 {
+            0.5 * (reach / gap).ln()
+        } else {
+            f64::INFINITY
+        };
         let (unit, log) = if half_range < BELOW_ONE {
             ((gap * reach).sqrt(), half_range)
         } else {
@@ -149,8 +156,12 @@ pub(super) fn relation<S: Scalar + Copy>([a, b]: [&Edge<S>; 2], epsilon: f64) ->
     let square = across.dot(across);
     let sine = square.sqrt().to_f64();
     let between = |i: usize, j: usize| a.ends[i].minus(b.ends[j]);
-    let distances = [[0, 1], [2, 3]].map(|row: [usize; 2]| row.map(|k| between(k / 2, k % 2).length().to_f64()));
-    let reach = distances.as_flattened().iter().fold(0.0, |most: f64, r| most.max(*r));
+    let distances = [[0, 1], [2, 3]]
+        .map(|row: [usize; 2]| row.map(|k| between(k / 2, k % 2).length().to_f64()));
+    let reach = distances
+        .as_flattened()
+        .iter()
+        .fold(0.0, |most: f64, r| most.max(*r));
     let (mut i, mut j) = (0, 0);
     for (k, l) in [(0, 1), (1, 0), (1, 1)] {
         if distances[k][l] < distances[i][j] {
@@ -159,7 +170,11 @@ pub(super) fn relation<S: Scalar + Copy>([a, b]: [&Edge<S>; 2], epsilon: f64) ->
     }
     let (w, near) = (between(i, j), distances[i][j]);
     if sine <= 16.0 * epsilon {
-        let apart = if near > 0.0 { w.cross(a.direction).length() } else { a.length.zero() };
+        let apart = if near > 0.0 {
+            w.cross(a.direction).length()
+        } else {
+            a.length.zero()
+        };
         return Relation::Coplanar(Coplanar::Parallel { apart, sine });
     }
     let miss = w.dot(across).to_f64().abs() / sine;
@@ -173,9 +188,21 @@ pub(super) fn relation<S: Scalar + Copy>([a, b]: [&Edge<S>; 2], epsilon: f64) ->
         return Relation::Skew;
     }
     let shift = 4.0 * epsilon * (near + s.to_f64().abs() + t.to_f64().abs()) / sine;
-    let ends = |near: S, k: usize, length: S| if k == 0 { [near, near + length] } else { [near - length, near] };
+    let ends = |near: S, k: usize, length: S| {
+        if k == 0 {
+            [near, near + length]
+        } else {
+            [near - length, near]
+        }
+    };
     let (s, t) = (ends(s, i, a.length), ends(t, j, b.length));
-    Relation::Coplanar(Coplanar::Meeting { s, t, miss, shift, reach })
+    Relation::Coplanar(Coplanar::Meeting {
+        s,
+        t,
+        miss,
+        shift,
+        reach,
+    })
 }
 
 /// The closed form of two edges in one plane, from the potentials of each at the other's ends.
@@ -189,12 +216,22 @@ pub(super) fn coplanar<S: Scalar + Copy>(
 ) -> PairIntegral<S> {
     let (s, t, miss, shift, reach) = match relation {
         Coplanar::Parallel { apart, sine } => return parallel([a, b], apart, sine, precision),
-        Coplanar::Meeting { s, t, miss, shift, reach } => (s, t, miss, shift, reach),
+        Coplanar::Meeting {
+            s,
+            t,
+            miss,
+            shift,
+            reach,
+        } => (s, t, miss, shift, reach),
     };
     let boundary = s[1] * at_a[1] - s[0] * at_a[0] + t[1] * at_b[1] - t[0] * at_b[0];
     let value = (boundary - a.length * b.length) * boundary.constant(0.5);
     let weights: f64 = [s, t].as_flattened().iter().map(|x| x.to_f64().abs()).sum();
-    let potentials: f64 = [at_a, at_b].as_flattened().iter().map(|u| u.to_f64().abs()).sum();
+    let potentials: f64 = [at_a, at_b]
+        .as_flattened()
+        .iter()
+        .map(|u| u.to_f64().abs())
+        .sum();
     let (a_length, b_length) = (a.length.to_f64(), b.length.to_f64());
     let longer = a_length.max(b_length);
     // s and t shift together by what the meeting point is off
@@ -221,7 +258,8 @@ fn parallel<S: Scalar + Copy>(
             let p = start.minus(end).dot(a.direction);
             let p2 = p * p;
             let log = log_distance(Vector([p, apart, number(0.0)]), precision.inverse_square);
-            let term = (p2 - h2) * number(0.5) * log + apart * p * p.atan2(&apart) - p2 * number(0.75);
+            let term =
+                (p2 - h2) * number(0.5) * log + apart * p * p.atan2(&apart) - p2 * number(0.75);
             // + for the differences p1 − q_min and p0 − q_max
             let positive = (i == j) != along;
             sum = if positive { sum + term } else { sum - term };
@@ -251,10 +289,18 @@ pub(super) fn ellipse(sum: f64) -> f64 {
 }
 
 /// The number of points for which [`gauss_error`] is below `error`.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small")]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "small"
+)]
 pub(super) fn points_for(error: f64, rho: f64) -> usize {
     let points = (-error.ln() / (2.0 * rho.ln())).ceil().clamp(2.0, 200.0) as usize;
-    if points > 2 && gauss_error(points - 1, rho) <= error { points - 1 } else { points }
+    if points > 2 && gauss_error(points - 1, rho) <= error {
+        points - 1
+    } else {
+        points
+    }
 }
 
 /// A piece of an edge, relative to it, with a rule that is certain there.
@@ -296,7 +342,12 @@ pub(super) fn panels<S: Scalar + Copy>(
         // short panels may have a larger share of what is wanted than their length is of the whole
         let points = points_for(wanted / half.max(1e-3).sqrt(), rho).min(MOST_POINTS);
         let error = gauss_error(points, rho) * half;
-        panels.push(Panel { middle, half, points, error });
+        panels.push(Panel {
+            middle,
+            half,
+            points,
+            error,
+        });
     }
     Some(panels)
 }
@@ -322,7 +373,11 @@ pub(super) fn skew<S: Scalar + Copy>(
         value = value + sum * half * outer.length;
         error += panel.error;
     }
-    let reach = a.ends.iter().flat_map(|x| b.ends.map(|y| x.minus(y).length().to_f64())).fold(0.0, f64::max);
+    let reach = a
+        .ends
+        .iter()
+        .flat_map(|x| b.ends.map(|y| x.minus(y).length().to_f64()))
+        .fold(0.0, f64::max);
     let (outer, inner) = (outer.length.to_f64(), inner.length.to_f64());
     let error = outer * (error * inner + precision.of_any_potential(reach, inner));
     Some(PairIntegral { value, error })

@@ -47,6 +47,8 @@ pub(super) fn kernel(first: &Rule, second: &Rule, unit: f64, sums: &mut Vec<f64>
         },
     );
     let weighted = sums.iter().zip(&second.weights).zip(&second.heights);
-    let sum: f64 = weighted.map(|((sum, weight), height)| sum * weight * height).sum();
+    let sum: f64 = weighted
+        .map(|((sum, weight), height)| sum * weight * height)
+        .sum();
     sum * inverse_square * inverse_square / PI
 }

@@ -166,10 +166,17 @@ impl Placement {
             if frame[k].0 == flat {
                 return Ok(Extent::Flat(starts[k] / unit));
             }
-            let lower = if sides[k] < 0.0 { starts[k] + sides[k] } else { starts[k] };
+            let lower = if sides[k] < 0.0 {
+                starts[k] + sides[k]
+            } else {
+                starts[k]
+            };
             Span::with_length(lower / unit, sides[k].abs() / unit).map(Extent::Long)
         };
-        let faces = frame.iter().find(|(k, _)| *k == flat).map_or(1.0, |(_, sign)| *sign);
+        let faces = frame
+            .iter()
+            .find(|(k, _)| *k == flat)
+            .map_or(1.0, |(_, sign)| *sign);
         Ok(Self {
             first: [
                 Span::with_length(0.0, lengths[0] / unit)?,
