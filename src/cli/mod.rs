@@ -1,14 +1,17 @@
 //! The command line: one file per subcommand, argument parsing and exit status only.
 //!
 //! Data goes to standard output or `--output`, messages to standard error. Exit status: 0 done; 1 a claim's
-//! verdict differs from the recorded one, or fuzzing found a counterexample; 2 wrong usage or bad input, and nothing is written.
+//! verdict differs from the recorded one, fuzzing found a counterexample, or a tolerance was not reached; 2 wrong usage or bad input, and nothing is written.
 
 mod curve;
 mod cut;
+mod form_factor;
 #[cfg(feature = "proptest")]
 mod fuzz;
+mod measure;
 mod output;
 mod reproduce;
+mod scene_pairs;
 mod split;
 mod study;
 
@@ -37,6 +40,10 @@ enum Question {
     Split(split::Split),
     /// Find the cuts of a patch whose radiosity grows as a power (§4.2).
     Cut(cut::Cut),
+    /// Compute the form factors of a scene.
+    FormFactor(form_factor::FormFactor),
+    /// Measure the information of a scene: entropies and mutual information.
+    Measure(measure::Measure),
     /// Throw random refinements at Theorem 1.
     #[cfg(feature = "proptest")]
     Fuzz(fuzz::Fuzz),
@@ -56,7 +63,7 @@ enum Question {
 enum Outcome {
     /// All is as expected.
     Done,
-    /// A verdict differs from the one on record, or a counterexample was found.
+    /// A verdict differs from the one on record, a counterexample was found, or a tolerance was not reached.
     Differs,
 }
 
@@ -92,6 +99,8 @@ fn answer(question: Question) -> Answer {
         Question::Curve(question) => question.answer(),
         Question::Split(question) => question.answer(),
         Question::Cut(question) => question.answer(),
+        Question::FormFactor(question) => question.answer(),
+        Question::Measure(question) => question.answer(),
         #[cfg(feature = "proptest")]
         Question::Fuzz(question) => question.answer(),
         Question::Study(question) => question.answer(),

@@ -5,11 +5,26 @@
 //! **Not covered**: occlusion (every exchange area is the unoccluded one), reflectance, files.
 
 mod built_in;
+mod congruence;
 mod error;
 mod exchange_areas;
+mod lattice;
+mod pairs;
+mod plan;
+mod planes;
+mod row_sums;
+mod rows;
+mod tally;
 
 pub use error::SceneError;
 pub use exchange_areas::ExchangeAreas;
+pub use pairs::{Account, ScenePairs};
+pub use plan::Congruence;
+pub use rows::Entry;
+pub use tally::{PlanSummary, Unreached};
+
+use planes::Sight;
+use tally::Tally;
 
 use crate::geometry::{Patch, Rectangle};
 
