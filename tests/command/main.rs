@@ -8,6 +8,7 @@
 mod fuzzing;
 mod keys;
 mod refusals;
+mod scenes;
 
 use assert_cmd::Command;
 
