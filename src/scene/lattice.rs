@@ -217,30 +217,33 @@ impl Differences {
             .iter()
             .flatten()
             .fold(0.0, |most: f64, x| most.max(x.abs()));
-        let mut sizes = vec![0.0];
-        let mut is_exact = true;
+        // each with what rounding took from it
+        let mut sizes = vec![(0.0, 0.0)];
         for lines in lines {
             for (k, line) in lines.iter().enumerate() {
-                for below in &lines[..k] {
-                    let size = line - below;
-                    // the rounding error of a difference (Knuth)
-                    let taken = line - size;
-                    let lost = (line - (size + taken)) + (taken - below);
-                    is_exact &= lost.abs() <= 0.0;
-                    sizes.push(size);
-                }
+                sizes.extend(
+                    lines[..k]
+                        .iter()
+                        .map(|below| exact_difference(*line, *below)),
+                );
             }
         }
-        sizes.sort_by(f64::total_cmp);
+        sizes.sort_by(|(one, _), (other, _)| one.total_cmp(other));
         let mut starts: Vec<f64> = Vec::new();
+        let (mut least, mut most) = (0.0_f64, 0.0_f64);
         let mut spread: f64 = 0.0;
-        for size in sizes {
+        for (size, lost) in sizes {
             match starts.last() {
                 Some(start) if size - start <= tolerance::ALIGNMENT * extent => {
-                    spread = spread.max(size - start);
+                    let offset = (size - start) + lost;
+                    (least, most) = (least.min(offset), most.max(offset));
                 }
-                _ => starts.push(size),
+                _ => {
+                    starts.push(size);
+                    (least, most) = (lost, lost);
+                }
             }
+            spread = spread.max(most - least);
         }
         let number = |size: f64| starts.partition_point(|start| *start <= size) - 1;
         let signed = |from: f64, to: f64| {
@@ -260,18 +263,20 @@ impl Differences {
         Self {
             numbers: [0, 1, 2].map(table),
             lines: [0, 1, 2].map(|axis| lines[axis].len()),
-            spread: if is_exact {
-                spread
-            } else {
-                // each difference is rounded by at most ε/2 of the extent, twice over
-                spread + 2.0 * f64::EPSILON * extent
-            },
+            spread,
         }
     }
 
     fn number(&self, axis: usize, from: usize, to: usize) -> i32 {
         self.numbers[axis][from * self.lines[axis] + to]
     }
+}
+
+/// `upper − lower`, rounded, and what rounding took from it (Knuth).
+fn exact_difference(upper: f64, lower: f64) -> (f64, f64) {
+    let size = upper - lower;
+    let taken = upper - size;
+    (size, (upper - (size + taken)) + (taken - lower))
 }
 
 /// What the tables are made from.
