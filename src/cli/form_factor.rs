@@ -1,7 +1,7 @@
 //! `infoscene form-factor SCENE`.
 
 use super::Answer;
-use super::output::{Output, replace_with};
+use super::output::{Output, check_place, replace_with};
 use super::scene_pairs::{ScenePairsOptions, outcome};
 use crate::report::{FormFactorRecord, write_form_factors, write_npy_head, write_npy_row};
 use crate::scene::{Account, ExchangeAreas, NamedPatch, Scene, ScenePairs};
@@ -41,6 +41,9 @@ struct TooMany {
 impl FormFactor {
     pub(super) fn answer(&self) -> Answer {
         self.output.check()?;
+        if let Some(path) = &self.matrix {
+            check_place(path)?;
+        }
         let scene = self.scene.scene()?;
         let patches = scene.patches();
         let is_part = self.from.is_some() || self.to.is_some();

@@ -3,6 +3,7 @@
 //! Data goes to standard output or `--output`, messages to standard error. Exit status: 0 done; 1 a claim's
 //! verdict differs from the recorded one, fuzzing found a counterexample, or a tolerance was not reached; 2 wrong usage or bad input, and nothing is written.
 
+mod convert;
 mod curve;
 mod cut;
 mod form_factor;
@@ -11,6 +12,7 @@ mod fuzz;
 mod measure;
 mod output;
 mod reproduce;
+mod scene;
 mod scene_pairs;
 mod split;
 mod study;
@@ -44,6 +46,8 @@ enum Question {
     FormFactor(form_factor::FormFactor),
     /// Measure the information of a scene: entropies and mutual information.
     Measure(measure::Measure),
+    /// Write a scene in another format.
+    Convert(convert::Convert),
     /// Throw random refinements at Theorem 1.
     #[cfg(feature = "proptest")]
     Fuzz(fuzz::Fuzz),
@@ -101,6 +105,7 @@ fn answer(question: Question) -> Answer {
         Question::Cut(question) => question.answer(),
         Question::FormFactor(question) => question.answer(),
         Question::Measure(question) => question.answer(),
+        Question::Convert(question) => question.answer(),
         #[cfg(feature = "proptest")]
         Question::Fuzz(question) => question.answer(),
         Question::Study(question) => question.answer(),

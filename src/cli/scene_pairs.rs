@@ -1,13 +1,24 @@
 //! What all questions about the pairs of a scene share.
 
 use super::Outcome;
+use super::scene::SceneArgument;
 use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::scene::{Account, Congruence, Scene, SceneError, ScenePairs, Unreached};
+use std::error::Error;
+
+/// Something hides patches from each other.
+#[derive(Debug, thiserror::Error)]
+#[error(
+    "obstruction {name} may hide patches from each other, which is not computed yet: --unoccluded leaves it out"
+)]
+struct Occluded {
+    name: String,
+}
 
 #[derive(Debug, clap::Args)]
 pub(super) struct ScenePairsOptions {
-    /// A built-in scene: two-squares, three-squares or cube:N.
-    scene: String,
+    #[command(flatten)]
+    scene: SceneArgument,
     /// The relative error asked for of every form factor.
     #[arg(long, value_name = "REL", default_value_t = DEFAULT_TOLERANCE, value_parser = relative)]
     tolerance: f64,
@@ -24,8 +35,15 @@ fn relative(text: &str) -> Result<f64, String> {
 }
 
 impl ScenePairsOptions {
-    pub(super) fn scene(&self) -> Result<Scene, SceneError> {
-        Scene::built_in(&self.scene)
+    pub(super) fn scene(&self) -> Result<Scene, Box<dyn Error>> {
+        let scene = self.scene.read()?;
+        match scene.obstructions().first() {
+            Some(obstruction) if !self.scene.is_unoccluded() => {
+                let name = obstruction.name().to_owned();
+                Err(Occluded { name }.into())
+            }
+            _ => Ok(scene),
+        }
     }
 
     pub(super) fn pairs(&self, scene: &Scene) -> Result<ScenePairs, SceneError> {

@@ -41,17 +41,12 @@ impl Polygon {
         let tilt = 2.0 * deviation * diameter / length.to_f64();
         let shape = Shape::new(corners, precise_normal)
             .unwrap_or_else(|| unreachable!("a patch has three corners apart"));
-        let axis_aligned = |rectangle: &Rectangle| {
-            let edges = rectangle.corners();
-            let along = [edges[1] - edges[0], edges[3] - edges[0]];
-            along.iter().all(|edge| edge.to_array().iter().filter(|x| x.abs() > 0.0).count() == 1)
-        };
         Self {
             shape,
             normal: precise_normal.to_doubles(),
             precise_normal,
             tilt,
-            rectangle: rectangle.filter(axis_aligned),
+            rectangle: rectangle.filter(|rectangle| rectangle.axes().is_some()),
         }
     }
 

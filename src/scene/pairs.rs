@@ -54,7 +54,8 @@ impl ScenePairs {
     /// **Arguments** `tolerance`: the relative error asked for, > 0.
     ///
     /// # Errors
-    /// [`SceneError::Pair`] if two patches are refused.
+    /// [`SceneError::Pair`] if two patches are refused; [`SceneError::NotAPatchOfItsOwn`] if one lies in another, or is
+    /// summed with another.
     ///
     /// # Examples
     /// ```
@@ -72,6 +73,16 @@ impl ScenePairs {
         congruence: Congruence,
     ) -> Result<Self, SceneError> {
         let patches = scene.patches();
+        for index in 0..patches.len() {
+            let what = if scene.base_of(index).is_some() {
+                "lies in another one"
+            } else if scene.group_of(index) != index {
+                "is summed with another one"
+            } else {
+                continue;
+            };
+            return Err(SceneError::NotAPatchOfItsOwn { index, what });
+        }
         let mut pairs = Self {
             plan: Plan::of(scene, congruence),
             polygons: patches

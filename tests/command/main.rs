@@ -8,6 +8,7 @@
 mod fuzzing;
 mod keys;
 mod refusals;
+mod scene_files;
 mod scenes;
 
 use assert_cmd::Command;
