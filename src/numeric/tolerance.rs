@@ -71,3 +71,15 @@ pub const VANISHING_GAIN: f64 = 1e-27;
 /// Absolute error of a gain in bits where entries below 1e-290 of the sum take part: (a) such an entry enters
 /// with at most itself times the logarithm of the smallest double, and products of it may be lost.
 pub const TINY_GAIN: f64 = 1e-280;
+
+/// Depth, relative to the largest coordinate of a scene, up to which a patch that enters the solid between two others
+/// counts as touching it: (a) a corner that was rotated and shifted carries at most six roundings of ε/2 of up to √3 times
+/// the largest coordinate, 6 ε, and the depth of two bodies changes by at most twice that; a plane put through three corners
+/// far apart leaves the others at up to 5 times it, on either side, 60 ε, and heights take 4 ε. Held by
+/// `rotated_rooms_have_no_blocker`.
+pub const TOUCHING: f64 = 64.0 * f64::EPSILON;
+
+/// How deep a patch may seem to enter the solid between two others if corners deviate from their planes by 1:
+/// (a) a quadrilateral with one corner off by δ shows a deviation of δ/4 on each side of its mean plane, and the depth of two
+/// bodies changes by at most 2 δ.
+pub const DEPTH_PER_DEVIATION: f64 = 8.0;

@@ -4,10 +4,14 @@
 //!
 //! **Not covered**: occlusion (every exchange area is the unoccluded one), reflectance, files.
 
+mod arrangement;
+mod blockers;
 mod built_in;
 mod error;
 mod exchange_areas;
+mod overlap;
 
+pub use blockers::{Blocker, Blockers, Obstacle};
 pub use error::SceneError;
 pub use exchange_areas::ExchangeAreas;
 
