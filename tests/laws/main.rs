@@ -7,6 +7,7 @@
 
 mod additivity;
 mod agreement;
+mod blockers;
 mod certified_maxima;
 mod certified_points;
 mod certified_roots;
@@ -21,9 +22,11 @@ mod intervals;
 mod invariance;
 mod negative_controls;
 mod optimisers;
+mod overlap;
 mod reciprocity;
 mod refinement;
 mod refusals;
+mod sides;
 mod soundness;
 #[path = "../support/mod.rs"]
 mod support;
