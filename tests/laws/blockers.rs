@@ -145,7 +145,7 @@ proptest! {
     /// The same answer on one thread and on several, in any unit.
     #[test]
     fn the_first_blocker_is_the_same_for_any_threads_and_unit(
-        patches in proptest::collection::vec(any_polygon(), 12),
+        patches in proptest::collection::vec(any_polygon(), 24),
         power in -490..490i32,
     ) {
         let on = |threads: usize| {
@@ -415,6 +415,14 @@ fn only_the_parts_in_front_count() {
         found(&pair, &[below, above]),
         Some((0, 1, Obstacle::Obstruction(1)))
     );
+    let [floor, wall] = pair.clone();
+    assert_eq!(
+        found(
+            &[wall, floor],
+            &[level("below", [1.2, 1.8], [0.2, 0.8], -0.1, true)]
+        ),
+        None
+    );
     // at the floor's own height: the hull of both whole patches is entered, the shaft is not
     assert_eq!(
         found(&pair, &[level("mat", [1.2, 1.8], [0.2, 0.8], 0.0, true)]),
@@ -461,4 +469,61 @@ fn concave_polygons_are_taken_as_they_are() {
         arm([0.0, 1.0], [0.0, 2.0], 0.1, false),
     ];
     assert_eq!(found(&arms, &[screen]), None);
+}
+
+/// Between two triangles turned against each other the shaft has six sides, each through an edge of one and a corner of
+/// the other: a spike that ends 1e-9 before a side is outside, 1e-9 behind it inside.
+#[test]
+fn a_spike_is_judged_by_the_side_it_points_at() {
+    let corner = |turn: f64, z: f64| {
+        let angle = turn * std::f64::consts::FRAC_PI_3;
+        DVec3::new(angle.cos(), angle.sin(), z)
+    };
+    let triangle = |name: &str, turns: [f64; 3], z: f64| {
+        polygon(name, &turns.map(|turn| corner(turn, z).to_array()))
+    };
+    let pair = [
+        triangle("floor", [0.0, 2.0, 4.0], 0.0),
+        triangle("ceiling", [5.0, 3.0, 1.0], 1.0),
+    ];
+    for side in 0..6u32 {
+        let turn = f64::from(side);
+        let [low, high] = if side % 2 == 0 {
+            [0.0, 1.0]
+        } else {
+            [1.0, 0.0]
+        };
+        let corners = [
+            corner(turn, low),
+            corner(turn + 2.0, low),
+            corner(turn + 1.0, high),
+        ];
+        let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+        let across = (corners[1] - corners[0])
+            .cross(corners[2] - corners[0])
+            .normalize();
+        let out = across * across.dot(middle - DVec3::new(0.0, 0.0, 0.5)).signum();
+        for (depth, blocks) in [(1e-9, true), (0.0, false), (-1e-9, false)] {
+            let tip = middle - depth * out;
+            let spike = [
+                tip,
+                tip + out + 0.01 * DVec3::Z,
+                tip + out - 0.02 * DVec3::X,
+            ];
+            let spike = polygon("spike", &spike.map(|c| c.to_array()));
+            let by = blocks.then_some((0, 1, Obstacle::Obstruction(0)));
+            assert_eq!(found(&pair, &[spike]), by, "side {side}, {depth:e}");
+        }
+    }
+}
+
+/// An edge that passes by an edge of the shaft: no plane of a face parts the two, only the plane along both edges.
+#[test]
+fn an_edge_is_judged_by_the_edge_it_passes() {
+    for (gap, blocks) in [(1e-9, false), (0.0, false), (-1e-9, true)] {
+        let blade = [[0.5, 1.5, 0.4], [1.5, 0.5, 0.6], [1.8, 1.8, 0.5]];
+        let blade = polygon("blade", &blade.map(|[x, y, z]| [x + gap, y + gap, z]));
+        let by = blocks.then_some((0, 1, Obstacle::Obstruction(0)));
+        assert_eq!(found(&squares(), &[blade]), by, "{gap:e}");
+    }
 }
