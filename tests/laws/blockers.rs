@@ -477,7 +477,9 @@ fn concave_polygons_are_taken_as_they_are() {
 fn a_spike_is_judged_by_the_side_it_points_at() {
     let corner = |turn: f64, z: f64| {
         let angle = turn * std::f64::consts::FRAC_PI_3;
-        DVec3::new(angle.cos(), angle.sin(), z)
+        // unequal, so that no two sides are parallel
+        let size = if z > 0.5 { 0.9 } else { 1.0 };
+        DVec3::new(size * angle.cos(), size * angle.sin(), z)
     };
     let triangle = |name: &str, turns: [f64; 3], z: f64| {
         polygon(name, &turns.map(|turn| corner(turn, z).to_array()))
