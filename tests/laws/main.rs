@@ -26,6 +26,7 @@ mod overlap;
 mod reciprocity;
 mod refinement;
 mod refusals;
+mod shafts;
 mod sides;
 mod soundness;
 #[path = "../support/mod.rs"]

@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec3};
 use infoscene::geometry::Patch;
-use infoscene::scene::{NamedPatch, Scene};
+use infoscene::scene::{Blocker, Blockers, NamedPatch, Obstacle, Scene};
 use proptest::prelude::*;
 
 /// A polygon under a name.
@@ -114,4 +114,23 @@ pub fn any_polygon() -> impl Strategy<Value = NamedPatch> {
             .collect();
         NamedPatch::new("any".to_owned(), Patch::try_new(corners).unwrap())
     })
+}
+
+/// The first blocked pair, and what blocks it.
+pub fn blocked(
+    patches: &[NamedPatch],
+    obstructions: &[NamedPatch],
+) -> Option<(usize, usize, Obstacle)> {
+    let Blocker {
+        first,
+        second,
+        obstacle,
+        ..
+    } = Blockers::new(patches, obstructions).first()?;
+    Some((first, second, obstacle))
+}
+
+/// Two unit squares that face each other at distance 1.
+pub fn squares() -> Vec<NamedPatch> {
+    Scene::facing_squares(1.0).unwrap().patches().to_vec()
 }
