@@ -44,7 +44,9 @@ impl FormFactor {
         if let Some(path) = &self.matrix {
             check_place(path)?;
         }
-        let scene = self.scene.scene()?;
+        let all = self.matrix.is_some();
+        let asked = |index: Option<usize>| if all { None } else { index };
+        let scene = self.scene.scene(asked(self.from), asked(self.to))?;
         let patches = scene.patches();
         let is_part = self.from.is_some() || self.to.is_some();
         if !is_part && patches.len() > MOST_HELD {

@@ -39,7 +39,7 @@ struct BadRow {
 impl Measure {
     pub(super) fn answer(&self) -> Answer {
         self.output.check()?;
-        let scene = self.scene.scene()?;
+        let scene = self.scene.scene(None, None)?;
         let pairs = self.scene.pairs(&scene)?;
         let surroundings = if self.open {
             Surroundings::Outside

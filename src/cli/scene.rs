@@ -16,7 +16,16 @@ pub(super) struct SceneArgument {
 }
 
 impl SceneArgument {
-    /// The scene; what its reader has to say goes to standard error.
+    /// The scene, whose pairs see each other fully, unless unoccluded values are asked for.
+    pub(super) fn unblocked(&self) -> Result<Scene, SceneError> {
+        let scene = self.read()?;
+        if !self.unoccluded {
+            scene.check_unblocked()?;
+        }
+        Ok(scene)
+    }
+
+    /// The scene, in which no patch lies on another; what its reader has to say goes to standard error.
     pub(super) fn read(&self) -> Result<Scene, SceneError> {
         let faces = if self.triangulate {
             NonPlanarFaces::Triangulate
@@ -27,6 +36,7 @@ impl SceneArgument {
         for note in &loaded.notes {
             eprintln!("infoscene: {note}");
         }
+        loaded.scene.check_overlap()?;
         Ok(loaded.scene)
     }
 

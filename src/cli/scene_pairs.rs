@@ -4,16 +4,6 @@ use super::Outcome;
 use super::scene::SceneArgument;
 use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::scene::{Account, Congruence, Scene, SceneError, ScenePairs, Unreached};
-use std::error::Error;
-
-/// Something hides patches from each other.
-#[derive(Debug, thiserror::Error)]
-#[error(
-    "obstruction {name} may hide patches from each other, which is not computed yet: --unoccluded leaves it out"
-)]
-struct Occluded {
-    name: String,
-}
 
 #[derive(Debug, clap::Args)]
 pub(super) struct ScenePairsOptions {
@@ -35,14 +25,31 @@ fn relative(text: &str) -> Result<f64, String> {
 }
 
 impl ScenePairsOptions {
-    pub(super) fn scene(&self) -> Result<Scene, Box<dyn Error>> {
-        let scene = self.scene.read()?;
-        match scene.obstructions().first() {
-            Some(obstruction) if !self.scene.is_unoccluded() => {
-                let name = obstruction.name().to_owned();
-                Err(Occluded { name }.into())
+    /// The scene, if nothing stands between the patches asked for.
+    pub(super) fn scene(
+        &self,
+        from: Option<usize>,
+        to: Option<usize>,
+    ) -> Result<Scene, SceneError> {
+        if self.scene.is_unoccluded() {
+            return self.scene.read();
+        }
+        match (from, to) {
+            (None, None) => self.scene.unblocked(),
+            (Some(one), None) | (None, Some(one)) => {
+                let scene = self.scene.read()?;
+                scene
+                    .blocker_of_row(one)?
+                    .map_or(Ok(()), |found| Err(SceneError::from(found)))?;
+                Ok(scene)
             }
-            _ => Ok(scene),
+            (Some(from), Some(to)) => {
+                let scene = self.scene.read()?;
+                scene
+                    .blocker_of(from, to)?
+                    .map_or(Ok(()), |found| Err(SceneError::from(found)))?;
+                Ok(scene)
+            }
         }
     }
 

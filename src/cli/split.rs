@@ -67,13 +67,7 @@ impl Split {
         if self.precision.is_some() && self.parts != 2 {
             return Err("--precision encloses one cut; leave out --parts".into());
         }
-        let scene = self.scene.read()?;
-        if !scene.obstructions().is_empty() && !self.scene.is_unoccluded() {
-            return Err(
-                "split does not count what obstructions hide: leave it out with --unoccluded"
-                    .into(),
-            );
-        }
+        let scene = self.scene.unblocked()?;
         let others = (0..scene.patches().len()).filter(|index| *index != self.patch);
         let against = if self.against.is_empty() {
             others.collect()

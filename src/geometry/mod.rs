@@ -2,15 +2,18 @@
 //!
 //! A [`Patch`] is a planar simple polygon; a [`Rectangle`] is recognised from one, cut into
 //! parts, and placed beside another by [`Placement`]; on one axis [`Span`]s lie to each other by
-//! [`Offsets`]. Lengths are in any one unit.
+//! [`Offsets`]. What lies between two patches is their [`Shaft`]; [`side_of_plane`] is exact. Lengths are in any one unit.
 //!
 //! **Not here**: anything radiometric.
 
+mod convex_pieces;
 mod error;
 mod offsets;
 mod patch;
 mod placement;
 mod rectangle;
+mod shaft;
+mod side;
 mod span;
 mod triangulation;
 mod vector;
@@ -20,6 +23,8 @@ pub use offsets::Offsets;
 pub use patch::Patch;
 pub use placement::{Extent, Placement};
 pub use rectangle::{Rectangle, SplitAxis};
+pub use shaft::{Outline, Plane, Shaft};
+pub use side::{Side, side_of_plane};
 pub use span::Span;
 pub use triangulation::triangulated;
 pub use vector::Vector;

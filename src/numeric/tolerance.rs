@@ -76,3 +76,15 @@ pub const TINY_GAIN: f64 = 1e-280;
 /// `Σ J |log2(J/q)|` ≤ I + 1.07 for the argument of the kernel; areas within 4 ε change q by 12 ε and the sum by
 /// `Σ |q − J|` ≤ 2 of that over ln 2. Measured by `information_errors_are_bounds`.
 pub const INFORMATION: f64 = 32.0 * f64::EPSILON;
+
+/// Depth, relative to the largest coordinate of a scene, up to which a patch that enters the solid between two others
+/// counts as touching it: (a) a corner that was rotated and shifted carries at most six roundings of ε/2 of up to √3 times
+/// the largest coordinate, 6 ε, and the depth of two bodies changes by at most twice that; a plane put through three corners
+/// far apart leaves the others at up to 5 times it, on either side, 60 ε, and heights take 4 ε. Held by
+/// `rotated_rooms_have_no_blocker`.
+pub const TOUCHING: f64 = 64.0 * f64::EPSILON;
+
+/// How deep a patch may seem to enter the solid between two others if corners deviate from their planes by 1:
+/// (a) a quadrilateral with one corner off by δ shows a deviation of δ/4 on each side of its mean plane, and the depth of two
+/// bodies changes by at most 2 δ.
+pub const DEPTH_PER_DEVIATION: f64 = 8.0;

@@ -1,5 +1,6 @@
 //! What is wrong with a scene.
 
+use super::Obstacle;
 use super::files::FileError;
 use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
@@ -138,5 +139,33 @@ pub enum SceneError {
         what: String,
         /// What to do instead.
         mend: &'static str,
+    },
+    /// Something may stand between two patches.
+    #[error(
+        "patches {first} and {second} may not see each other fully: {obstacle} ({name}) stands between parts of them, and \
+         occlusion is not computed; --unoccluded computes as if nothing were in the way"
+    )]
+    MayBeBlocked {
+        /// Index of the first.
+        first: usize,
+        /// Index of the second.
+        second: usize,
+        /// What stands between.
+        obstacle: Obstacle,
+        /// Its name.
+        name: String,
+    },
+    /// Two patches in one plane that face the same way lie on each other.
+    #[error(
+        "patches {first} ({}) and {second} ({}) lie in one plane, face the same way and overlap: \
+         cut or remove one of them", names[0], names[1]
+    )]
+    Overlap {
+        /// Index of the first.
+        first: usize,
+        /// Index of the second.
+        second: usize,
+        /// Their names.
+        names: [String; 2],
     },
 }

@@ -4,8 +4,11 @@
 //! A scene also says what only obstructs, which patches lie in another one, and which are summed into one row
 //! ([`Scene::base_of`], [`Scene::group_of`]).
 //!
-//! **Not covered**: occlusion (every exchange area is the unoccluded one).
+//! **Not covered**: occlusion. What may stand between two patches is found ([`Scene::blocker`]), and such a scene is refused
+//! unless unoccluded values are asked for.
 
+mod arrangement;
+mod blockers;
 mod built_in;
 mod congruence;
 mod error;
@@ -13,6 +16,7 @@ mod exchange_areas;
 pub mod files;
 mod lattice;
 mod material;
+mod overlap;
 mod pairs;
 mod parts;
 mod plan;
@@ -21,6 +25,7 @@ mod row_sums;
 mod rows;
 mod tally;
 
+pub use blockers::{Blocker, Blockers, Obstacle};
 pub use error::SceneError;
 pub use exchange_areas::ExchangeAreas;
 pub use material::{Material, MaterialError};
@@ -29,9 +34,9 @@ pub use plan::Congruence;
 pub use rows::Entry;
 pub use tally::{PlanSummary, Unreached};
 
+use crate::geometry::{GeometryError, Patch, Rectangle};
 use planes::Sight;
 use tally::Tally;
-use crate::geometry::{GeometryError, Patch, Rectangle};
 
 /// A patch, its name and its material.
 #[derive(Debug, Clone, PartialEq)]

@@ -7,6 +7,7 @@
 
 mod additivity;
 mod agreement;
+mod blockers;
 mod certified_maxima;
 mod certified_points;
 mod certified_roots;
@@ -22,10 +23,13 @@ mod intervals;
 mod invariance;
 mod negative_controls;
 mod optimisers;
+mod overlap;
 mod plan;
 mod reciprocity;
 mod refinement;
 mod refusals;
+mod shafts;
+mod sides;
 mod soundness;
 mod streaming;
 #[path = "../support/mod.rs"]

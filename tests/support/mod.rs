@@ -5,4 +5,5 @@ pub mod high_precision;
 pub mod intervals;
 pub mod misrounded;
 pub mod references;
+pub mod rooms;
 pub mod strategies;

@@ -1,0 +1,280 @@
+//! The solid between two patches, and whether a third one enters it.
+//!
+//! ```text
+//!   i⁺  = the part of i in front of j's plane,  j⁺ = the part of j in front of i's plane
+//!   S   = interior of the union of all segments from i⁺ to j⁺
+//! ```
+//!
+//! `k` takes something from what i and j exchange if and only if it meets `S`. For convex i and j `S` is the interior of
+//! the convex hull of `i⁺ ∪ j⁺`; a point of k in it lies on a segment between inner points of both, and so do all points
+//! nearby, so that pairs of points of positive measure do not see each other. If k meets the hull's boundary only,
+//! they have measure zero. Concave polygons are taken as their convex pieces.
+//!
+//! **The test.** Two convex bodies C and K penetrate each other by
+//!
+//! ```text
+//!   depth(C, K) = min over unit vectors n of  max_K n·x − min_C n·x
+//! ```
+//!
+//! the length of the shortest shift that parts them; it is ≤ 0 if and only if a plane parts them. The minimum is
+//! attained at a face of the difference body: at the normal of a face of C or of K, or at the cross product of an edge of C
+//! and an edge of K. All of them are tried.
+//!
+//! **Noise.** If every corner is off by at most δ, the depth is off by at most 2δ, however small the patches are
+//! and however far apart. So a k whose depth is at most the `noise` given counts as touching, and this is the only
+//! tolerance. Directions that are not quite the minimising one only make the depth found too large, by rounding
+//! errors of a few ε of the coordinates; noise is meant to be chosen above them. What is guaranteed:
+//!
+//! * a k that enters S by more than `noise` (and rounding errors) is found;
+//! * a k that would not enter S if every corner were moved by less than half of what `noise` leaves above rounding
+//!   errors is not.
+//!
+//! A patch that rises over the other one's plane by no more than `noise` counts as lying in it; a shaft that is thinner
+//! than `noise` cannot be entered.
+//!
+//! Reference: Gilbert, Johnson, "Distance functions and their application to robot path planning in the presence of
+//! obstacles", *IEEE Journal of Robotics and Automation* 1 (1985), 21–30, for the difference body.
+
+use super::Patch;
+use super::convex_pieces::convex_pieces;
+use glam::DVec3;
+
+/// A plane with a front.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Plane {
+    /// Unit normal, towards the front.
+    pub normal: DVec3,
+    /// A point of the plane.
+    pub origin: DVec3,
+}
+
+impl Plane {
+    /// Height of a point over the plane, positive in front.
+    #[must_use]
+    pub fn height(&self, point: DVec3) -> f64 {
+        (point - self.origin).dot(self.normal)
+    }
+
+    /// The same plane with its front on the other side.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        Self {
+            normal: -self.normal,
+            origin: self.origin,
+        }
+    }
+}
+
+/// A patch as convex pieces in a plane, its coordinates divided by a common unit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Outline {
+    pieces: Vec<Vec<DVec3>>,
+    plane: Plane,
+    bounds: [DVec3; 2],
+}
+
+impl Outline {
+    /// The patch in units of `unit`, in the plane given (in these units, facing as the patch does).
+    ///
+    /// **Arguments** `unit`: a power of two near the largest coordinate, so that products neither over- nor
+    /// underflow.
+    #[must_use]
+    pub fn new(patch: &Patch, unit: f64, plane: Plane) -> Self {
+        let corners: Vec<DVec3> = patch.corners().iter().map(|c| *c / unit).collect();
+        let bounds = [
+            corners.iter().copied().fold(DVec3::INFINITY, DVec3::min),
+            corners
+                .iter()
+                .copied()
+                .fold(DVec3::NEG_INFINITY, DVec3::max),
+        ];
+        Self {
+            pieces: convex_pieces(&corners, patch.normal()),
+            plane,
+            bounds,
+        }
+    }
+
+    /// Convex polygons without overlap that make up the patch.
+    #[must_use]
+    pub fn pieces(&self) -> &[Vec<DVec3>] {
+        &self.pieces
+    }
+
+    /// The plane it lies in.
+    #[must_use]
+    pub const fn plane(&self) -> &Plane {
+        &self.plane
+    }
+
+    /// The smallest and the largest coordinates.
+    #[must_use]
+    pub const fn bounds(&self) -> &[DVec3; 2] {
+        &self.bounds
+    }
+
+    /// Does a corner rise above a plane by more than `noise`?
+    #[must_use]
+    pub fn rises_above(&self, plane: &Plane, noise: f64) -> bool {
+        self.pieces
+            .iter()
+            .flatten()
+            .any(|corner| plane.height(*corner) > noise)
+    }
+
+    /// The pieces' parts in front of a plane; pieces that do not rise above it by more than `noise` are left out.
+    fn above(&self, plane: &Plane, noise: f64) -> Vec<Vec<DVec3>> {
+        let pieces = self.pieces.iter();
+        pieces
+            .filter_map(|piece| above(piece, plane, noise))
+            .collect()
+    }
+
+    /// Do two patches that lie in one plane overlap, by more than `noise` in every direction of the plane?
+    #[must_use]
+    pub fn overlaps(&self, other: &Self, noise: f64) -> bool {
+        let normal = self.plane.normal;
+        let pieces = self.pieces.iter();
+        let mut pairs = pieces.flat_map(|own| other.pieces.iter().map(move |its| (own, its)));
+        pairs.any(|(own, its)| {
+            let sides = edges(own).chain(edges(its));
+            let mut directions = sides.map(|edge| edge.cross(normal));
+            !directions.any(|direction| parts(direction, own, &[], its, noise))
+        })
+    }
+}
+
+/// The solid between two patches that exchange something.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shaft {
+    ends: [Vec<Vec<DVec3>>; 2],
+    normals: [DVec3; 2],
+    noise: f64,
+}
+
+impl Shaft {
+    /// The shaft between two patches; `None` if they exchange nothing: no part of one is in front of the other's plane
+    /// by more than `noise`, or the other way round.
+    #[must_use]
+    pub fn between(first: &Outline, second: &Outline, noise: f64) -> Option<Self> {
+        let rises =
+            first.rises_above(&second.plane, noise) && second.rises_above(&first.plane, noise);
+        rises.then(|| Self {
+            ends: [
+                first.above(&second.plane, noise),
+                second.above(&first.plane, noise),
+            ],
+            normals: [first.plane.normal, second.plane.normal],
+            noise,
+        })
+    }
+
+    /// The smallest and the largest coordinates.
+    #[must_use]
+    pub fn bounds(&self) -> [DVec3; 2] {
+        let corners = || self.ends.iter().flatten().flatten().copied();
+        [
+            corners().fold(DVec3::INFINITY, DVec3::min),
+            corners().fold(DVec3::NEG_INFINITY, DVec3::max),
+        ]
+    }
+
+    /// Does a third patch enter the shaft by more than `noise`?
+    #[must_use]
+    pub fn is_entered_by(&self, third: &Outline) -> bool {
+        let [first, second] = &self.ends;
+        let ends = || {
+            first
+                .iter()
+                .flat_map(|a| second.iter().map(move |b| (a, b)))
+        };
+        third.pieces.iter().any(|piece| {
+            ends().any(|(a, b)| {
+                let planes = [third.plane.normal, self.normals[0], self.normals[1]];
+                !directions(a, b, piece, planes).any(|n| parts(n, a, b, piece, self.noise))
+            })
+        })
+    }
+}
+
+/// The part of a convex polygon in front of a plane; `None` if it does not rise above it by more than `noise`.
+fn above(piece: &[DVec3], plane: &Plane, noise: f64) -> Option<Vec<DVec3>> {
+    let heights: Vec<f64> = piece.iter().map(|corner| plane.height(*corner)).collect();
+    if !heights.iter().any(|height| *height > noise) {
+        return None;
+    }
+    // what dips no deeper than noise is left alone: cutting it would only add roundings
+    if !heights.iter().any(|height| *height < -noise) {
+        return Some(piece.to_vec());
+    }
+    let n = piece.len();
+    let mut part = Vec::with_capacity(n + 1);
+    for i in 0..n {
+        let (from, to) = (heights[i], heights[(i + 1) % n]);
+        if from >= 0.0 {
+            part.push(piece[i]);
+        }
+        if (from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0) {
+            part.push(piece[i].lerp(piece[(i + 1) % n], from / (from - to)));
+        }
+    }
+    Some(part)
+}
+
+fn edges(polygon: &[DVec3]) -> impl Iterator<Item = DVec3> + Clone {
+    let n = polygon.len();
+    (0..n).map(move |i| polygon[(i + 1) % n] - polygon[i])
+}
+
+/// Every direction in which the depth of `k` in the hull of `a ∪ b` can be smallest, the likely ones first: the normals of
+/// the three planes; of the planes through an edge of `a` or `b` and a corner of the other; the cross products of the
+/// edges of `k` with the edges of the hull, which are edges of `a`, of `b`, or run from one to the other.
+fn directions<'a>(
+    a: &'a [DVec3],
+    b: &'a [DVec3],
+    k: &'a [DVec3],
+    planes: [DVec3; 3],
+) -> impl Iterator<Item = DVec3> + 'a {
+    let sides = |edged: &'a [DVec3], other: &'a [DVec3]| {
+        edged
+            .iter()
+            .zip(edges(edged))
+            .flat_map(move |(corner, edge)| {
+                other.iter().map(move |apex| edge.cross(*apex - *corner))
+            })
+    };
+    let across = a
+        .iter()
+        .flat_map(move |from| b.iter().map(move |to| *to - *from));
+    let rims = edges(a).chain(edges(b)).chain(across);
+    let crossed = rims.flat_map(move |rim| edges(k).map(move |edge| edge.cross(rim)));
+    planes
+        .into_iter()
+        .chain(sides(a, b))
+        .chain(sides(b, a))
+        .chain(crossed)
+}
+
+/// Below this a vector's length is lost in the underflow of its square.
+const SHORTEST: f64 = 1e-150;
+
+/// Does a plane across `direction`, on either side, part `k` from `a ∪ b`, but for `noise`?
+fn parts(direction: DVec3, a: &[DVec3], b: &[DVec3], k: &[DVec3], noise: f64) -> bool {
+    let length = direction.length();
+    // parallel, or edges below 1e-75 of the unit: no direction
+    if length < SHORTEST {
+        return false;
+    }
+    let origin = k[0];
+    let normal = direction / length;
+    let range = |points: &mut dyn Iterator<Item = &DVec3>| {
+        points
+            .map(|point| (*point - origin).dot(normal))
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], height| {
+                [low.min(height), high.max(height)]
+            })
+    };
+    let [low, high] = range(&mut a.iter().chain(b));
+    let [lowest, highest] = range(&mut k.iter());
+    highest - low <= noise || high - lowest <= noise
+}

@@ -1,0 +1,90 @@
+//! Patches that lie on each other.
+//!
+//! Two patches overlap if they lie in one plane, face the same way, and their interiors meet: what falls on one would be
+//! counted twice. Two that face opposite ways are the two sides of a sheet, and allowed.
+//!
+//! Within the noise of the coordinates (see [`blockers`](super::Blockers)) planes count as one, and patches that reach over each
+//! other by no more than it count as touching: neighbours of a rotated wall do not overlap. Patches that lie on each
+//! other at a distance above the noise are not found here; the upper one blocks what the lower one sees.
+//!
+//! **Not covered**: obstructions, which may lie on patches.
+
+use super::arrangement::Arrangement;
+use super::{Scene, SceneError};
+use crate::geometry::{Outline, Plane};
+use glam::DVec3;
+use rayon::prelude::*;
+use rstar::primitives::{GeomWithData, Rectangle as Box3};
+use rstar::{AABB, RTree};
+
+impl Scene {
+    /// The first two patches, in the order of their indices, that lie on each other.
+    ///
+    /// # Examples
+    /// ```
+    /// use infoscene::scene::Scene;
+    /// assert_eq!(Scene::built_in("cube:4")?.overlap(), None);
+    /// # Ok::<(), infoscene::scene::SceneError>(())
+    /// ```
+    #[must_use]
+    pub fn overlap(&self) -> Option<(usize, usize)> {
+        let arrangement = Arrangement::new(&self.patches, &[]);
+        let noise = arrangement.noise;
+        let count = self.patches.len();
+        let outlines: Vec<Outline> = (0..count)
+            .into_par_iter()
+            .map(|patch| arrangement.outline(patch))
+            .collect();
+        let boxed = outlines.iter().enumerate().map(|(patch, outline)| {
+            let [low, high] = outline.bounds().map(|corner| corner.to_array());
+            GeomWithData::new(Box3::from_corners(low, high), patch)
+        });
+        let boxes = RTree::bulk_load(boxed.collect());
+        (0..count).into_par_iter().find_map_first(|first| {
+            let own = &outlines[first];
+            let [low, high] = *own.bounds();
+            let room = AABB::from_corners((low - noise).to_array(), (high + noise).to_array());
+            let near = boxes.locate_in_envelope_intersecting(room);
+            near.map(|boxed| boxed.data)
+                .filter(|second| *second > first && !self.is_part(first, *second))
+                .filter(|second| lie_in_one_plane(own, &outlines[*second], noise))
+                .filter(|second| own.overlaps(&outlines[*second], noise))
+                .min()
+                .map(|second| (first, second))
+        })
+    }
+
+    /// Does one of two patches lie in the other, which counts without it?
+    fn is_part(&self, first: usize, second: usize) -> bool {
+        let under = |part: usize, base: usize| {
+            std::iter::successors(self.base_of(part), |part| self.base_of(*part))
+                .any(|found| found == base)
+        };
+        under(first, second) || under(second, first)
+    }
+
+    /// Refuses the scene if two of its patches lie on each other; meant to be asked once, after reading.
+    ///
+    /// # Errors
+    /// [`SceneError::Overlap`].
+    pub fn check_overlap(&self) -> Result<(), SceneError> {
+        self.overlap().map_or(Ok(()), |(first, second)| {
+            let names = [first, second].map(|patch| self.patches[patch].name.clone());
+            Err(SceneError::Overlap {
+                first,
+                second,
+                names,
+            })
+        })
+    }
+}
+
+/// Do two outlines face the same way, and lies one of them in the other's plane?
+fn lie_in_one_plane(one: &Outline, other: &Outline, noise: f64) -> bool {
+    let within = |outline: &Outline, plane: &Plane| {
+        let mut corners = outline.pieces().iter().flatten();
+        corners.all(|corner: &DVec3| plane.height(*corner).abs() <= noise)
+    };
+    one.plane().normal.dot(other.plane().normal) > 0.0
+        && (within(one, other.plane()) || within(other, one.plane()))
+}
