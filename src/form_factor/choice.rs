@@ -143,7 +143,8 @@ fn rectangles(first: &Rectangle, second: &Rectangle, tolerance: f64) -> Option<A
     if exchange.value <= 0.0 {
         return None;
     }
-    let route = if (first.normal().dot(second.normal())).abs() > 0.5 {
+    let [axes, others] = [first.axes()?, second.axes()?];
+    let route = if axes[0] + axes[1] == others[0] + others[1] {
         Route::ParallelRectangles
     } else {
         Route::PerpendicularRectangles

@@ -19,10 +19,10 @@ use super::ExchangeArea;
 use super::edge_pair::{
     Edge, Precision, Relation, coplanar, ellipse, gauss_error, panels, points_for, relation, skew,
 };
-use super::potential::{Points, padded, potentials, vectorised};
+use super::potential::{Points, padded, potentials};
 use super::shape::Shape;
 use crate::geometry::Vector;
-use crate::numeric::{DoubleDouble, GaussLegendre, SQUARED_EPSILON, Scalar};
+use crate::numeric::{DoubleDouble, GaussLegendre, SQUARED_EPSILON, Scalar, vectorised};
 use glam::DVec3;
 use smallvec::SmallVec;
 use std::f64::consts::{PI, TAU};

@@ -16,6 +16,8 @@
 //! The first is perfectly conditioned: with M² = (p²+a²)(p²+b²) the argument's rounding is at most
 //! ε M, which moves the angle by ε sin(angle).
 
+#![allow(clippy::inline_always, reason = "vector code is made where it is called")]
+
 use super::FormFactorError;
 use crate::numeric::{Scalar, tolerance};
 
@@ -29,6 +31,7 @@ pub struct Exchange<S> {
 }
 
 impl<S: Scalar> Exchange<S> {
+    #[inline(always)]
     pub(super) fn new(like: &S) -> Self {
         Self {
             value: like.zero(),
@@ -37,6 +40,7 @@ impl<S: Scalar> Exchange<S> {
     }
 
     /// Adds a term that is accurate relative to itself.
+    #[inline(always)]
     pub(super) fn add(&mut self, term: S) {
         if S::TRACKS_ROUNDING {
             self.magnitude = self.magnitude.clone() + &term.abs();
@@ -45,6 +49,7 @@ impl<S: Scalar> Exchange<S> {
     }
 
     /// Adds a term that is accurate relative to `magnitude`, ≥ |term| in absolute value.
+    #[inline(always)]
     pub(super) fn add_uncertain(&mut self, term: S, magnitude: impl FnOnce() -> S) {
         if S::TRACKS_ROUNDING {
             self.magnitude = self.magnitude.clone() + &magnitude().abs();
@@ -143,15 +148,20 @@ pub(super) enum Sign {
 }
 
 /// `ln r_b² − ln r_a²` from the difference of squares; either form is right, the one taken keeps its digits.
+#[inline(always)]
 pub(super) fn log_ratio<S: Scalar>(difference: &S, r2_a: &S, r2_b: &S) -> S {
-    if *difference < difference.zero() {
-        -(-difference.clone() / r2_b).ln_1p()
+    let falls = *difference < difference.zero();
+    let (step, from) = if falls {
+        (-difference.clone(), r2_b)
     } else {
-        (difference.clone() / r2_a).ln_1p()
-    }
+        (difference.clone(), r2_a)
+    };
+    let log = (step / from).ln_1p();
+    if falls { -log } else { log }
 }
 
 /// What the rounding of [`log_ratio`] is relative to, if `uncertainty` is what its difference was computed from.
+#[inline(always)]
 pub(super) fn log_ratio_size<S: Scalar>(log: &S, uncertainty: &S, r2_a: &S, r2_b: &S) -> S {
     let larger = if r2_a < r2_b { r2_b } else { r2_a };
     log.abs() + &(uncertainty.clone() / larger)

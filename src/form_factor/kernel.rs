@@ -7,7 +7,7 @@
 //! All terms are positive, and heights are interpolated between the corners', so nothing cancels.
 
 use super::gauss_points::Rule;
-use super::potential::vectorised;
+use crate::numeric::vectorised;
 use std::f64::consts::PI;
 
 /// The sum over all pairs of points; `unit` is a length near the distances.

@@ -55,16 +55,32 @@ pub fn exchange_area<S: Scalar>(
         2 => (&second[1], &second[0], &first[1], &first[0]),
         _ => (&second[0], &second[1], &first[0], &first[1]),
     };
+    let offsets = Offsets::between(x, xi);
+    let across = second_difference(&offsets);
+    let ends = [(eta.lower(), Sign::Plus), (eta.upper(), Sign::Minus)];
+    // all eight corners in one loop
+    let u: [S; 8] = std::array::from_fn(|k| across[k / 2].0.clone());
+    let v: [[S; 2]; 8] = std::array::from_fn(|k| {
+        let eta = ends[k % 2].0;
+        [y.lower().clone() - eta, y.upper().clone() - eta]
+    });
+    let mut values: [S; 8] = std::array::from_fn(|_| distance.zero());
+    let mut magnitudes = values.clone();
+    S::vectorised(
+        #[inline(always)]
+        || {
+            let out = values.iter_mut().zip(&mut magnitudes);
+            for ((value, magnitude), (u, v)) in out.zip(u.iter().zip(&v)) {
+                let corner = difference_in_v(u, y.length(), v, distance);
+                (*value, *magnitude) = (corner.value, corner.magnitude);
+            }
+        },
+    );
     let mut sum = Exchange::new(distance);
-    for (across, sign_u) in second_difference(&Offsets::between(x, xi)) {
-        for (eta, sign_eta) in [(eta.lower(), Sign::Plus), (eta.upper(), Sign::Minus)] {
-            let sign = if sign_u == sign_eta {
-                Sign::Plus
-            } else {
-                Sign::Minus
-            };
-            sum.add_signed(sign, &difference_in_v(across, y, eta, distance));
-        }
+    for (k, (value, magnitude)) in values.into_iter().zip(magnitudes).enumerate() {
+        let same = across[k / 2].1 == ends[k % 2].1;
+        let sign = if same { Sign::Plus } else { Sign::Minus };
+        sum.add_signed(sign, &Exchange { value, magnitude });
     }
     Ok(sum.over_two_pi(Sign::Plus))
 }
@@ -128,11 +144,11 @@ pub(super) fn second_difference<S: Scalar>(offsets: &Offsets<S>) -> [(&S, Sign);
     ]
 }
 
-/// `G(u, y1 − η) − G(u, y0 − η)`, each term to its own relative precision.
-fn difference_in_v<S: Scalar>(u: &S, y: &Span<S>, eta: &S, z: &S) -> Exchange<S> {
-    let delta = y.length().clone();
-    let v0 = y.lower().clone() - eta;
-    let v1 = y.upper().clone() - eta;
+/// `G(u, v1) − G(u, v0)`, Δ apart, each term to its own relative precision.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+fn difference_in_v<S: Scalar>(u: &S, delta: &S, v: &[S; 2], z: &S) -> Exchange<S> {
+    let (delta, [v0, v1]) = (delta.clone(), v.clone());
     let z2 = z.square();
     let p2 = u.square() + &z2;
     let p = p2.sqrt();

@@ -12,9 +12,9 @@
 
 use super::FormFactorError;
 use super::gauss_points::Rule;
-use super::potential::{Points, vectorised};
+use super::potential::Points;
 use crate::geometry::{Patch, Vector};
-use crate::numeric::elementary::angle;
+use crate::numeric::{elementary::angle, vectorised};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 

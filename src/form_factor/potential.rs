@@ -15,9 +15,8 @@
 //! ```
 
 use crate::geometry::Vector;
-use crate::numeric::Scalar;
+use crate::numeric::{Scalar, vectorised};
 use glam::DVec3;
-use std::sync::LazyLock;
 
 /// The potential of an edge at a point, from the vectors `a`, `c` to its ends, its direction and length,
 /// and `ln|a|`, `ln|c|`.
@@ -86,18 +85,6 @@ impl Points {
 /// The next multiple of eight doubles, a vector of today's widest processors.
 pub(super) const fn padded(len: usize) -> usize {
     len.next_multiple_of(8)
-}
-
-static VECTOR_UNIT: LazyLock<pulp::Arch> = LazyLock::new(pulp::Arch::new);
-
-/// Runs `work`, compiled for what this processor can do.
-#[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
-pub(super) fn vectorised(work: impl FnOnce()) {
-    VECTOR_UNIT.dispatch(work);
 }
 
 /// The potentials of all edges of a closed polygon at all points, edge by edge.

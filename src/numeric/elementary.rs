@@ -55,6 +55,16 @@ const ATAN: [f64; 11] = [
     reason = "vector code is made where it is called"
 )]
 pub fn ln(x: f64) -> f64 {
+    log_of(x, 0.0)
+}
+
+/// `ln x` plus something small.
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+fn log_of(x: f64, small: f64) -> f64 {
     // the bits of √½ taken off, so that the exponent turns over there and not at 1
     const SQRT_HALF: u64 = 0x3fe6_a09e_667f_3bcd;
     const TWO_TO_54: f64 = 18_014_398_509_481_984.0;
@@ -75,11 +85,26 @@ pub fn ln(x: f64) -> f64 {
     let even = z * (LN[0] + w * (LN[2] + w * (LN[4] + w * LN[6])));
     let half_square = 0.5 * f * f;
     let log =
-        k * LN_2_HIGH - ((half_square - (s * (half_square + (odd + even)) + k * LN_2_LOW)) - f);
+        k * LN_2_HIGH - ((half_square - (s * (half_square + (odd + even)) + (k * LN_2_LOW + small))) - f);
     let below = if x < 0.0 { f64::NAN } else { f64::NEG_INFINITY };
     let log = if x > 0.0 { log } else { below };
     // infinity and NaN stay as they are
     if x < f64::INFINITY { log } else { x }
+}
+
+/// `ln(1 + x)` for `x > −1`, to its own relative precision.
+///
+/// **Accuracy** within [`LN_ERROR`]: what `1 + x` loses is added to its logarithm.
+#[inline(always)]
+#[must_use]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+pub fn ln_1p(x: f64) -> f64 {
+    let sum = 1.0 + x;
+    let lost = if x < 1.0 { x - (sum - 1.0) } else { 1.0 - (sum - x) };
+    log_of(sum, if sum > 0.0 && sum < f64::INFINITY { lost / sum } else { 0.0 })
 }
 
 /// The angle of the point `(x, y)` from the positive x axis, in `[−π, π]`.

@@ -24,6 +24,7 @@ mod root;
 mod scalar;
 mod scaled;
 pub mod tolerance;
+mod vectorised;
 
 pub use certified::{
     Certificate, CertifiedMaximum, CertifiedRoot, CertifiedRoots, End, Function, Objective,
@@ -42,3 +43,4 @@ pub use quadrature::{Integral, integral};
 pub use root::{Root, root};
 pub use scalar::Scalar;
 pub use scaled::{Scaled, common_scale};
+pub use vectorised::vectorised;

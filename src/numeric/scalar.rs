@@ -67,6 +67,13 @@ pub trait Scalar:
     #[must_use]
     fn x_ln_x(&self) -> Self;
 
+    /// Does some work; if numbers of this type fit a processor's vectors, compiled for those that it has.
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+    fn vectorised(work: impl FnOnce()) {
+        work();
+    }
+
     /// Zero.
     #[must_use]
     fn zero(&self) -> Self {
@@ -122,7 +129,7 @@ impl Scalar for f64 {
     }
     #[inline(always)]
     fn ln_1p(&self) -> Self {
-        f64::ln_1p(*self)
+        super::elementary::ln_1p(*self)
     }
     #[inline(always)]
     fn exp(&self) -> Self {
@@ -147,5 +154,9 @@ impl Scalar for f64 {
     #[inline(always)]
     fn abs(&self) -> Self {
         f64::abs(*self)
+    }
+    #[inline(always)]
+    fn vectorised(work: impl FnOnce()) {
+        super::vectorised(work);
     }
 }
