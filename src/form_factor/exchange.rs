@@ -65,6 +65,44 @@ impl<S: Scalar> Exchange<S> {
         };
     }
 
+    /// The signed sum of a term over the eight corners of a form, all in one loop; `special` has the corners for which the
+    /// term's formula does not stand. The term captures nothing, so that all it needs lies in registers.
+    #[inline(always)]
+    pub(super) fn over_corners<const K: usize, const C: usize>(
+        corners: &[([S; K], Sign); 8],
+        constants: [S; C],
+        term: impl Fn(&[S; C], &[[S; 8]; K], usize) -> Self + Copy,
+        special: impl Fn(&[S; K]) -> Option<Self>,
+    ) -> Self {
+        let zero = corners[0].0[0].zero();
+        let mut terms: Option<[[S; 8]; 2]> = None;
+        let out = &mut terms;
+        S::vectorised(
+            #[inline(always)]
+            move || {
+                // coordinate by coordinate, as vectors are loaded
+                let columns: [[S; 8]; K] =
+                    std::array::from_fn(|k| std::array::from_fn(|i| corners[i].0[k].clone()));
+                let constants = constants;
+                let mut values: [S; 8] = std::array::from_fn(|_| zero.clone());
+                let mut magnitudes = values.clone();
+                for i in 0..8 {
+                    let term = term(&constants, &columns, i);
+                    values[i] = term.value;
+                    magnitudes[i] = term.magnitude;
+                }
+                *out = Some([values, magnitudes]);
+            },
+        );
+        let mut sum = Self::new(&corners[0].0[0]);
+        let Some([values, magnitudes]) = terms else { return sum };
+        for ((corner, sign), (value, magnitude)) in corners.iter().zip(values.into_iter().zip(magnitudes)) {
+            let term = special(corner).unwrap_or(Self { value, magnitude });
+            sum.add_signed(*sign, &term);
+        }
+        sum
+    }
+
     /// Divided by 2π and signed, as the last step of a form.
     pub(super) fn over_two_pi(self, sign: Sign) -> Self {
         let two_pi = self.value.pi() * &self.value.constant(2.0);
@@ -145,6 +183,13 @@ impl<S: Scalar> Exchange<S> {
 pub(super) enum Sign {
     Plus,
     Minus,
+}
+
+impl Sign {
+    /// The product of two.
+    pub(super) fn times(self, other: Self) -> Self {
+        if self == other { Self::Plus } else { Self::Minus }
+    }
 }
 
 /// `ln r_b² − ln r_a²` from the difference of squares; either form is right, the one taken keeps its digits.

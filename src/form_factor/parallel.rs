@@ -58,30 +58,19 @@ pub fn exchange_area<S: Scalar>(
     let offsets = Offsets::between(x, xi);
     let across = second_difference(&offsets);
     let ends = [(eta.lower(), Sign::Plus), (eta.upper(), Sign::Minus)];
-    // all eight corners in one loop
-    let u: [S; 8] = std::array::from_fn(|k| across[k / 2].0.clone());
-    let v: [[S; 2]; 8] = std::array::from_fn(|k| {
-        let eta = ends[k % 2].0;
-        [y.lower().clone() - eta, y.upper().clone() - eta]
+    let corners = std::array::from_fn(|k| {
+        let ((u, sign_u), (eta, sign_eta)) = (across[k / 2], ends[k % 2]);
+        let v = [y.lower(), y.upper()].map(|end| end.clone() - eta);
+        let [v0, v1] = v;
+        ([u.clone(), v0, v1], sign_u.times(sign_eta))
     });
-    let mut values: [S; 8] = std::array::from_fn(|_| distance.zero());
-    let mut magnitudes = values.clone();
-    S::vectorised(
+    let sum = Exchange::over_corners(
+        &corners,
+        [y.length().clone(), distance.clone()],
         #[inline(always)]
-        || {
-            let out = values.iter_mut().zip(&mut magnitudes);
-            for ((value, magnitude), (u, v)) in out.zip(u.iter().zip(&v)) {
-                let corner = difference_in_v(u, y.length(), v, distance);
-                (*value, *magnitude) = (corner.value, corner.magnitude);
-            }
-        },
+        |[delta, z], [u, v0, v1], i| difference_in_v(&u[i], delta, [&v0[i], &v1[i]], z),
+        |_| None,
     );
-    let mut sum = Exchange::new(distance);
-    for (k, (value, magnitude)) in values.into_iter().zip(magnitudes).enumerate() {
-        let same = across[k / 2].1 == ends[k % 2].1;
-        let sign = if same { Sign::Plus } else { Sign::Minus };
-        sum.add_signed(sign, &Exchange { value, magnitude });
-    }
     Ok(sum.over_two_pi(Sign::Plus))
 }
 
@@ -147,8 +136,8 @@ pub(super) fn second_difference<S: Scalar>(offsets: &Offsets<S>) -> [(&S, Sign);
 /// `G(u, v1) − G(u, v0)`, Δ apart, each term to its own relative precision.
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "vector code is made where it is called")]
-fn difference_in_v<S: Scalar>(u: &S, delta: &S, v: &[S; 2], z: &S) -> Exchange<S> {
-    let (delta, [v0, v1]) = (delta.clone(), v.clone());
+fn difference_in_v<S: Scalar>(u: &S, delta: &S, v: [&S; 2], z: &S) -> Exchange<S> {
+    let (delta, [v0, v1]) = (delta.clone(), v.map(Clone::clone));
     let z2 = z.square();
     let p2 = u.square() + &z2;
     let p = p2.sqrt();

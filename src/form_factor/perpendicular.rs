@@ -111,34 +111,39 @@ pub fn exchange_area_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -
     } else {
         (depths[1], depths[0], &swapped)
     };
-    let mut sum = Exchange::new(thin.lower());
-    if shortest < 2 {
-        for (z, sign_z) in ends(other) {
-            for (v, sign_v) in second_difference(widths) {
-                let sign = if sign_z == sign_v {
-                    Sign::Plus
-                } else {
-                    Sign::Minus
-                };
-                sum.add_signed(sign, &difference_in_depth(thin, z, v));
-            }
-        }
+    let (heights, depths) = (ends(other), ends(thin));
+    let sum = if shortest < 2 {
+        let across = second_difference(widths);
+        let corners = std::array::from_fn(|k| {
+            let ((z, sign_z), (v, sign_v)) = (heights[k / 4], across[k % 4]);
+            ([z.clone(), v.clone()], sign_z.times(sign_v))
+        });
+        Exchange::over_corners(
+            &corners,
+            [thin.lower(), thin.upper(), thin.length()].map(Clone::clone),
+            #[inline(always)]
+            |thin, [z, v], i| difference_in_depth(thin, &z[i], &v[i]),
+            |[z, v]| at_the_line_in_depth(thin, z, v),
+        )
     } else {
-        for (x, sign_x) in ends(thin) {
-            for (z, sign_z) in ends(other) {
-                for (k, sign_eta) in [(1, Sign::Plus), (0, Sign::Minus)] {
-                    // in v the lower end of η is the plus
-                    let plus = (sign_x == sign_z) != (sign_eta == Sign::Plus);
-                    let sign = if plus { Sign::Plus } else { Sign::Minus };
-                    let [v0, v1] = [widths.difference(0, k), widths.difference(1, k)];
-                    sum.add_signed(
-                        sign,
-                        &difference_in_width(x, z, widths.first_length(), [v0, v1]),
-                    );
-                }
-            }
-        }
-    }
+        let corners = std::array::from_fn(|k| {
+            let ((x, sign_x), (z, sign_z)) = (depths[k / 4], heights[k / 2 % 2]);
+            // in v the lower end of η is the plus
+            let sign = sign_x.times(sign_z).times([Sign::Plus, Sign::Minus][k % 2]);
+            let [v0, v1] = [0, 1].map(|end| widths.difference(end, k % 2).clone());
+            ([x.clone(), z.clone(), v0, v1], sign)
+        });
+        let delta = widths.first_length();
+        Exchange::over_corners(
+            &corners,
+            [delta.clone()],
+            #[inline(always)]
+            |[delta], [x, z, v0, v1], i| {
+                difference_in_width(&x[i], &z[i], delta, [&v0[i], &v1[i]])
+            },
+            |[x, z, v0, v1]| at_the_line_in_width(x, z, delta, [v0, v1]),
+        )
+    };
     sum.over_two_pi(Sign::Minus)
 }
 
@@ -220,48 +225,76 @@ fn ends<S: Scalar>(span: &Span<S>) -> [(&S, Sign); 2] {
 
 /// What the rounding of `coefficient · ln r²` is relative to: near r² = 1 the logarithm is small
 /// but its error is not.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
 fn log_size<S: Scalar>(term: &S, coefficient: &S) -> S {
     term.abs() + &coefficient.abs()
 }
 
-/// `G(x1, z, v) − G(x0, z, v)`, each term to its own relative precision.
-fn difference_in_depth<S: Scalar>(x: &Span<S>, z: &S, v: &S) -> Exchange<S> {
-    let quarter = v.constant(0.25);
-    let delta = x.length().clone();
+/// `G(x1, z, v) − G(x0, z, v)`, each term to its own relative precision; not for a corner on the common line.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+fn difference_in_depth<S: Scalar>([x0, x1, delta]: &[S; 3], z: &S, v: &S) -> Exchange<S> {
+    let delta = delta.clone();
     let (z2, v2) = (z.square(), v.square());
-    let (s2_0, s2_1) = (x.lower().square() + &z2, x.upper().square() + &z2);
+    let (s2_0, s2_1) = (x0.square() + &z2, x1.square() + &z2);
     let (s0, s1) = (s2_0.sqrt(), s2_1.sqrt());
     let (r2_0, r2_1) = (s2_0.clone() + &v2, s2_1.clone() + &v2);
-    let squares = delta * &(x.upper().clone() + x.lower());
+    let squares = delta * &(x1.clone() + x0);
 
     let mut sum = Exchange::new(v);
-    if r2_0.is_zero() {
-        // one corner lies on the other plate: G there is 0
-        let coefficient = s2_1 * &quarter;
-        let log_term = r2_1.ln() * &coefficient;
-        sum.add_uncertain(-log_term.clone(), || log_size(&log_term, &coefficient));
-        return sum;
-    }
     // v s atan(v/s)
-    if !v.is_zero() {
-        let s_step = squares.clone() / &(s1.clone() + &s0);
-        sum.add(v.atan2(&s1) * v * &s_step);
-        let denominator = s0.clone() * &s1 + &v2;
-        sum.add(-((v.clone() * &s_step).atan2(&denominator) * v * &s0));
-    }
-    // −¼ (s² − v²) ln r²
-    let log = log_ratio(&squares, &r2_0, &r2_1);
+    let s_step = squares.clone() / &(s1.clone() + &s0);
+    sum.add(v.atan2(&s1) * v * &s_step);
+    let denominator = s0.clone() * &s1 + &v2;
+    sum.add(-((v.clone() * &s_step).atan2(&denominator) * v * &s0));
+    add_logs_in_depth(&mut sum, [s2_1, v2], squares, [&r2_0, &r2_1]);
+    sum
+}
+
+/// `−¼ (s² − v²) ln r²`, as a difference.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+fn add_logs_in_depth<S: Scalar>(
+    sum: &mut Exchange<S>,
+    [s2_1, v2]: [S; 2],
+    squares: S,
+    [r2_0, r2_1]: [&S; 2],
+) {
+    let quarter = v2.constant(0.25);
+    let log = log_ratio(&squares, r2_0, r2_1);
     let difference = (s2_1.clone() - &v2) * &quarter;
     sum.add_uncertain(-(log.clone() * &difference), || {
-        log_ratio_size(&log, &squares, &r2_0, &r2_1) * &((s2_1 + &v2) * &quarter)
+        log_ratio_size(&log, &squares, r2_0, r2_1) * &((s2_1 + &v2) * &quarter)
     });
     let coefficient = squares * &quarter;
     let log_term = r2_0.ln() * &coefficient;
     sum.add_uncertain(-log_term.clone(), || log_size(&log_term, &coefficient));
-    sum
 }
 
-/// `G(x, z, y1 − η) − G(x, z, y0 − η)`, each term to its own relative precision.
+/// [`difference_in_depth`] for v = 0, where the angles have no weight: on the common line G is 0; elsewhere an interval
+/// that reaches to the line would not know its angle.
+fn at_the_line_in_depth<S: Scalar>(x: &Span<S>, z: &S, v: &S) -> Option<Exchange<S>> {
+    let on_the_line = z.is_zero() && x.lower().is_zero();
+    if !v.is_zero() || (S::TRACKS_ROUNDING && !on_the_line) {
+        return None;
+    }
+    let mut sum = Exchange::new(v);
+    let [s2_0, s2_1] = [x.lower(), x.upper()].map(|end| end.square() + &z.square());
+    if on_the_line {
+        let coefficient = s2_1.clone() * &v.constant(0.25);
+        let log_term = s2_1.ln() * &coefficient;
+        sum.add_uncertain(-log_term.clone(), || log_size(&log_term, &coefficient));
+    } else {
+        let squares = x.length().clone() * &(x.upper().clone() + x.lower());
+        add_logs_in_depth(&mut sum, [s2_1.clone(), v.zero()], squares, [&s2_0, &s2_1]);
+    }
+    Some(sum)
+}
+
+/// `G(x, z, y1 − η) − G(x, z, y0 − η)`, each term to its own relative precision; not for a corner on the common line.
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
 fn difference_in_width<S: Scalar>(x: &S, z: &S, delta: &S, [v0, v1]: [&S; 2]) -> Exchange<S> {
     let quarter = x.constant(0.25);
     let s2 = x.square() + &z.square();
@@ -271,26 +304,10 @@ fn difference_in_width<S: Scalar>(x: &S, z: &S, delta: &S, [v0, v1]: [&S; 2]) ->
 
     let mut sum = Exchange::new(x);
     // v s atan(v/s)
-    if !s.is_zero() {
-        sum.add(v1.atan2(&s) * &s * delta);
-        let angle = (delta.clone() * &s).atan2(&(s2.clone() + &(v0.clone() * v1)));
-        sum.add(angle * v0 * &s);
-    }
-    // −¼ (s² − v²) ln r²; at r = 0 the corner contributes 0
-    if r2_0.is_zero() || r2_1.is_zero() {
-        for (v2, r2, sign) in [(&v2_1, &r2_1, Sign::Plus), (&v2_0, &r2_0, Sign::Minus)] {
-            if !r2.is_zero() {
-                let coefficient = v2.clone() * &quarter;
-                let log_term = r2.ln() * &coefficient;
-                let signed = match sign {
-                    Sign::Plus => log_term.clone(),
-                    Sign::Minus => -log_term.clone(),
-                };
-                sum.add_uncertain(signed, || log_size(&log_term, &coefficient));
-            }
-        }
-        return sum;
-    }
+    sum.add(v1.atan2(&s) * &s * delta);
+    let angle = (delta.clone() * &s).atan2(&(s2.clone() + &(v0.clone() * v1)));
+    sum.add(angle * v0 * &s);
+    // −¼ (s² − v²) ln r²
     let squares = delta.clone() * &(v1.clone() + v0);
     let squares_size = delta.clone() * &(v1.abs() + &v0.abs());
     let log = log_ratio(&squares, &r2_0, &r2_1);
@@ -303,4 +320,45 @@ fn difference_in_width<S: Scalar>(x: &S, z: &S, delta: &S, [v0, v1]: [&S; 2]) ->
         (log.abs() + &log.constant(1.0)) * &squares_size * &quarter
     });
     sum
+}
+
+/// [`difference_in_width`] on the common line, where the angles have no weight, and a corner at r = 0 contributes 0.
+fn at_the_line_in_width<S: Scalar>(
+    x: &S,
+    z: &S,
+    delta: &S,
+    [v0, v1]: [&S; 2],
+) -> Option<Exchange<S>> {
+    if !x.is_zero() || !z.is_zero() {
+        return None;
+    }
+    let quarter = x.constant(0.25);
+    let mut sum = Exchange::new(x);
+    if v0.is_zero() || v1.is_zero() {
+        for (v, sign) in [(v1, Sign::Plus), (v0, Sign::Minus)] {
+            if !v.is_zero() {
+                let coefficient = v.square() * &quarter;
+                let log_term = v.square().ln() * &coefficient;
+                let signed = match sign {
+                    Sign::Plus => log_term.clone(),
+                    Sign::Minus => -log_term.clone(),
+                };
+                sum.add_uncertain(signed, || log_size(&log_term, &coefficient));
+            }
+        }
+        return Some(sum);
+    }
+    let (v2_0, v2_1) = (v0.square(), v1.square());
+    let squares = delta.clone() * &(v1.clone() + v0);
+    let squares_size = delta.clone() * &(v1.abs() + &v0.abs());
+    let log = log_ratio(&squares, &v2_0, &v2_1);
+    let difference = v2_1.clone() * &quarter;
+    sum.add_uncertain(log.clone() * &difference, || {
+        log_ratio_size(&log, &squares_size, &v2_0, &v2_1) * &difference
+    });
+    let log = v2_0.ln();
+    sum.add_uncertain(log.clone() * &squares * &quarter, || {
+        (log.abs() + &log.constant(1.0)) * &squares_size * &quarter
+    });
+    Some(sum)
 }
