@@ -20,6 +20,7 @@ pub mod parallel;
 pub mod perpendicular;
 mod polygon;
 mod rectangle_pair;
+pub mod reference;
 mod route;
 
 pub use error::FormFactorError;
