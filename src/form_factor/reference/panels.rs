@@ -34,15 +34,23 @@ pub(super) fn panels(
     let mut found = Vec::new();
     let mut open = vec![[0.0, 1.0]];
     while let Some([lower, upper]) = open.pop() {
-        let ratio = singularities
+        let (ratio, nearest) = singularities
             .iter()
-            .map(|z| bernstein(lower, upper, *z))
-            .fold(f64::INFINITY, f64::min);
+            .map(|z| (bernstein(lower, upper, *z), z.0))
+            .fold((f64::INFINITY, lower), |worst, next| {
+                if next.0 < worst.0 { next } else { worst }
+            });
         let excess = (size(lower, upper) / allowed).max(1.0).ln();
         let points = excess / (2.0 * ratio.ln().max(1e-9));
         #[allow(clippy::cast_precision_loss, reason = "below 100")]
         let longest = fineness.longest as f64;
-        let middle = 0.5 * (lower + upper);
+        // the quarter beside a singular end: the rest then has ρ = 3
+        let place = match (nearest - lower) / (upper - lower) {
+            x if x < 0.125 => 0.25,
+            x if x > 0.875 => 0.75,
+            _ => 0.5,
+        };
+        let middle = lower + place * (upper - lower);
         if points > longest && lower < middle && middle < upper {
             open.push([middle, upper]);
             open.push([lower, middle]);

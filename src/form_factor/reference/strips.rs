@@ -305,32 +305,41 @@ impl<const N: usize> Strip<'_, N> {
         edges.extend(breaks.into_iter().map(Wide::new));
         edges.push(exact[1]);
         let mut sum = Wide::ZERO;
-        for pair in edges.windows(2) {
-            let half = (pair[1] - pair[0]).scaled(-1);
-            for (start, length) in [(pair[0], half), (pair[1], -half)] {
-                let (offset, step) = (start.to_f64(), length.to_f64());
-                let seen: Vec<_> = singular
-                    .iter()
-                    .map(|(at, off)| ((at - offset) / step, off / step.abs()))
-                    .collect();
-                let size = |a: f64, b: f64| {
-                    let [a, b] = [a, b].map(|x| {
-                        let w = offset + step * x;
-                        0.5 * h * (w - w.recip())
-                    });
-                    self.size(a, b)
-                };
-                for panel in panels(&seen, size, pass.allowed, pass.fineness) {
-                    for (w, weight) in nodes::<N>(start, length, panel.ends, panel.order) {
-                        let inverse = w.reciprocal();
-                        let u = self.foot + (self.height * (w - inverse)).scaled(-1);
-                        let c = (self.height * (w + inverse)).scaled(-1);
-                        sum = sum + weight * inverse * self.integrand(u, c) / c.square();
-                    }
-                }
-            }
+        for ends in edges.windows(2) {
+            sum = sum + self.spread_part(ends[0], ends[1] - ends[0], &singular, pass);
         }
         (sum * self.height).scaled(-1)
+    }
+
+    /// From w = `start` on.
+    fn spread_part(
+        &self,
+        start: Wide<N>,
+        length: Wide<N>,
+        singular: &[(f64, f64)],
+        pass: &Pass,
+    ) -> Wide<N> {
+        let (offset, step) = (start.to_f64(), length.to_f64());
+        let h = self.height.to_f64();
+        let seen: Vec<_> = singular
+            .iter()
+            .map(|(at, off)| ((at - offset) / step, off / step))
+            .collect();
+        let distance = |x: f64| {
+            let w = offset + step * x;
+            0.5 * h * (w - w.recip())
+        };
+        let size = |a: f64, b: f64| self.size(distance(a), distance(b));
+        let mut sum = Wide::ZERO;
+        for panel in panels(&seen, size, pass.allowed, pass.fineness) {
+            for (w, weight) in nodes::<N>(start, length, panel.ends, panel.order) {
+                let inverse = w.reciprocal();
+                let u = self.foot + (self.height * (w - inverse)).scaled(-1);
+                let c = (self.height * (w + inverse)).scaled(-1);
+                sum = sum + weight * inverse * self.integrand(u, c) / c.square();
+            }
+        }
+        sum
     }
 
     /// `k(u) Σ ± z·atan(z/c)`.

@@ -7,7 +7,7 @@
 //!   atan r = r − r³/3 + r⁵/5 − …
 //! ```
 
-use super::{WORD, Wide};
+use super::{WORD, Wide, minus_with_borrow, product};
 use std::any::Any;
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -20,8 +20,8 @@ const STEPS: u32 = 512;
 struct Tables<const N: usize> {
     /// atan(i/512) for i up to 512.
     atan: Vec<Wide<N>>,
-    /// 1, −1/3, 1/5, …
-    series: Vec<Wide<N>>,
+    /// 1/3, 1/5, … as fixed point fractions.
+    series: Vec<[u64; N]>,
 }
 
 thread_local! {
@@ -49,14 +49,11 @@ impl<const N: usize> Tables<N> {
     }
 
     fn new() -> Self {
-        let one = Wide::new(1.0);
+        let one = Wide::<N>::new(1.0);
         // 20 bits with each term
         let bits = u32::try_from(N).unwrap_or(0) * WORD;
-        let series: Vec<_> = (0..bits / 20 + 2)
-            .map(|k| {
-                let term = one / Wide::new(f64::from(2 * k + 1));
-                if k % 2 == 0 { term } else { -term }
-            })
+        let series: Vec<_> = (1..bits / 20 + 3)
+            .map(|k| (one / Wide::new(f64::from(2 * k + 1))).fraction())
             .collect();
         // atan((i+1)/K) − atan(i/K) = atan((1/K)/(1 + i(i+1)/K²)) = atan(K/(K² + i(i+1)))
         let whole = |value: u32| Wide::new(f64::from(value));
@@ -71,11 +68,29 @@ impl<const N: usize> Tables<N> {
 }
 
 /// atan r, |r| ≤ 2⁻⁹ (the table's first steps lose a bit per term, which the two spare terms make up for).
-fn by_series<const N: usize>(r: Wide<N>, series: &[Wide<N>]) -> Wide<N> {
-    let square = r.square();
-    let sum = series.iter().rev().copied();
-    sum.reduce(|sum, term| sum * square + term)
-        .map_or(r, |sum| sum * r)
+///
+/// With q = r² as a fixed point fraction it is `r − r q (1/3 − q (1/5 − …))`, every bracket in (0, 1): no number needs
+/// its exponent moved.
+fn by_series<const N: usize>(r: Wide<N>, series: &[[u64; N]]) -> Wide<N> {
+    let square = r.square().fraction();
+    let bracket = series.iter().rev().copied();
+    let bracket = bracket.reduce(|bracket, term| fixed_minus(term, fixed_times(square, bracket)));
+    let bracket = bracket.unwrap_or([0; N]);
+    r - r * Wide::of_fraction(fixed_times(square, bracket))
+}
+
+/// The upper half of the product: of fractions in [0, 1) again the product.
+fn fixed_times<const N: usize>(a: [u64; N], b: [u64; N]) -> [u64; N] {
+    product(&a, &b).1
+}
+
+/// The difference of fractions, a ≥ b.
+fn fixed_minus<const N: usize>(mut a: [u64; N], b: [u64; N]) -> [u64; N] {
+    let mut borrow = false;
+    for k in 0..N {
+        (a[k], borrow) = minus_with_borrow(a[k], b[k], borrow);
+    }
+    a
 }
 
 impl<const N: usize> Wide<N> {
@@ -95,10 +110,19 @@ impl<const N: usize> Wide<N> {
     /// `1/x`, x ≠ 0.
     #[must_use]
     pub fn reciprocal(self) -> Self {
+        self.reciprocal_by_steps(self.seed().1)
+    }
+
+    /// `1/x` to half the digits at least.
+    pub(super) fn half_reciprocal(self) -> Self {
+        self.reciprocal_by_steps(self.seed().1 - 1)
+    }
+
+    fn reciprocal_by_steps(self, steps: u32) -> Self {
         if self.is_zero() {
             return Self::ZERO;
         }
-        let (magnitude, steps) = self.seed();
+        let (magnitude, _) = self.seed();
         let x = self.abs().scaled(-self.exponent);
         let one = Self::new(1.0);
         let mut y = Self::new(1.0 / magnitude);
@@ -123,7 +147,8 @@ impl<const N: usize> Wide<N> {
         let seed = if odd == 1 { 2.0 * magnitude } else { magnitude };
         let one = Self::new(1.0);
         let mut y = Self::new(1.0 / seed.sqrt());
-        for _ in 0..steps {
+        // the last step is the correction of the root
+        for _ in 1..steps {
             y = y + (y * (one - x * y.square())).scaled(-1);
         }
         let root = x * y;

@@ -36,6 +36,39 @@ const fn low(value: u128) -> u64 {
     value as u64
 }
 
+fn plus_with_carry(a: u64, b: u64, carry: bool) -> (u64, bool) {
+    let (sum, first) = a.overflowing_add(b);
+    let (sum, second) = sum.overflowing_add(u64::from(carry));
+    (sum, first || second)
+}
+
+fn minus_with_borrow(a: u64, b: u64, borrow: bool) -> (u64, bool) {
+    let (difference, first) = a.overflowing_sub(b);
+    let (difference, second) = difference.overflowing_sub(u64::from(borrow));
+    (difference, first || second)
+}
+
+/// The lower and the upper half of a product.
+fn product<const N: usize>(a: &[u64; N], b: &[u64; N]) -> ([u64; N], [u64; N]) {
+    let mut lower = [0u64; N];
+    let mut upper = [0u64; N];
+    for i in 0..N {
+        let mut carry = 0u64;
+        for j in 0..N {
+            let cell = if i + j < N {
+                &mut lower[i + j]
+            } else {
+                &mut upper[i + j - N]
+            };
+            let sum = u128::from(a[i]) * u128::from(b[j]) + u128::from(*cell) + u128::from(carry);
+            *cell = low(sum);
+            carry = low(sum >> WORD);
+        }
+        upper[i] = carry;
+    }
+    (lower, upper)
+}
+
 impl<const N: usize> Wide<N> {
     /// Zero.
     pub const ZERO: Self = Self {
@@ -155,27 +188,44 @@ impl<const N: usize> Wide<N> {
     /// Its words moved down by `shift` bits.
     fn shifted_down(&self, shift: u32) -> [u64; N] {
         let (whole, bits) = ((shift / WORD) as usize, shift % WORD);
-        std::array::from_fn(|k| {
-            let at = |k: usize| if k < N { self.words[k] } else { 0 };
-            let from = k + whole;
-            if bits == 0 {
-                at(from)
-            } else {
-                at(from) >> bits | at(from + 1) << (WORD - bits)
+        let mut words = [0; N];
+        for k in 0..N - whole {
+            words[k] = self.words[k + whole] >> bits;
+            if bits > 0 && k + whole + 1 < N {
+                words[k] |= self.words[k + whole + 1] << (WORD - bits);
             }
-        })
+        }
+        words
+    }
+
+    /// Itself as a fixed point fraction; it must lie in [0, 1).
+    fn fraction(&self) -> [u64; N] {
+        match u32::try_from(-self.exponent) {
+            Ok(shift) if (shift / WORD) as usize >= N => [0; N],
+            Ok(shift) => self.shifted_down(shift),
+            // 1 and more: the largest fraction
+            Err(_) => [u64::MAX; N],
+        }
+    }
+
+    /// The number that a fixed point fraction stands for.
+    fn of_fraction(words: [u64; N]) -> Self {
+        Self {
+            is_negative: false,
+            exponent: 0,
+            words,
+        }
+        .normalised()
     }
 
     /// `|self| + |other|`, |self| ≥ |other| > 0, with the sign of `self`.
     fn magnitudes_added(&self, other: &Self, shift: u32) -> Self {
         let addend = other.shifted_down(shift);
         let mut carry = false;
-        let mut words: [u64; N] = std::array::from_fn(|k| {
-            let (sum, first) = self.words[k].overflowing_add(addend[k]);
-            let (sum, second) = sum.overflowing_add(u64::from(carry));
-            carry = first || second;
-            sum
-        });
+        let mut words = self.words;
+        for k in 0..N {
+            (words[k], carry) = plus_with_carry(words[k], addend[k], carry);
+        }
         let mut exponent = self.exponent;
         if carry {
             let sum = Self { words, ..*self };
@@ -194,12 +244,10 @@ impl<const N: usize> Wide<N> {
     fn magnitudes_subtracted(&self, other: &Self, shift: u32) -> Self {
         let subtrahend = other.shifted_down(shift);
         let mut borrow = false;
-        let words: [u64; N] = std::array::from_fn(|k| {
-            let (difference, first) = self.words[k].overflowing_sub(subtrahend[k]);
-            let (difference, second) = difference.overflowing_sub(u64::from(borrow));
-            borrow = first || second;
-            difference
-        });
+        let mut words = self.words;
+        for k in 0..N {
+            (words[k], borrow) = minus_with_borrow(words[k], subtrahend[k], borrow);
+        }
         Self { words, ..*self }.normalised()
     }
 
@@ -209,14 +257,13 @@ impl<const N: usize> Wide<N> {
             return Self::ZERO;
         };
         let (whole, bits) = (N - 1 - top, self.words[top].leading_zeros());
-        let words = std::array::from_fn(|k| {
-            let at = |k: usize, back: usize| if k >= back { self.words[k - back] } else { 0 };
-            if bits == 0 {
-                at(k, whole)
-            } else {
-                at(k, whole) << bits | at(k, whole + 1) >> (WORD - bits)
+        let mut words = [0; N];
+        for k in (whole..N).rev() {
+            words[k] = self.words[k - whole] << bits;
+            if bits > 0 && k > whole {
+                words[k] |= self.words[k - whole - 1] >> (WORD - bits);
             }
-        });
+        }
         let gone = i64::try_from(whole).unwrap_or(0) * i64::from(WORD) + i64::from(bits);
         Self {
             is_negative: self.is_negative,
@@ -274,25 +321,7 @@ impl<const N: usize> Mul for Wide<N> {
         if self.is_zero() || other.is_zero() {
             return Self::ZERO;
         }
-        // the lower half of the product is kept only as far as its carries
-        let mut lower = [0u64; N];
-        let mut upper = [0u64; N];
-        for i in 0..N {
-            let mut carry = 0u64;
-            for j in 0..N {
-                let cell = if i + j < N {
-                    &mut lower[i + j]
-                } else {
-                    &mut upper[i + j - N]
-                };
-                let product = u128::from(self.words[i]) * u128::from(other.words[j])
-                    + u128::from(*cell)
-                    + u128::from(carry);
-                *cell = low(product);
-                carry = low(product >> WORD);
-            }
-            upper[i] = carry;
-        }
+        let (lower, upper) = product(&self.words, &other.words);
         let mut exponent = self.exponent + other.exponent;
         let mut words = upper;
         if upper[N - 1] >> (WORD - 1) == 0 {
@@ -313,7 +342,7 @@ impl<const N: usize> Mul for Wide<N> {
 impl<const N: usize> Div for Wide<N> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        let inverse = other.reciprocal();
+        let inverse = other.half_reciprocal();
         let quotient = self * inverse;
         quotient + inverse * (self - other * quotient)
     }
