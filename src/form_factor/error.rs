@@ -48,4 +48,16 @@ pub enum FormFactorError {
         /// Bound on its error.
         error_bound: f64,
     },
+    /// A direction that should have length 1.
+    #[error("a normal of length {length} is not a direction: divide it by its length")]
+    NotAUnitNormal {
+        /// Its length.
+        length: f64,
+    },
+    /// Two points that should be apart are not.
+    #[error("two points {distance} apart: they must be apart, and not infinitely far")]
+    SamePoint {
+        /// Their distance.
+        distance: f64,
+    },
 }

@@ -14,17 +14,28 @@
 //! References: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-11 to C-15;
 //! Cohen and Wallace, *Radiosity and Realistic Image Synthesis*, 1993, ch. 4.
 
+mod choice;
+mod contour;
+mod edge_pair;
 mod error;
 mod exchange;
+mod gauss_points;
+mod horizon;
+mod kernel;
 pub mod parallel;
 pub mod perpendicular;
+mod point_to_polygon;
 mod polygon;
+mod potential;
 mod rectangle_pair;
 pub mod reference;
 mod route;
+mod shape;
 
 pub use error::FormFactorError;
 pub use exchange::{Exchange, ExchangeArea};
-pub use polygon::{DEFAULT_TOLERANCE, Polygon};
+pub use choice::DEFAULT_TOLERANCE;
+pub use point_to_polygon::{point_form_factor, point_kernel};
+pub use polygon::Polygon;
 pub use rectangle_pair::RectanglePair;
 pub use route::{Answer, Route};

@@ -1,38 +1,85 @@
-//! Any two planar simple polygons: the chooser between the routes.
+//! A patch made ready for form factors: what every route needs of it, computed once.
 
-use super::{Answer, ExchangeArea, FormFactorError, RectanglePair, Route};
-use crate::geometry::{Patch, Rectangle};
+use super::shape::Shape;
+use crate::geometry::{Patch, Rectangle, Vector};
+use crate::numeric::{DoubleDouble, Scalar};
+use glam::DVec3;
 
-/// Relative error that is asked for unless something else is.
-pub const DEFAULT_TOLERANCE: f64 = 1e-12;
-
-/// A patch made ready: what every route needs of it, computed once.
+/// A planar simple polygon, with its normal to 106 bits and all that does not depend on another polygon.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Polygon {
-    patch: Patch,
+    pub(super) shape: Shape,
+    pub(super) normal: DVec3,
+    pub(super) precise_normal: Vector<DoubleDouble>,
+    /// How far a corner may be off the plane, per distance from it.
+    pub(super) tilt: f64,
+    /// Itself, if it is a rectangle with edges along the coordinate axes.
+    pub(super) rectangle: Option<Rectangle>,
 }
 
 impl Polygon {
     /// The polygon of a patch.
     #[must_use]
     pub fn new(patch: &Patch) -> Self {
+        Self::of(patch.corners(), Rectangle::try_from(patch).ok())
+    }
+
+    fn of(corners: &[DVec3], rectangle: Option<Rectangle>) -> Self {
+        let like = DoubleDouble::from(0.0);
+        let points: Vec<Vector<DoubleDouble>> =
+            corners.iter().map(|corner| Vector::lifted(*corner, like)).collect();
+        let along = |i: usize| points[i].minus(points[0]);
+        let doubled = (1..points.len() - 1)
+            .map(|i| along(i).cross(along(i + 1)))
+            .fold(Vector([like; 3]), |sum, next| sum.plus(next, like.constant(1.0)));
+        let length = doubled.length();
+        let precise_normal = doubled.times(like.constant(1.0) / length);
+        let heights = (1..points.len()).map(|i| along(i).dot(precise_normal).to_f64().abs());
+        let deviation = heights.fold(0.0, f64::max);
+        let diameter = (1..points.len()).map(|i| along(i).length().to_f64()).fold(0.0, f64::max);
+        // the polygon is at least 2 A/diameter wide: a deviation there turns the plane by so much at most
+        let tilt = 2.0 * deviation * diameter / length.to_f64();
+        let shape = Shape::new(corners, precise_normal)
+            .unwrap_or_else(|| unreachable!("a patch has three corners apart"));
+        let axis_aligned = |rectangle: &Rectangle| {
+            let edges = rectangle.corners();
+            let along = [edges[1] - edges[0], edges[3] - edges[0]];
+            along.iter().all(|edge| edge.to_array().iter().filter(|x| x.abs() > 0.0).count() == 1)
+        };
         Self {
-            patch: patch.clone(),
+            shape,
+            normal: precise_normal.to_doubles(),
+            precise_normal,
+            tilt,
+            rectangle: rectangle.filter(axis_aligned),
         }
     }
 
-    /// What the two exchange, by the cheapest route whose error bound is within `tolerance` of the value; if none is,
-    /// the value with the smallest bound.
-    ///
-    /// # Errors
-    /// [`FormFactorError::OutOfRange`] if the value leaves the range of `f64`.
-    pub fn exchange_area(&self, other: &Self, _tolerance: f64) -> Result<Answer, FormFactorError> {
-        let first = Rectangle::try_from(&self.patch)?;
-        let exchange: ExchangeArea =
-            RectanglePair::try_new(&first, &Rectangle::try_from(&other.patch)?)?.exchange_area()?;
-        Ok(Answer {
-            exchange,
-            route: Route::ParallelRectangles,
-        })
+    /// Times a power of two.
+    pub(super) fn scaled(&self, factor: f64) -> Self {
+        let corners: Vec<DVec3> = self.shape.corners.iter().map(|c| *c * factor).collect();
+        Self::of(&corners, None)
+    }
+
+    /// Area, from 106 bits, in squared units of length.
+    #[must_use]
+    pub const fn area(&self) -> f64 {
+        self.shape.area
+    }
+
+    /// Perimeter, in units of length.
+    #[must_use]
+    pub const fn perimeter(&self) -> f64 {
+        self.shape.perimeter
+    }
+
+    /// The height of a point above the plane, to 106 bits.
+    pub(super) fn precise_height(&self, point: DVec3) -> DoubleDouble {
+        self.height_of(Vector::lifted(point, DoubleDouble::from(0.0)))
+    }
+
+    pub(super) fn height_of(&self, point: Vector<DoubleDouble>) -> DoubleDouble {
+        let origin = Vector::lifted(self.shape.corners[0], DoubleDouble::from(0.0));
+        point.minus(origin).dot(self.precise_normal)
     }
 }

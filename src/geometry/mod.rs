@@ -12,6 +12,8 @@ mod patch;
 mod placement;
 mod rectangle;
 mod span;
+mod triangulation;
+mod vector;
 
 pub use error::GeometryError;
 pub use offsets::Offsets;
@@ -19,3 +21,5 @@ pub use patch::Patch;
 pub use placement::{Extent, Placement};
 pub use rectangle::{Rectangle, SplitAxis};
 pub use span::Span;
+pub use triangulation::triangulated;
+pub use vector::Vector;

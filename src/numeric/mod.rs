@@ -10,10 +10,13 @@
 
 mod certified;
 mod compensated_sum;
+mod double_double;
 mod dual;
+pub mod elementary;
 mod entropy_kernel;
 mod error;
 mod expansion;
+mod gauss_legendre;
 pub mod interval;
 mod maximum;
 mod quadrature;
@@ -28,10 +31,12 @@ pub use certified::{
     VectorFunction, certified_maximum, certified_roots, certified_stationary_point,
 };
 pub use compensated_sum::compensated_sum;
+pub use double_double::{DoubleDouble, SQUARED_EPSILON};
 pub use dual::Dual;
 pub use entropy_kernel::{divergence_kernel, x_ln_x, x_log2_ratio, x_log2_x};
 pub use error::NumericError;
 pub use expansion::Expansion;
+pub use gauss_legendre::{GaussLegendre, MOST_POINTS};
 pub use interval::{Interval, Precise};
 pub use maximum::{Maximum, maximum, maximum_of_many};
 pub use quadrature::{Integral, integral};

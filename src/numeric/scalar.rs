@@ -100,51 +100,51 @@ pub trait Scalar:
 
 /// Inlined into other crates too, where a formula over `f64` is compiled anew.
 impl Scalar for f64 {
-    #[inline]
+    #[inline(always)]
     fn constant(&self, value: f64) -> Self {
         value
     }
-    #[inline]
+    #[inline(always)]
     fn pi(&self) -> Self {
         std::f64::consts::PI
     }
-    #[inline]
+    #[inline(always)]
     fn to_f64(&self) -> f64 {
         *self
     }
-    #[inline]
+    #[inline(always)]
     fn sqrt(&self) -> Self {
         f64::sqrt(*self)
     }
-    #[inline]
+    #[inline(always)]
     fn ln(&self) -> Self {
-        f64::ln(*self)
+        super::elementary::ln(*self)
     }
-    #[inline]
+    #[inline(always)]
     fn ln_1p(&self) -> Self {
         f64::ln_1p(*self)
     }
-    #[inline]
+    #[inline(always)]
     fn exp(&self) -> Self {
         f64::exp(*self)
     }
-    #[inline]
+    #[inline(always)]
     fn exp_m1(&self) -> Self {
         f64::exp_m1(*self)
     }
-    #[inline]
+    #[inline(always)]
     fn atan2(&self, x: &Self) -> Self {
-        f64::atan2(*self, *x)
+        super::elementary::angle(*self, *x)
     }
-    #[inline]
+    #[inline(always)]
     fn divergence_kernel(&self) -> Self {
         super::divergence_kernel(*self)
     }
-    #[inline]
+    #[inline(always)]
     fn x_ln_x(&self) -> Self {
         super::x_ln_x(*self)
     }
-    #[inline]
+    #[inline(always)]
     fn abs(&self) -> Self {
         f64::abs(*self)
     }

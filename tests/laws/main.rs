@@ -14,6 +14,7 @@ mod closure;
 mod cuts;
 mod divergence;
 mod dual_numbers;
+mod elementary;
 mod error_bounds;
 mod independent_roads;
 mod interval_ends;

@@ -1,0 +1,203 @@
+//! The double contour integral over both outlines.
+//!
+//! ```text
+//!   A F = (1/2π) ∮∮ ln r dx·dy = (1/2π) Σ_ab (u_a·u_b) ∫_a ∫_b ln r        (u: edge directions)
+//! ```
+//!
+//! Pairs of edges apart from each other take a Gauss rule on one of them, all in one pass over all points; the others
+//! are [closed forms](super::edge_pair) or graded panels. What limits it is cancellation: the terms are of the size of
+//! perimeter × perimeter, and the sum falls like 1/distance².
+//!
+//! Reference: Sparrow, "A new and simpler formulation for radiative angle factors", *J. Heat Transfer* 85 (1963), 81–87.
+
+use super::ExchangeArea;
+use super::edge_pair::{Edge, Precision, coplanar, ellipse, gauss_error, points_for, skew};
+use super::potential::{Points, potentials};
+use super::shape::Shape;
+use crate::geometry::Vector;
+use crate::numeric::{DoubleDouble, GaussLegendre, SQUARED_EPSILON, Scalar};
+use glam::DVec3;
+use smallvec::SmallVec;
+use std::f64::consts::TAU;
+
+/// Edges at least this far from each other, as a sum of half-axes, take a Gauss rule in one piece.
+const APART: f64 = 1.4;
+/// And no more points than this.
+const MOST: usize = 24;
+
+/// Room for the work on a pair.
+#[derive(Debug, Default)]
+pub(super) struct Scratch {
+    points: Points,
+    weights: Vec<f64>,
+    edges: Vec<usize>,
+    logs: Vec<f64>,
+    seen: Vec<f64>,
+    seen_back: Vec<f64>,
+}
+
+type Edges<S> = SmallVec<[Edge<S>; 4]>;
+
+fn edges<S: Scalar + Copy>(corners: &[Vector<S>]) -> Edges<S> {
+    let n = corners.len();
+    (0..n).map(|i| Edge::new(corners[i], corners[(i + 1) % n])).collect()
+}
+
+/// In `f64`; `wanted` is the absolute error that truncation may have. `None` if edges come too near to each other
+/// to be resolved.
+pub(super) fn contour(
+    first: &Shape,
+    second: &Shape,
+    wanted: f64,
+    scratch: &mut Scratch,
+) -> Option<ExchangeArea> {
+    // the outer polygon is the one with the shorter edges: fewer points
+    let (outer, inner) = if first.longest_edge <= second.longest_edge {
+        (first, second)
+    } else {
+        (second, first)
+    };
+    let reach = outer.centre.distance(inner.centre) + outer.radius + inner.radius;
+    let farthest = outer.centre.abs().max_element() + inner.centre.abs().max_element();
+    // far from the origin, coordinates are taken from a corner; each is then rounded once more
+    let (shift, shifted) = if farthest > 4.0 * reach {
+        let perimeters = outer.perimeter + inner.perimeter;
+        (outer.corners[0], f64::EPSILON * reach * 2.0 * perimeters)
+    } else {
+        (DVec3::ZERO, 0.0)
+    };
+    let place = |shape: &Shape| -> SmallVec<[DVec3; 8]> {
+        shape.corners.iter().map(|corner| *corner - shift).collect()
+    };
+    let (p, q) = (place(outer), place(inner));
+    let lift = |corners: &[DVec3]| -> SmallVec<[Vector<f64>; 8]> {
+        corners.iter().map(|corner| Vector(corner.to_array())).collect()
+    };
+    let (a_edges, b_edges) = (edges(&lift(&p)), edges(&lift(&q)));
+    let precision = Precision {
+        inverse_unit: 1.0 / power_of_two_below(reach),
+        epsilon: f64::EPSILON,
+    };
+    let per_length = wanted * TAU / (outer.perimeter * inner.perimeter);
+
+    let Scratch { points, weights, edges, logs, seen, seen_back } = scratch;
+    points.clear();
+    weights.clear();
+    edges.clear();
+    let (m, k) = (p.len(), q.len());
+    let mut apart: SmallVec<[bool; 16]> = SmallVec::with_capacity(m * k);
+    let mut error = 0.0;
+    for (i, a) in a_edges.iter().enumerate() {
+        let middle = Vector(((p[i] + p[(i + 1) % m]) * 0.5).to_array());
+        let mut nearest = f64::INFINITY;
+        for b in &b_edges {
+            let sum = 2.0 * b.distance(middle) / a.length;
+            let is_apart = sum >= APART && points_for(2.0 * per_length, ellipse(sum)) <= MOST;
+            apart.push(is_apart);
+            if is_apart {
+                nearest = nearest.min(sum);
+            }
+        }
+        if nearest < f64::INFINITY {
+            let rho = ellipse(nearest);
+            let rule = GaussLegendre::with(points_for(2.0 * per_length, rho));
+            for (x, weight) in rule.nodes.iter().zip(&rule.weights) {
+                points.push(p[i] + (0.5 + 0.5 * x) * (p[(i + 1) % m] - p[i]));
+                weights.push(0.5 * weight * a.length);
+                edges.push(i);
+            }
+            error += 0.5 * a.length * inner.perimeter * gauss_error(rule.nodes.len(), rho);
+        }
+    }
+    let ruled = points.len();
+    let all_apart = apart.iter().all(|is| *is);
+    if !all_apart {
+        p.iter().for_each(|corner| points.push(*corner));
+    }
+    potentials(points, &q, precision.inverse_unit, logs, seen);
+    let stride = points.len();
+    if !all_apart {
+        points.clear();
+        q.iter().for_each(|corner| points.push(*corner));
+        potentials(points, &p, precision.inverse_unit, logs, seen_back);
+    }
+    let of_potential = precision.of_potential(reach);
+    let mut sum = 0.0;
+    for (j, b) in b_edges.iter().enumerate() {
+        let row = &seen[j * stride..(j + 1) * stride];
+        for (i, a) in a_edges.iter().enumerate() {
+            let cosine = a.direction.dot(b.direction);
+            if apart[i * k + j] {
+                error += cosine.abs() * a.length * (of_potential + 4.0 * f64::EPSILON * b.length);
+            } else {
+                let at_a = [row[ruled + i], row[ruled + (i + 1) % m]];
+                let back = &seen_back[i * k..(i + 1) * k];
+                let at_b = [back[j], back[(j + 1) % k]];
+                let pair = near([a, b], at_a, at_b, per_length, precision)?;
+                sum += cosine * pair.value;
+                error += cosine.abs() * pair.error + 4.0 * f64::EPSILON * pair.value.abs();
+            }
+        }
+        for ((weight, i), potential) in weights.iter().zip(&*edges).zip(row) {
+            if apart[i * k + j] {
+                sum += weight * a_edges[*i].direction.dot(b.direction) * potential;
+            }
+        }
+    }
+    Some(ExchangeArea {
+        value: sum / TAU,
+        error_bound: error / TAU + shifted,
+    })
+}
+
+/// To 106 bits, from corners known that well.
+pub(super) fn precise_contour(
+    [p, q]: [&[Vector<DoubleDouble>]; 2],
+    wanted: f64,
+) -> Option<ExchangeArea> {
+    let distances = p.iter().flat_map(|x| q.iter().map(|y| x.minus(*y).length().to_f64()));
+    let reach = distances.fold(0.0, f64::max);
+    let precision = Precision {
+        inverse_unit: DoubleDouble::from(1.0 / power_of_two_below(reach)),
+        // functions are within 64 ε², where the double forms count on 2 ε
+        epsilon: 32.0 * SQUARED_EPSILON,
+    };
+    let (a_edges, b_edges) = (edges(p), edges(q));
+    let perimeter = |edges: &Edges<DoubleDouble>| edges.iter().map(|e| e.length.to_f64()).sum::<f64>();
+    let per_length = wanted * TAU / (perimeter(&a_edges) * perimeter(&b_edges));
+    let (mut sum, mut error) = (DoubleDouble::from(0.0), 0.0);
+    for a in &a_edges {
+        for b in &b_edges {
+            let cosine = a.direction.dot(b.direction);
+            let potential = |edge: &Edge<_>, point| edge.potential(point, precision.inverse_unit);
+            let at_a = a.ends.map(|end| potential(b, end));
+            let at_b = b.ends.map(|end| potential(a, end));
+            let pair = near([a, b], at_a, at_b, per_length, precision)?;
+            sum = sum + cosine * pair.value;
+            error += cosine.to_f64().abs() * pair.error
+                + precision.epsilon * pair.value.to_f64().abs();
+        }
+    }
+    Some(ExchangeArea {
+        value: sum.to_f64() / TAU,
+        error_bound: error / TAU + f64::EPSILON * sum.to_f64().abs(),
+    })
+}
+
+fn near<S: Scalar + Copy>(
+    pair: [&Edge<S>; 2],
+    at_a: [S; 2],
+    at_b: [S; 2],
+    per_length: f64,
+    precision: Precision<S>,
+) -> Option<super::edge_pair::PairIntegral<S>> {
+    coplanar(pair, at_a, at_b, precision).or_else(|| {
+        let wanted = per_length * pair[0].length.to_f64() * pair[1].length.to_f64();
+        skew(pair, wanted, precision)
+    })
+}
+
+/// The largest power of two not above a positive number.
+fn power_of_two_below(x: f64) -> f64 {
+    f64::from_bits(x.to_bits() & 0x7ff0_0000_0000_0000)
+}

@@ -1,0 +1,235 @@
+//! `∫∫ ln|x − y| dx dy` over a pair of edges.
+//!
+//! Edges on lines that meet: with s, t measured from the meeting point, r² is homogeneous, so that
+//!
+//! ```text
+//!   ∫∫ (2 ln r + 1) ds dt = s1 U(x(s1)) − s0 U(x(s0)) + t1 V(y(t1)) − t0 V(y(t0))
+//!   s = (w×v)·(u×v)/|u×v|²,  t = (w×u)·(u×v)/|u×v|²        (w = A − B from the nearest ends A, B, where s and t are)
+//! ```
+//!
+//! where U and V are the [potentials](super::potential) of the two edges. Parallel edges, h apart, p and q along them:
+//!
+//! ```text
+//!   ∫∫ ½ ln((p−q)² + h²) = Σ ± G(p − q),   G(w) = ((w² − h²)/4) ln(w² + h²) + h w atan(w/h) − ¾ w²
+//! ```
+//!
+//! Lines that miss each other by δ count as meeting if δ is lost in rounding: with true and computed r² apart by δ² at
+//! most, `∫ ½ ln(1 + δ²/t²) dt = π δ` bounds what each potential is off by. Skew edges near to each other are cut into
+//! panels, graded towards the other one, until a [Gauss rule](gauss_error) is certain on each.
+
+use super::potential::{POTENTIAL, POTENTIAL_LOG, log_distance, potential};
+use crate::geometry::Vector;
+use crate::numeric::{GaussLegendre, Scalar};
+use std::f64::consts::PI;
+
+/// An edge, from start to end.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Edge<S> {
+    pub ends: [Vector<S>; 2],
+    pub direction: Vector<S>,
+    pub length: S,
+}
+
+impl<S: Scalar + Copy> Edge<S> {
+    pub(super) fn new(start: Vector<S>, end: Vector<S>) -> Self {
+        let along = end.minus(start);
+        let length = along.length();
+        Self {
+            ends: [start, end],
+            direction: along.times(length.constant(1.0) / length),
+            length,
+        }
+    }
+
+    fn at(&self, t: S) -> Vector<S> {
+        self.ends[0].plus(self.direction, t * self.length)
+    }
+
+    /// Its potential at a point.
+    pub(super) fn potential(&self, point: Vector<S>, inverse_unit: S) -> S {
+        let [a, c] = self.ends.map(|end| end.minus(point));
+        let logs = [a, c].map(|end| log_distance(end, inverse_unit));
+        potential(a, c, self.direction, self.length, logs)
+    }
+
+    /// A lower bound on the distance of a point, as a double.
+    pub(super) fn distance(&self, point: Vector<S>) -> f64 {
+        let from_start = point.minus(self.ends[0]);
+        let along = from_start.dot(self.direction).to_f64();
+        let nearest = along.clamp(0.0, self.length.to_f64());
+        let foot = self.ends[0].plus(self.direction, self.length.constant(nearest));
+        point.minus(foot).length().to_f64() * (1.0 - 4.0 * f64::EPSILON)
+    }
+}
+
+/// An integral over two edges, and a bound on its error.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PairIntegral<S> {
+    pub value: S,
+    pub error: f64,
+}
+
+/// What lengths are measured in under the logarithm, and what a rounding is.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Precision<S> {
+    pub inverse_unit: S,
+    pub epsilon: f64,
+}
+
+impl<S: Scalar + Copy> Precision<S> {
+    /// The error of a potential at distances up to `reach`: `x |ln x|` is at most 1/e below 1.
+    pub(super) fn of_potential(&self, reach: f64) -> f64 {
+        let inverse_unit = self.inverse_unit.to_f64();
+        let log = (reach * inverse_unit).ln().max(0.0) * reach + 0.4 / inverse_unit;
+        self.epsilon * (POTENTIAL * reach + POTENTIAL_LOG * log)
+    }
+}
+
+/// The closed form of two edges in one plane, from the potentials of each at the other's ends; `None` if they are skew,
+/// or their lines meet too far away.
+pub(super) fn coplanar<S: Scalar + Copy>(
+    [a, b]: [&Edge<S>; 2],
+    at_a: [S; 2],
+    at_b: [S; 2],
+    precision: Precision<S>,
+) -> Option<PairIntegral<S>> {
+    let number = |x: f64| a.length.constant(x);
+    let between = [0, 1].map(|i| [0, 1].map(|j| a.ends[i].minus(b.ends[j])));
+    let distances = between.map(|row| row.map(|w| w.length().to_f64()));
+    let reach = distances.as_flattened().iter().fold(0.0, |most: f64, r| most.max(*r));
+    let (mut i, mut j) = (0, 0);
+    for (k, l) in [(0, 1), (1, 0), (1, 1)] {
+        if distances[k][l] < distances[i][j] {
+            (i, j) = (k, l);
+        }
+    }
+    let (w, near) = (between[i][j], distances[i][j]);
+    let across = a.direction.cross(b.direction);
+    let square = across.dot(across);
+    let sine = square.sqrt().to_f64();
+    if sine <= 16.0 * precision.epsilon {
+        return Some(parallel([a, b], between, (w, near), sine, precision));
+    }
+    let miss = w.dot(across).to_f64().abs() / sine;
+    if miss > 16.0 * precision.epsilon * reach {
+        return None;
+    }
+    let s = w.cross(b.direction).dot(across) / square;
+    let t = w.cross(a.direction).dot(across) / square;
+    let (a_length, b_length) = (a.length.to_f64(), b.length.to_f64());
+    if s.to_f64().abs().max(t.to_f64().abs()) > 4.0 * a_length.max(b_length) {
+        return None;
+    }
+    let ends = |near: S, k: usize, length: S| if k == 0 { [near, near + length] } else { [near - length, near] };
+    let (s, t, near_s, near_t) = (ends(s, i, a.length), ends(t, j, b.length), s, t);
+    let boundary = s[1] * at_a[1] - s[0] * at_a[0] + t[1] * at_b[1] - t[0] * at_b[0];
+    let value = (boundary - a.length * b.length) * number(0.5);
+    // s and t shift together by what the meeting point is off
+    let [s, t] = [s, t].map(|ends| ends.map(|x| x.to_f64().abs()));
+    let shift = 4.0 * precision.epsilon * (near + near_s.to_f64().abs() + near_t.to_f64().abs()) / sine;
+    let potentials: f64 = [at_a, at_b].as_flattened().iter().map(|u| u.to_f64().abs()).sum();
+    let weights: f64 = [s, t].as_flattened().iter().sum();
+    let error = 0.5 * weights * (precision.of_potential(reach) + 2.0 * PI * miss)
+        + 0.5 * shift * potentials
+        + 2.0 * precision.epsilon * (weights * potentials / 4.0 + a_length * b_length);
+    Some(PairIntegral { value, error })
+}
+
+fn parallel<S: Scalar + Copy>(
+    [a, b]: [&Edge<S>; 2],
+    between: [[Vector<S>; 2]; 2],
+    (w, near): (Vector<S>, f64),
+    sine: f64,
+    precision: Precision<S>,
+) -> PairIntegral<S> {
+    let number = |x: f64| a.length.constant(x);
+    let along = a.direction.dot(b.direction).to_f64() > 0.0;
+    let apart = if near > 0.0 { w.cross(a.direction).length() } else { number(0.0) };
+    let mut sum = number(0.0);
+    let mut size = 0.0;
+    for (i, row) in between.into_iter().enumerate() {
+        for (j, w) in row.into_iter().enumerate() {
+            let p = w.dot(a.direction);
+            let (p2, h2) = (p * p, apart * apart);
+            let log = log_distance(Vector([p, apart, number(0.0)]), precision.inverse_unit);
+            let term = (p2 - h2) * number(0.5) * log + apart * p * p.atan2(&apart) - p2 * number(0.75);
+            // + for the ends' difference p1 − q_min and p0 − q_max
+            let positive = (i == j) != along;
+            sum = if positive { sum + term } else { sum - term };
+            size += (p2 + h2).to_f64() * (log.to_f64().abs() + 4.0);
+        }
+    }
+    // a turn by the sine moves a point of one by at most that times its length, against all of the other
+    let turned = 2.0 * PI * sine * a.length.to_f64() * b.length.to_f64();
+    PairIntegral {
+        value: sum,
+        error: 4.0 * precision.epsilon * size + turned,
+    }
+}
+
+/// A bound on the error of a Gauss rule with `points` on an edge, per half its length and per length of the other edge, if
+/// no point of the other one is nearer to it than the ellipse `ρ`: half the logarithm of r² has the Chebyshev
+/// coefficients `ρ^(−k)/k` of its two singular points, the rule is exact below `2n` and within 2.05 beyond.
+#[allow(clippy::cast_precision_loss, reason = "some points")]
+pub(super) fn gauss_error(points: usize, rho: f64) -> f64 {
+    let n = points as f64;
+    2.05 / n * rho.powi(-2 * i32::try_from(points).unwrap_or(i32::MAX)) / (1.0 - rho.powi(-2))
+}
+
+/// The ellipse through a point whose distances from the ends of an edge are `sum` edge lengths together.
+pub(super) fn ellipse(sum: f64) -> f64 {
+    sum + (sum * sum - 1.0).max(0.0).sqrt()
+}
+
+/// The number of points for which [`gauss_error`] is below `error`.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small")]
+pub(super) fn points_for(error: f64, rho: f64) -> usize {
+    let points = (-error.ln() / (2.0 * rho.ln())).ceil().clamp(2.0, 200.0) as usize;
+    if points > 2 && gauss_error(points - 1, rho) <= error { points - 1 } else { points }
+}
+
+/// Skew edges: a Gauss rule on the shorter one, on panels graded towards the other one; `None` if it does not settle.
+pub(super) fn skew<S: Scalar + Copy>(
+    [a, b]: [&Edge<S>; 2],
+    wanted: f64,
+    precision: Precision<S>,
+) -> Option<PairIntegral<S>> {
+    const MOST_PANELS: usize = 400;
+    /// Panels have all points of the other edge outside the ellipse with this sum of half-axes.
+    const SUM: f64 = 1.7;
+    let (outer, inner) = if a.length <= b.length { (a, b) } else { (b, a) };
+    let number = |x: f64| a.length.constant(x);
+    let (outer_length, inner_length) = (outer.length.to_f64(), inner.length.to_f64());
+    let per_length = wanted / (outer_length * inner_length);
+    let mut panels = vec![(0.0, 1.0)];
+    let (mut value, mut error, mut done) = (number(0.0), 0.0, 0);
+    while let Some((from, to)) = panels.pop() {
+        done += 1;
+        if done > MOST_PANELS {
+            return None;
+        }
+        let middle = 0.5 * (from + to);
+        let length = (to - from) * outer_length;
+        let sum = 2.0 * inner.distance(outer.at(number(middle))) / length;
+        if sum < SUM {
+            panels.push((from, middle));
+            panels.push((middle, to));
+            continue;
+        }
+        let rho = ellipse(sum);
+        let share = (to - from).max(1e-3);
+        let rule = GaussLegendre::with(points_for(per_length * 2.0 / share.sqrt(), rho));
+        let half = number(0.5 * (to - from));
+        let mut panel = number(0.0);
+        for [x, weight] in &rule.precise {
+            let [t, weight] = [x, weight].map(|x| number(x.high()) + number(x.low()));
+            let t = number(middle) + half * t;
+            panel = panel + weight * inner.potential(outer.at(t), precision.inverse_unit);
+        }
+        value = value + panel * half * outer.length;
+        error += gauss_error(rule.nodes.len(), rho) * 0.5 * length * inner_length;
+    }
+    let reach = a.ends.iter().flat_map(|x| b.ends.map(|y| x.minus(y).length().to_f64())).fold(0.0, f64::max);
+    error += outer_length * precision.of_potential(reach);
+    Some(PairIntegral { value, error })
+}

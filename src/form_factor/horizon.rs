@@ -1,0 +1,163 @@
+//! The part of each polygon in front of the other's plane.
+//!
+//! A height above a plane is taken in `f64` first; near zero it is taken again to 106 bits. A corner counts as
+//! on the plane if its height is within the rounding of the coordinates it came from. Such a corner, and one that a
+//! clip puts in place, may be off by δ; that changes what the two exchange by at most
+//!
+//! ```text
+//!   |Δ(A F)| ≤ 2 δ (perimeter of one + perimeter of the other)
+//! ```
+//!
+//! because the vector irradiance of a Lambertian polygon has no sources outside it: what passes through the old and the
+//! new outline differs by what passes through the ribbon between them, whose area is at most δ times the perimeter, and
+//! no point receives more than 1 per area; twice that, as the other polygon's horizon moves along.
+
+use super::Polygon;
+use super::shape::Shape;
+use crate::geometry::Vector;
+use crate::numeric::{DoubleDouble, Scalar};
+use glam::DVec3;
+use smallvec::SmallVec;
+
+/// Heights of corners above the other polygon's plane, all ≥ 0.
+pub(super) type Heights = SmallVec<[f64; 4]>;
+
+/// How a polygon lies to another one's plane.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Side {
+    /// In the plane.
+    Within,
+    /// Behind it, or behind it and in it.
+    Behind,
+    /// In front, as it is.
+    Front(Heights),
+    /// In front, what is left of it.
+    Clipped(Box<Shape>, Heights),
+}
+
+impl Side {
+    /// The heights of what is in front; `None` if nothing is.
+    pub(super) fn heights(&self) -> Option<&[f64]> {
+        match self {
+            Self::Front(heights) | Self::Clipped(_, heights) => Some(heights),
+            Self::Within | Self::Behind => None,
+        }
+    }
+
+    /// What is in front of a polygon that was `whole` before.
+    pub(super) fn shape<'a>(&'a self, whole: &'a Shape) -> &'a Shape {
+        match self {
+            Self::Clipped(shape, _) => shape,
+            _ => whole,
+        }
+    }
+}
+
+/// Where a polygon lies to another one's plane, and how far its corners may be from where they should be.
+pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, f64) {
+    let (shape, origin) = (&polygon.shape, plane.shape.corners[0]);
+    let reach = shape.corners.iter().map(|c| c.abs().max_element()).fold(0.0, f64::max);
+    // what the rounding of coordinates may do to a height
+    let noise = 4.0 * f64::EPSILON * (reach + origin.abs().max_element());
+    let distance = shape.centre.distance(origin) + shape.radius;
+    // the product below is within 4 ε of the distance, the plane within its tilt
+    let unsure = 4.0 * f64::EPSILON * distance + noise;
+    let tilted = plane.tilt * distance;
+    let mut slack = tilted;
+    let mut refined = |corner: &DVec3, height: f64| -> f64 {
+        if height.abs() > 64.0 * unsure {
+            return height;
+        }
+        if plane.shape.corners.contains(corner) {
+            return 0.0;
+        }
+        let height = plane.precise_height(*corner).to_f64();
+        if height.abs() > noise + tilted {
+            height
+        } else {
+            slack = f64::max(slack, height.abs());
+            0.0
+        }
+    };
+    let heights: Heights = shape
+        .corners
+        .iter()
+        .map(|corner| refined(corner, (*corner - origin).dot(plane.normal)))
+        .collect();
+    if heights.iter().all(|h| *h >= 0.0) {
+        let all_in = heights.iter().all(|h| *h <= 0.0);
+        return (if all_in { Side::Within } else { Side::Front(heights) }, slack);
+    }
+    if heights.iter().all(|h| *h <= 0.0) {
+        return (Side::Behind, if heights.iter().all(|h| *h < 0.0) { tilted } else { slack });
+    }
+    let (corners, heights) = clipped(shape, plane, &heights);
+    // a coordinate of a new corner is rounded once
+    let slack = slack + f64::EPSILON * reach;
+    match Shape::new(&corners, polygon.precise_normal) {
+        Some(shape) => {
+            let heights = heights_of(&shape, &corners, &heights);
+            (Side::Clipped(Box::new(shape), heights), slack)
+        }
+        None => (Side::Behind, slack),
+    }
+}
+
+/// Corners in front, and where edges cross the plane.
+fn clipped(shape: &Shape, plane: &Polygon, heights: &[f64]) -> (Vec<DVec3>, Vec<f64>) {
+    let n = shape.corners.len();
+    let (mut corners, mut kept) = (Vec::with_capacity(n + 2), Vec::with_capacity(n + 2));
+    for i in 0..n {
+        let j = (i + 1) % n;
+        let (from, to) = (heights[i], heights[j]);
+        if from >= 0.0 {
+            corners.push(shape.corners[i]);
+            kept.push(from);
+        }
+        if (from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0) {
+            let ends = [i, j].map(|k| shape.corners[k]);
+            corners.push(crossing(ends, plane));
+            kept.push(0.0);
+        }
+    }
+    (corners, kept)
+}
+
+/// Where an edge crosses a plane, to 106 bits before the last rounding.
+fn crossing(ends: [DVec3; 2], plane: &Polygon) -> DVec3 {
+    let [from, to] = ends.map(|end| plane.precise_height(end));
+    let [start, end] = ends.map(|end| Vector::lifted(end, from));
+    start.plus(end.minus(start), from / (from - to)).to_doubles()
+}
+
+/// The corners of a polygon in front of another one's plane, to 106 bits.
+pub(super) fn precise_outline(polygon: &Polygon, plane: &Polygon) -> Vec<Vector<DoubleDouble>> {
+    let zero = DoubleDouble::from(0.0);
+    let corners = &polygon.shape.corners;
+    let lifted: Vec<_> = corners.iter().map(|corner| Vector::lifted(*corner, zero)).collect();
+    let on_it = |corner: &DVec3| plane.shape.corners.contains(corner);
+    let height = |corner: &DVec3| {
+        if on_it(corner) { zero } else { plane.precise_height(*corner) }
+    };
+    let heights: Vec<DoubleDouble> = corners.iter().map(height).collect();
+    let n = corners.len();
+    let mut outline = Vec::with_capacity(n + 2);
+    for i in 0..n {
+        let j = (i + 1) % n;
+        let (from, to) = (heights[i], heights[j]);
+        if from >= zero {
+            outline.push(lifted[i]);
+        }
+        if (from > zero && to < zero) || (from < zero && to > zero) {
+            let along = lifted[j].minus(lifted[i]);
+            outline.push(lifted[i].plus(along, from / (from - to)));
+        }
+    }
+    outline
+}
+
+/// The heights of a shape's corners, which are some of `corners`.
+fn heights_of(shape: &Shape, corners: &[DVec3], heights: &[f64]) -> Heights {
+    let of = |corner: &DVec3| corners.iter().position(|c| c == corner).map_or(0.0, |k| heights[k]);
+    shape.corners.iter().map(of).collect()
+}

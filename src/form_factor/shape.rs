@@ -1,0 +1,109 @@
+//! What the routes need of a polygon's outline: sizes, and cells for quadrature.
+//!
+//! ```text
+//!   cell: x(s, t) = (1−s)(1−t) c0 + s(1−t) c1 + s t c2 + (1−s) t c3,   s, t in [0, 1]
+//!   dA = J ds dt,   J = J0 + Js s + Jt t      (c2 = c3 for a triangle)
+//! ```
+
+use crate::geometry::{Vector, triangulated};
+use crate::numeric::{DoubleDouble, Scalar};
+use glam::DVec3;
+use smallvec::SmallVec;
+
+/// Four corners of a cell, as indices of the outline's corners; the last two are equal in a triangle.
+pub(super) type Cell = [usize; 4];
+
+/// An outline in a plane, counter-clockwise seen from its front.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Shape {
+    pub corners: SmallVec<[DVec3; 4]>,
+    pub cells: SmallVec<[Cell; 1]>,
+    /// `J0, Js, Jt` of each cell, from 106 bits.
+    pub jacobians: SmallVec<[[f64; 3]; 1]>,
+    pub area: f64,
+    pub perimeter: f64,
+    pub longest_edge: f64,
+    pub centre: DVec3,
+    /// Largest distance of a corner from the centre.
+    pub radius: f64,
+}
+
+impl Shape {
+    /// The outline with these corners, in a plane with this normal. Consecutive corners that coincide are taken as one;
+    /// `None` if fewer than three are left.
+    pub(super) fn new(corners: &[DVec3], normal: Vector<DoubleDouble>) -> Option<Self> {
+        let mut distinct: SmallVec<[DVec3; 4]> = corners.into();
+        distinct.dedup();
+        while distinct.len() > 1 && distinct.first() == distinct.last() {
+            distinct.pop();
+        }
+        let corners = distinct;
+        let n = corners.len();
+        if n < 3 {
+            return None;
+        }
+        let cells: SmallVec<[Cell; 1]> = if is_convex(&corners, normal) {
+            (1..n - 1).step_by(2).map(|i| [0, i, i + 1, (i + 2).min(n - 1)]).collect()
+        } else {
+            let triangles = triangulated(&corners, normal.to_doubles());
+            triangles.into_iter().map(|[a, b, c]| [a, b, c, c]).collect()
+        };
+        let jacobians: SmallVec<[[f64; 3]; 1]> =
+            cells.iter().map(|cell| jacobian(cell.map(|i| corners[i]), normal)).collect();
+        let area = jacobians.iter().map(|[j, js, jt]| j + 0.5 * (js + jt)).sum();
+        #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
+        let centre = corners.iter().sum::<DVec3>() / n as f64;
+        let edges = (0..n).map(|i| (corners[(i + 1) % n] - corners[i]).length());
+        let radius = corners.iter().map(|c| c.distance(centre)).fold(0.0, f64::max);
+        Some(Self {
+            perimeter: edges.clone().sum(),
+            longest_edge: edges.fold(0.0, f64::max),
+            corners,
+            cells,
+            jacobians,
+            area,
+            centre,
+            radius,
+        })
+    }
+
+    /// Half the longest line `s = const` or `t = const` of a cell.
+    pub(super) fn half_length(&self) -> f64 {
+        // such a line joins points of two opposite sides; it is at most the longer of the other two
+        let of_cell = |cell: &Cell| {
+            let [a, b, c, d] = cell.map(|i| self.corners[i]);
+            let sides = [b - a, c - b, d - c, a - d];
+            sides.into_iter().map(DVec3::length).fold(0.0, f64::max)
+        };
+        0.5 * self.cells.iter().map(of_cell).fold(0.0, f64::max)
+    }
+}
+
+fn is_convex(corners: &[DVec3], normal: Vector<DoubleDouble>) -> bool {
+    let n = corners.len();
+    n == 3
+        || (0..n).all(|i| {
+            let [a, b, c] = [0, 1, 2].map(|k| corners[(i + k) % n]);
+            (b - a).cross(c - b).dot(normal.to_doubles()) >= 0.0
+        }) && turns_once(corners, normal)
+}
+
+/// Does a polygon that never turns right go round once only? (A star goes round more often.)
+fn turns_once(corners: &[DVec3], normal: Vector<DoubleDouble>) -> bool {
+    let (n, normal) = (corners.len(), normal.to_doubles());
+    n == 4
+        || (1..n - 1).all(|i| {
+            (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]).dot(normal) >= 0.0
+        })
+}
+
+/// `J0, Js, Jt`: the corners' Jacobians are products of the sides that meet there.
+fn jacobian([a, b, c, d]: [DVec3; 4], normal: Vector<DoubleDouble>) -> [f64; 3] {
+    let like = DoubleDouble::from(0.0);
+    let [a, b, c, d] = [a, b, c, d].map(|corner| Vector::lifted(corner, like));
+    let product = |u: Vector<_>, v: Vector<_>| u.cross(v).dot(normal);
+    let origin = product(b.minus(a), d.minus(a));
+    let along_s = product(b.minus(a), c.minus(b)) - origin;
+    let along_t = product(c.minus(d), d.minus(a)) - origin;
+    [origin, along_s, along_t].map(|j| j.to_f64())
+}

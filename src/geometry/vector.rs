@@ -1,0 +1,68 @@
+//! Vectors over any fast number type.
+
+use crate::numeric::Scalar;
+use glam::DVec3;
+
+/// Three coordinates.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Vector<S>(pub [S; 3]);
+
+impl<S: Scalar + Copy> Vector<S> {
+    /// `self − other`.
+    #[inline(always)]
+    #[must_use]
+    pub fn minus(self, other: Self) -> Self {
+        let ([a, b, c], [x, y, z]) = (self.0, other.0);
+        Self([a - x, b - y, c - z])
+    }
+
+    /// `self + other·factor`.
+    #[inline(always)]
+    #[must_use]
+    pub fn plus(self, other: Self, factor: S) -> Self {
+        let ([a, b, c], [x, y, z]) = (self.0, other.0);
+        Self([a + x * factor, b + y * factor, c + z * factor])
+    }
+
+    /// Times a number.
+    #[inline(always)]
+    #[must_use]
+    pub fn times(self, factor: S) -> Self {
+        Self(self.0.map(|x| x * factor))
+    }
+
+    /// Scalar product.
+    #[inline(always)]
+    #[must_use]
+    pub fn dot(self, other: Self) -> S {
+        let ([a, b, c], [x, y, z]) = (self.0, other.0);
+        a * x + b * y + c * z
+    }
+
+    /// Vector product.
+    #[inline(always)]
+    #[must_use]
+    pub fn cross(self, other: Self) -> Self {
+        let ([a, b, c], [x, y, z]) = (self.0, other.0);
+        Self([b * z - c * y, c * x - a * z, a * y - b * x])
+    }
+
+    /// Length.
+    #[inline(always)]
+    #[must_use]
+    pub fn length(self) -> S {
+        self.dot(self).sqrt()
+    }
+
+    /// A point in the number type of `like`, exactly.
+    #[must_use]
+    pub fn lifted(point: DVec3, like: S) -> Self {
+        Self(point.to_array().map(|x| like.constant(x)))
+    }
+
+    /// Rounded to doubles.
+    #[must_use]
+    pub fn to_doubles(self) -> DVec3 {
+        DVec3::from_array(self.0.map(|x| x.to_f64()))
+    }
+}
