@@ -105,12 +105,7 @@ impl Polygon {
 }
 
 /// The closed form, if its bound meets the tolerance.
-fn rectangles(
-    first: &Rectangle,
-    second: &Rectangle,
-    reach: f64,
-    tolerance: f64,
-) -> Option<Answer> {
+fn rectangles(first: &Rectangle, second: &Rectangle, reach: f64, tolerance: f64) -> Option<Answer> {
     let pair = RectanglePair::try_new(first, second).ok()?;
     let mut exchange = pair.exchange_area().ok()?;
     if exchange.value <= 0.0 {
@@ -165,11 +160,24 @@ fn answer(
                 value: 0.0,
                 error_bound: 2.0 * off * (first.perimeter() + second.perimeter()),
             },
-            route: if within { Route::Coplanar } else { Route::BackFacing },
+            route: if within {
+                Route::Coplanar
+            } else {
+                Route::BackFacing
+            },
         });
     };
-    let shapes = [above_second.shape(&first.shape), above_first.shape(&second.shape)];
-    let view = View::new(polygons, shapes, [first_heights, second_heights], off, tolerance);
+    let shapes = [
+        above_second.shape(&first.shape),
+        above_first.shape(&second.shape),
+    ];
+    let view = View::new(
+        polygons,
+        shapes,
+        [first_heights, second_heights],
+        off,
+        tolerance,
+    );
     view.answer(work)
 }
 
@@ -187,7 +195,10 @@ impl<'a> View<'a> {
         let reach = distance + first.radius + second.radius;
         // planes that have one polygon on one side and the other on the other: across the centres' line, and their own
         let farthest = |shape: &Shape, direction: DVec3| {
-            let along = shape.corners.iter().map(|c| (*c - first.centre).dot(direction));
+            let along = shape
+                .corners
+                .iter()
+                .map(|c| (*c - first.centre).dot(direction));
             along.fold(f64::NEG_INFINITY, f64::max)
         };
         let least = |heights: &[f64]| heights.iter().copied().fold(f64::INFINITY, f64::min);
@@ -197,7 +208,11 @@ impl<'a> View<'a> {
         #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
         let means = heights.map(|heights| heights.iter().sum::<f64>() / heights.len() as f64);
         let gap = if gap > 0.0 { gap } else { 0.0 };
-        let spread = if gap > 0.0 { (reach / gap).powi(4) } else { f64::INFINITY };
+        let spread = if gap > 0.0 {
+            (reach / gap).powi(4)
+        } else {
+            f64::INFINITY
+        };
         // a height is within 4 ε of the distance; a mean of weighted heights weighs by the kernel, whose range is `spread`
         let height_errors = means.map(|mean| 4.0 * f64::EPSILON * reach / mean * spread.min(1e4));
         let received = |shape: &Shape| (shape.area / (PI * gap * gap)).min(1.0);
@@ -239,7 +254,10 @@ impl<'a> View<'a> {
         }
         match best {
             Some(best) => best.in_range(),
-            None => Err(FormFactorError::NotResolved { value: self.estimate, error_bound: f64::INFINITY }),
+            None => Err(FormFactorError::NotResolved {
+                value: self.estimate,
+                error_bound: f64::INFINITY,
+            }),
         }
     }
 
@@ -279,9 +297,15 @@ impl<'a> View<'a> {
             return f64::INFINITY;
         }
         let (longest, corners) = if first.longest_edge <= second.longest_edge {
-            (first.longest_edge, first.corners.len() * second.corners.len())
+            (
+                first.longest_edge,
+                first.corners.len() * second.corners.len(),
+            )
         } else {
-            (second.longest_edge, first.corners.len() * second.corners.len())
+            (
+                second.longest_edge,
+                first.corners.len() * second.corners.len(),
+            )
         };
         let ratio = 1.0 + 2.0 * self.gap / longest;
         #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
@@ -295,13 +319,25 @@ impl<'a> View<'a> {
         let mut plans = SmallVec::new();
         let points = [0, 1].map(|k| self.points(k));
         let on = |k: usize| (points[k] * points[k] * self.shapes[k].cells.len()) as f64;
-        let k = usize::from(on(1) * (self.shapes[0].corners.len() as f64) < on(0) * (self.shapes[1].corners.len() as f64));
+        let k = usize::from(
+            on(1) * (self.shapes[0].corners.len() as f64)
+                < on(0) * (self.shapes[1].corners.len() as f64),
+        );
         let corners = self.shapes[1 - k].corners.len() as f64;
         if points[k] <= 16 {
-            plans.push((150.0 + on(k) * corners * 3.0, Plan::PointToPolygon { over: k, points: points[k] }));
+            plans.push((
+                150.0 + on(k) * corners * 3.0,
+                Plan::PointToPolygon {
+                    over: k,
+                    points: points[k],
+                },
+            ));
         }
         if points[0].max(points[1]) <= 16 {
-            plans.push((150.0 + 4.0 * (on(0) + on(1)) + on(0) * on(1) * 0.4, Plan::Kernel { points }));
+            plans.push((
+                150.0 + 4.0 * (on(0) + on(1)) + on(0) * on(1) * 0.4,
+                Plan::Kernel { points },
+            ));
         }
         plans
     }
@@ -310,7 +346,10 @@ impl<'a> View<'a> {
     fn points(&self, k: usize) -> usize {
         let convergence = self.convergence(k);
         let largest = self.largest();
-        let mut points = convergence.points(self.tolerance.max(4.0 * f64::EPSILON)).saturating_sub(1).max(2);
+        let mut points = convergence
+            .points(self.tolerance.max(4.0 * f64::EPSILON))
+            .saturating_sub(1)
+            .max(2);
         while points < 17 && convergence.error(points) * largest > self.wanted() {
             points += 1;
         }
@@ -331,7 +370,12 @@ impl<'a> View<'a> {
 
     fn follow(&self, plan: Plan, work: &mut Work) -> Option<ExchangeArea> {
         match plan {
-            Plan::Contour => contour(self.shapes[0], self.shapes[1], self.wanted(), &mut work.scratch),
+            Plan::Contour => contour(
+                self.shapes[0],
+                self.shapes[1],
+                self.wanted(),
+                &mut work.scratch,
+            ),
             Plan::PointToPolygon { over, points } => Some(self.over_one(over, points, work)),
             Plan::Kernel { points } => Some(self.over_both(points, work)),
         }
@@ -367,7 +411,8 @@ impl<'a> View<'a> {
         let value = kernel(first, second, &mut work.sums);
         let truncation: f64 = (0..2).map(|k| self.convergence(k).error(points[k])).sum();
         let terms = 0.5 * (first.weights.len() + second.weights.len()) as f64;
-        let relative = (24.0 + terms) * f64::EPSILON + self.height_errors[0] + self.height_errors[1];
+        let relative =
+            (24.0 + terms) * f64::EPSILON + self.height_errors[0] + self.height_errors[1];
         ExchangeArea {
             value,
             error_bound: relative * value + truncation * self.largest(),
@@ -376,7 +421,10 @@ impl<'a> View<'a> {
 
     fn precise_contour(&self) -> Option<ExchangeArea> {
         let [first, second] = self.polygons;
-        let outlines = [precise_outline(first, second), precise_outline(second, first)];
+        let outlines = [
+            precise_outline(first, second),
+            precise_outline(second, first),
+        ];
         let wanted = 0.01 * self.wanted();
         let mut exchange = precise_contour([&outlines[0], &outlines[1]], wanted)?;
         // the clip is right to 64 ε² of the coordinates; a polygon that is not planar is off by its tilt

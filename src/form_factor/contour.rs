@@ -40,7 +40,9 @@ type Edges<S> = SmallVec<[Edge<S>; 4]>;
 
 fn edges<S: Scalar + Copy>(corners: &[Vector<S>]) -> Edges<S> {
     let n = corners.len();
-    (0..n).map(|i| Edge::new(corners[i], corners[(i + 1) % n])).collect()
+    (0..n)
+        .map(|i| Edge::new(corners[i], corners[(i + 1) % n]))
+        .collect()
 }
 
 /// In `f64`; `wanted` is the absolute error that truncation may have. `None` if edges come too near to each other
@@ -71,7 +73,10 @@ pub(super) fn contour(
     };
     let (p, q) = (place(outer), place(inner));
     let lift = |corners: &[DVec3]| -> SmallVec<[Vector<f64>; 8]> {
-        corners.iter().map(|corner| Vector(corner.to_array())).collect()
+        corners
+            .iter()
+            .map(|corner| Vector(corner.to_array()))
+            .collect()
     };
     let (a_edges, b_edges) = (edges(&lift(&p)), edges(&lift(&q)));
     let precision = Precision {
@@ -80,7 +85,14 @@ pub(super) fn contour(
     };
     let per_length = wanted * TAU / (outer.perimeter * inner.perimeter);
 
-    let Scratch { points, weights, edges, logs, seen, seen_back } = scratch;
+    let Scratch {
+        points,
+        weights,
+        edges,
+        logs,
+        seen,
+        seen_back,
+    } = scratch;
     points.clear();
     weights.clear();
     edges.clear();
@@ -155,7 +167,9 @@ pub(super) fn precise_contour(
     [p, q]: [&[Vector<DoubleDouble>]; 2],
     wanted: f64,
 ) -> Option<ExchangeArea> {
-    let distances = p.iter().flat_map(|x| q.iter().map(|y| x.minus(*y).length().to_f64()));
+    let distances = p
+        .iter()
+        .flat_map(|x| q.iter().map(|y| x.minus(*y).length().to_f64()));
     let reach = distances.fold(0.0, f64::max);
     let precision = Precision {
         inverse_unit: DoubleDouble::from(1.0 / power_of_two_below(reach)),
@@ -163,7 +177,8 @@ pub(super) fn precise_contour(
         epsilon: 32.0 * SQUARED_EPSILON,
     };
     let (a_edges, b_edges) = (edges(p), edges(q));
-    let perimeter = |edges: &Edges<DoubleDouble>| edges.iter().map(|e| e.length.to_f64()).sum::<f64>();
+    let perimeter =
+        |edges: &Edges<DoubleDouble>| edges.iter().map(|e| e.length.to_f64()).sum::<f64>();
     let per_length = wanted * TAU / (perimeter(&a_edges) * perimeter(&b_edges));
     let (mut sum, mut error) = (DoubleDouble::from(0.0), 0.0);
     for a in &a_edges {
@@ -174,8 +189,8 @@ pub(super) fn precise_contour(
             let at_b = b.ends.map(|end| potential(a, end));
             let pair = near([a, b], at_a, at_b, per_length, precision)?;
             sum = sum + cosine * pair.value;
-            error += cosine.to_f64().abs() * pair.error
-                + precision.epsilon * pair.value.to_f64().abs();
+            error +=
+                cosine.to_f64().abs() * pair.error + precision.epsilon * pair.value.to_f64().abs();
         }
     }
     Some(ExchangeArea {

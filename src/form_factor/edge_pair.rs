@@ -96,7 +96,10 @@ pub(super) fn coplanar<S: Scalar + Copy>(
     let number = |x: f64| a.length.constant(x);
     let between = [0, 1].map(|i| [0, 1].map(|j| a.ends[i].minus(b.ends[j])));
     let distances = between.map(|row| row.map(|w| w.length().to_f64()));
-    let reach = distances.as_flattened().iter().fold(0.0, |most: f64, r| most.max(*r));
+    let reach = distances
+        .as_flattened()
+        .iter()
+        .fold(0.0, |most: f64, r| most.max(*r));
     let (mut i, mut j) = (0, 0);
     for (k, l) in [(0, 1), (1, 0), (1, 1)] {
         if distances[k][l] < distances[i][j] {
@@ -120,14 +123,25 @@ pub(super) fn coplanar<S: Scalar + Copy>(
     if s.to_f64().abs().max(t.to_f64().abs()) > 4.0 * a_length.max(b_length) {
         return None;
     }
-    let ends = |near: S, k: usize, length: S| if k == 0 { [near, near + length] } else { [near - length, near] };
+    let ends = |near: S, k: usize, length: S| {
+        if k == 0 {
+            [near, near + length]
+        } else {
+            [near - length, near]
+        }
+    };
     let (s, t, near_s, near_t) = (ends(s, i, a.length), ends(t, j, b.length), s, t);
     let boundary = s[1] * at_a[1] - s[0] * at_a[0] + t[1] * at_b[1] - t[0] * at_b[0];
     let value = (boundary - a.length * b.length) * number(0.5);
     // s and t shift together by what the meeting point is off
     let [s, t] = [s, t].map(|ends| ends.map(|x| x.to_f64().abs()));
-    let shift = 4.0 * precision.epsilon * (near + near_s.to_f64().abs() + near_t.to_f64().abs()) / sine;
-    let potentials: f64 = [at_a, at_b].as_flattened().iter().map(|u| u.to_f64().abs()).sum();
+    let shift =
+        4.0 * precision.epsilon * (near + near_s.to_f64().abs() + near_t.to_f64().abs()) / sine;
+    let potentials: f64 = [at_a, at_b]
+        .as_flattened()
+        .iter()
+        .map(|u| u.to_f64().abs())
+        .sum();
     let weights: f64 = [s, t].as_flattened().iter().sum();
     let error = 0.5 * weights * (precision.of_potential(reach) + 2.0 * PI * miss)
         + 0.5 * shift * potentials
@@ -144,7 +158,11 @@ fn parallel<S: Scalar + Copy>(
 ) -> PairIntegral<S> {
     let number = |x: f64| a.length.constant(x);
     let along = a.direction.dot(b.direction).to_f64() > 0.0;
-    let apart = if near > 0.0 { w.cross(a.direction).length() } else { number(0.0) };
+    let apart = if near > 0.0 {
+        w.cross(a.direction).length()
+    } else {
+        number(0.0)
+    };
     let mut sum = number(0.0);
     let mut size = 0.0;
     for (i, row) in between.into_iter().enumerate() {
@@ -152,7 +170,8 @@ fn parallel<S: Scalar + Copy>(
             let p = w.dot(a.direction);
             let (p2, h2) = (p * p, apart * apart);
             let log = log_distance(Vector([p, apart, number(0.0)]), precision.inverse_unit);
-            let term = (p2 - h2) * number(0.5) * log + apart * p * p.atan2(&apart) - p2 * number(0.75);
+            let term =
+                (p2 - h2) * number(0.5) * log + apart * p * p.atan2(&apart) - p2 * number(0.75);
             // + for the ends' difference p1 − q_min and p0 − q_max
             let positive = (i == j) != along;
             sum = if positive { sum + term } else { sum - term };
@@ -182,10 +201,18 @@ pub(super) fn ellipse(sum: f64) -> f64 {
 }
 
 /// The number of points for which [`gauss_error`] is below `error`.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small")]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "small"
+)]
 pub(super) fn points_for(error: f64, rho: f64) -> usize {
     let points = (-error.ln() / (2.0 * rho.ln())).ceil().clamp(2.0, 200.0) as usize;
-    if points > 2 && gauss_error(points - 1, rho) <= error { points - 1 } else { points }
+    if points > 2 && gauss_error(points - 1, rho) <= error {
+        points - 1
+    } else {
+        points
+    }
 }
 
 /// Skew edges: a Gauss rule on the shorter one, on panels graded towards the other one; `None` if it does not settle.
@@ -229,7 +256,11 @@ pub(super) fn skew<S: Scalar + Copy>(
         value = value + panel * half * outer.length;
         error += gauss_error(rule.nodes.len(), rho) * 0.5 * length * inner_length;
     }
-    let reach = a.ends.iter().flat_map(|x| b.ends.map(|y| x.minus(y).length().to_f64())).fold(0.0, f64::max);
+    let reach = a
+        .ends
+        .iter()
+        .flat_map(|x| b.ends.map(|y| x.minus(y).length().to_f64()))
+        .fold(0.0, f64::max);
     error += outer_length * precision.of_potential(reach);
     Some(PairIntegral { value, error })
 }

@@ -23,7 +23,10 @@ pub(super) const POTENTIAL_LOG: f64 = 8.0;
 /// The potential of an edge at a point, from the vectors `a`, `c` to its ends, its direction and length,
 /// and `ln|a|`, `ln|c|`.
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 pub(super) fn potential<S: Scalar + Copy>(
     a: Vector<S>,
     c: Vector<S>,
@@ -38,7 +41,10 @@ pub(super) fn potential<S: Scalar + Copy>(
 
 /// `ln(|a|/unit)`, kept finite where `a` is 0.
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 pub(super) fn log_distance<S: Scalar + Copy>(a: Vector<S>, inverse_unit: S) -> S {
     let scaled = a.times(inverse_unit);
     let square = scaled.dot(scaled) + inverse_unit.constant(f64::MIN_POSITIVE);
@@ -75,7 +81,10 @@ static VECTOR_UNIT: LazyLock<pulp::Arch> = LazyLock::new(pulp::Arch::new);
 
 /// Runs `work`, compiled for what this processor can do.
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 pub(super) fn vectorised(work: impl FnOnce()) {
     VECTOR_UNIT.dispatch(work);
 }
@@ -112,7 +121,9 @@ pub(super) fn potentials(
                     *log = log_distance(seen(end, *x, *y, *z), inverse_unit);
                 }
                 let logs = before.iter().zip(&*after);
-                for ((out, (before, after)), ((x, y), z)) in out.iter_mut().zip(logs).zip(coordinates()) {
+                for ((out, (before, after)), ((x, y), z)) in
+                    out.iter_mut().zip(logs).zip(coordinates())
+                {
                     let (a, c) = (seen(start, *x, *y, *z), seen(end, *x, *y, *z));
                     *out = potential(a, c, direction, length, [*before, *after]);
                 }
@@ -124,7 +135,10 @@ pub(super) fn potentials(
 
 /// The vector from a point to a corner.
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 fn seen(corner: DVec3, x: f64, y: f64, z: f64) -> Vector<f64> {
     Vector([corner.x - x, corner.y - y, corner.z - z])
 }

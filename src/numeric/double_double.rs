@@ -101,14 +101,18 @@ impl DoubleDouble {
 /// `ln(c)` for `c = 22/32 … 46/32`.
 static LOGARITHMS: LazyLock<Vec<DoubleDouble>> = LazyLock::new(|| {
     let c = |step: u32| Interval::precise(f64::from(step) / 32.0, 192);
-    (22..=46).map(|step| DoubleDouble::of_enclosure(&c(step).ln())).collect()
+    (22..=46)
+        .map(|step| DoubleDouble::of_enclosure(&c(step).ln()))
+        .collect()
 });
 
 /// `atan(c)` for `c = 0 … 32/32`.
 static ANGLES: LazyLock<Vec<DoubleDouble>> = LazyLock::new(|| {
     let one = Interval::precise(1.0, 192);
     let c = |step: u32| one.constant(f64::from(step) / 32.0);
-    (0..=32).map(|step| DoubleDouble::of_enclosure(&c(step).atan2(&one))).collect()
+    (0..=32)
+        .map(|step| DoubleDouble::of_enclosure(&c(step).atan2(&one)))
+        .collect()
 });
 
 static PI: LazyLock<DoubleDouble> =
@@ -213,10 +217,16 @@ impl Scalar for DoubleDouble {
     fn ln(&self) -> Self {
         // exact powers of two, so that the leading half of m lies in [√½, √2)
         let exponent = (self.high * std::f64::consts::SQRT_2).log2().floor();
-        let m = self.scaled((-exponent / 2.0).floor().exp2()).scaled((-exponent / 2.0).ceil().exp2());
+        let m = self
+            .scaled((-exponent / 2.0).floor().exp2())
+            .scaled((-exponent / 2.0).ceil().exp2());
         let step = (m.high * 32.0).round().clamp(22.0, 46.0);
         let c = Self::from(step / 32.0);
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "22 to 46")]
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "22 to 46"
+        )]
         let log_c = LOGARITHMS[step as usize - 22];
         let series = ((m - c) / (m + c)).odd_series(1.0).scaled(2.0);
         LN_2.times(exponent) + (log_c + series)
@@ -224,7 +234,9 @@ impl Scalar for DoubleDouble {
     fn ln_1p(&self) -> Self {
         if self.high.abs() < 1.0 / 32.0 {
             // 2 atanh(x/(2 + x))
-            (*self / (*self + Self::from(2.0))).odd_series(1.0).scaled(2.0)
+            (*self / (*self + Self::from(2.0)))
+                .odd_series(1.0)
+                .scaled(2.0)
         } else {
             (*self + Self::from(1.0)).ln()
         }
@@ -255,11 +267,23 @@ impl Scalar for DoubleDouble {
         let t = if long.high > 0.0 { short / long } else { short };
         let step = (t.high * 32.0).round().clamp(0.0, 32.0);
         let c = Self::from(step / 32.0);
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 32")]
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "0 to 32"
+        )]
         let angle_c = ANGLES[step as usize];
         let octant = angle_c + ((t - c) / (Self::from(1.0) + t * c)).odd_series(-1.0);
-        let quadrant = if steep { PI.scaled(0.5) - octant } else { octant };
-        let half = if x.high < 0.0 { *PI - quadrant } else { quadrant };
+        let quadrant = if steep {
+            PI.scaled(0.5) - octant
+        } else {
+            octant
+        };
+        let half = if x.high < 0.0 {
+            *PI - quadrant
+        } else {
+            quadrant
+        };
         if self.high < 0.0 { -half } else { half }
     }
     fn divergence_kernel(&self) -> Self {
