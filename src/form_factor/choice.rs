@@ -12,13 +12,13 @@
 
 use super::contour::{Scratch, contour, precise_contour};
 use super::gauss_points::{Convergence, Rule};
-use super::horizon::{Side, precise_outline, side_of};
+use super::horizon::{HEIGHT_ERROR, Side, precise_outline, side_of};
 use super::kernel::kernel;
 use super::point_to_polygon::point_to_polygon;
 use super::shape::Shape;
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, RectanglePair, Route};
 use crate::geometry::Rectangle;
-use crate::numeric::SQUARED_EPSILON;
+use crate::numeric::{DoubleDouble, SQUARED_EPSILON};
 use glam::DVec3;
 use smallvec::SmallVec;
 use std::cell::RefCell;
@@ -105,7 +105,12 @@ impl Polygon {
 }
 
 /// The closed form, if its bound meets the tolerance.
-fn rectangles(first: &Rectangle, second: &Rectangle, reach: f64, tolerance: f64) -> Option<Answer> {
+fn rectangles(
+    first: &Rectangle,
+    second: &Rectangle,
+    reach: f64,
+    tolerance: f64,
+) -> Option<Answer> {
     let pair = RectanglePair::try_new(first, second).ok()?;
     let mut exchange = pair.exchange_area().ok()?;
     if exchange.value <= 0.0 {
@@ -116,12 +121,19 @@ fn rectangles(first: &Rectangle, second: &Rectangle, reach: f64, tolerance: f64)
     } else {
         Route::PerpendicularRectangles
     };
-    // the second one's coordinates in the frame of the first are rounded once
-    let sides = |r: &Rectangle| {
-        let [a, b, _, d] = r.corners();
-        2.0 * (a.distance(b) + a.distance(d))
+    // the second one's coordinates in the frame of the first are rounded once, unless they are exact there
+    let origin = first.origin();
+    let exact = |corner: DVec3| {
+        let pairs = corner.to_array().into_iter().zip(origin.to_array());
+        pairs.into_iter().all(|(x, o)| DoubleDouble::difference(x, o).low() == 0.0)
     };
-    exchange.error_bound += f64::EPSILON * reach * (sides(first) + sides(second));
+    if !second.corners().into_iter().all(exact) {
+        let sides = |r: &Rectangle| {
+            let [a, b, _, d] = r.corners();
+            2.0 * (a.distance(b) + a.distance(d))
+        };
+        exchange.error_bound += f64::EPSILON * reach * (sides(first) + sides(second));
+    }
     (exchange.error_bound <= tolerance * exchange.value).then_some(Answer { exchange, route })
 }
 
@@ -134,10 +146,10 @@ struct View<'a> {
     gap: f64,
     /// An upper bound on all distances.
     reach: f64,
-    /// Relative errors of the heights' mean.
-    height_errors: [f64; 2],
-    /// What corners that are off may change.
-    slack: f64,
+    /// What corners may be off.
+    off: f64,
+    /// What that changes at most, per length: by flux through ribbons, and relative to the value for polygons apart.
+    slack: [f64; 2],
     /// An idea of the value.
     estimate: f64,
     tolerance: f64,
@@ -160,24 +172,11 @@ fn answer(
                 value: 0.0,
                 error_bound: 2.0 * off * (first.perimeter() + second.perimeter()),
             },
-            route: if within {
-                Route::Coplanar
-            } else {
-                Route::BackFacing
-            },
+            route: if within { Route::Coplanar } else { Route::BackFacing },
         });
     };
-    let shapes = [
-        above_second.shape(&first.shape),
-        above_first.shape(&second.shape),
-    ];
-    let view = View::new(
-        polygons,
-        shapes,
-        [first_heights, second_heights],
-        off,
-        tolerance,
-    );
+    let shapes = [above_second.shape(&first.shape), above_first.shape(&second.shape)];
+    let view = View::new(polygons, shapes, [first_heights, second_heights], off, tolerance);
     view.answer(work)
 }
 
@@ -192,13 +191,11 @@ impl<'a> View<'a> {
         let [first, second] = shapes;
         let between = second.centre - first.centre;
         let distance = between.length();
-        let reach = distance + first.radius + second.radius;
+        let corners = first.corners.iter().flat_map(|x| second.corners.iter().map(|y| (*x - *y).length_squared()));
+        let reach = corners.fold(0.0, f64::max).sqrt() * (1.0 + 4.0 * f64::EPSILON);
         // planes that have one polygon on one side and the other on the other: across the centres' line, and their own
         let farthest = |shape: &Shape, direction: DVec3| {
-            let along = shape
-                .corners
-                .iter()
-                .map(|c| (*c - first.centre).dot(direction));
+            let along = shape.corners.iter().map(|c| (*c - first.centre).dot(direction));
             along.fold(f64::NEG_INFINITY, f64::max)
         };
         let least = |heights: &[f64]| heights.iter().copied().fold(f64::INFINITY, f64::min);
@@ -208,15 +205,15 @@ impl<'a> View<'a> {
         #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
         let means = heights.map(|heights| heights.iter().sum::<f64>() / heights.len() as f64);
         let gap = if gap > 0.0 { gap } else { 0.0 };
-        let spread = if gap > 0.0 {
-            (reach / gap).powi(4)
-        } else {
-            f64::INFINITY
-        };
-        // a height is within 4 ε of the distance; a mean of weighted heights weighs by the kernel, whose range is `spread`
-        let height_errors = means.map(|mean| 4.0 * f64::EPSILON * reach / mean * spread.min(1e4));
+        let spread = if gap > 0.0 { (reach / gap).powi(4) } else { f64::INFINITY };
+        // heights h weighted by the kernel K: Σ K/Σ h K is at most 1/h_min, and at most (K_max/K_min)/h_mean
+        let sensitivities = [0, 1].map(|k| (1.0 / least(heights[k])).min(spread / means[k]));
         let received = |shape: &Shape| (shape.area / (PI * gap * gap)).min(1.0);
         let ribbons = first.perimeter * received(second) + second.perimeter * received(first);
+        // corners that are off by δ change heights, areas and r⁴, too: relative to the value
+        let relative = sensitivities[0] + sensitivities[1] + 4.0 / gap
+            + first.perimeter / first.area
+            + second.perimeter / second.area;
         // between the far formula and that of two patches near to each other
         let square = distance * distance + first.area.max(second.area) / PI;
         let cosines = means[0] * means[1] / (distance * distance).max(means[0] * means[1]);
@@ -227,8 +224,8 @@ impl<'a> View<'a> {
             heights,
             gap,
             reach,
-            height_errors,
-            slack: 2.0 * off * ribbons,
+            off,
+            slack: [2.0 * ribbons, 2.0 * relative],
             estimate,
             tolerance,
         }
@@ -254,10 +251,7 @@ impl<'a> View<'a> {
         }
         match best {
             Some(best) => best.in_range(),
-            None => Err(FormFactorError::NotResolved {
-                value: self.estimate,
-                error_bound: f64::INFINITY,
-            }),
+            None => Err(FormFactorError::NotResolved { value: self.estimate, error_bound: f64::INFINITY }),
         }
     }
 
@@ -270,7 +264,7 @@ impl<'a> View<'a> {
     ) -> Option<Answer> {
         let mut exchange = exchange?;
         if route != Route::DoubleDouble {
-            exchange.error_bound += self.slack;
+            exchange.error_bound += self.slack(self.off, exchange.value);
         }
         let ExchangeArea { value, error_bound } = exchange;
         let answer = Answer { exchange, route };
@@ -284,6 +278,11 @@ impl<'a> View<'a> {
         None
     }
 
+    /// What corners that are off may change.
+    fn slack(&self, off: f64, value: f64) -> f64 {
+        off * self.slack[0].min(self.slack[1] * value.abs())
+    }
+
     /// The absolute error that truncation may have.
     fn wanted(&self) -> f64 {
         0.1 * self.tolerance.max(4.0 * f64::EPSILON) * self.estimate
@@ -292,20 +291,14 @@ impl<'a> View<'a> {
     /// Rough work of the contour, in nanoseconds; infinite if cancellation leaves too little.
     fn contour_work(&self) -> f64 {
         let [first, second] = self.shapes;
-        let rounding = 2.0 * f64::EPSILON * self.reach * first.perimeter * second.perimeter;
+        let rounding = f64::EPSILON * self.reach * first.perimeter * second.perimeter;
         if rounding > self.tolerance * self.estimate {
             return f64::INFINITY;
         }
         let (longest, corners) = if first.longest_edge <= second.longest_edge {
-            (
-                first.longest_edge,
-                first.corners.len() * second.corners.len(),
-            )
+            (first.longest_edge, first.corners.len() * second.corners.len())
         } else {
-            (
-                second.longest_edge,
-                first.corners.len() * second.corners.len(),
-            )
+            (second.longest_edge, first.corners.len() * second.corners.len())
         };
         let ratio = 1.0 + 2.0 * self.gap / longest;
         #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
@@ -319,25 +312,13 @@ impl<'a> View<'a> {
         let mut plans = SmallVec::new();
         let points = [0, 1].map(|k| self.points(k));
         let on = |k: usize| (points[k] * points[k] * self.shapes[k].cells.len()) as f64;
-        let k = usize::from(
-            on(1) * (self.shapes[0].corners.len() as f64)
-                < on(0) * (self.shapes[1].corners.len() as f64),
-        );
+        let k = usize::from(on(1) * (self.shapes[0].corners.len() as f64) < on(0) * (self.shapes[1].corners.len() as f64));
         let corners = self.shapes[1 - k].corners.len() as f64;
         if points[k] <= 16 {
-            plans.push((
-                150.0 + on(k) * corners * 3.0,
-                Plan::PointToPolygon {
-                    over: k,
-                    points: points[k],
-                },
-            ));
+            plans.push((150.0 + on(k) * corners * 3.0, Plan::PointToPolygon { over: k, points: points[k] }));
         }
         if points[0].max(points[1]) <= 16 {
-            plans.push((
-                150.0 + 4.0 * (on(0) + on(1)) + on(0) * on(1) * 0.4,
-                Plan::Kernel { points },
-            ));
+            plans.push((150.0 + 4.0 * (on(0) + on(1)) + on(0) * on(1) * 0.4, Plan::Kernel { points }));
         }
         plans
     }
@@ -346,10 +327,7 @@ impl<'a> View<'a> {
     fn points(&self, k: usize) -> usize {
         let convergence = self.convergence(k);
         let largest = self.largest();
-        let mut points = convergence
-            .points(self.tolerance.max(4.0 * f64::EPSILON))
-            .saturating_sub(1)
-            .max(2);
+        let mut points = convergence.points(self.tolerance.max(4.0 * f64::EPSILON)).saturating_sub(1).max(2);
         while points < 17 && convergence.error(points) * largest > self.wanted() {
             points += 1;
         }
@@ -370,12 +348,10 @@ impl<'a> View<'a> {
 
     fn follow(&self, plan: Plan, work: &mut Work) -> Option<ExchangeArea> {
         match plan {
-            Plan::Contour => contour(
-                self.shapes[0],
-                self.shapes[1],
-                self.wanted(),
-                &mut work.scratch,
-            ),
+            Plan::Contour => {
+                let range = [self.gap, self.reach];
+                contour(self.shapes[0], self.shapes[1], range, self.wanted(), &mut work.scratch)
+            },
             Plan::PointToPolygon { over, points } => Some(self.over_one(over, points, work)),
             Plan::Kernel { points } => Some(self.over_both(points, work)),
         }
@@ -411,8 +387,7 @@ impl<'a> View<'a> {
         let value = kernel(first, second, &mut work.sums);
         let truncation: f64 = (0..2).map(|k| self.convergence(k).error(points[k])).sum();
         let terms = 0.5 * (first.weights.len() + second.weights.len()) as f64;
-        let relative =
-            (24.0 + terms) * f64::EPSILON + self.height_errors[0] + self.height_errors[1];
+        let relative = (24.0 + terms) * f64::EPSILON + 2.0 * HEIGHT_ERROR;
         ExchangeArea {
             value,
             error_bound: relative * value + truncation * self.largest(),
@@ -421,15 +396,12 @@ impl<'a> View<'a> {
 
     fn precise_contour(&self) -> Option<ExchangeArea> {
         let [first, second] = self.polygons;
-        let outlines = [
-            precise_outline(first, second),
-            precise_outline(second, first),
-        ];
+        let outlines = [precise_outline(first, second), precise_outline(second, first)];
         let wanted = 0.01 * self.wanted();
         let mut exchange = precise_contour([&outlines[0], &outlines[1]], wanted)?;
         // the clip is right to 64 ε² of the coordinates; a polygon that is not planar is off by its tilt
-        let tilt = first.tilt.max(second.tilt) + 64.0 * SQUARED_EPSILON;
-        exchange.error_bound += 2.0 * tilt * self.reach * (first.perimeter() + second.perimeter());
+        let off = (first.tilt.max(second.tilt) + 64.0 * SQUARED_EPSILON) * self.reach;
+        exchange.error_bound += self.slack(off, exchange.value);
         Some(exchange)
     }
 }

@@ -10,9 +10,11 @@
 //!
 //! Reference: Sparrow, "A new and simpler formulation for radiative angle factors", *J. Heat Transfer* 85 (1963), 81–87.
 
+#![allow(clippy::inline_always, reason = "the machine code is made where it is called")]
+
 use super::ExchangeArea;
 use super::edge_pair::{Edge, Precision, coplanar, ellipse, gauss_error, points_for, skew};
-use super::potential::{Points, potentials};
+use super::potential::{Points, potentials, vectorised};
 use super::shape::Shape;
 use crate::geometry::Vector;
 use crate::numeric::{DoubleDouble, GaussLegendre, SQUARED_EPSILON, Scalar};
@@ -38,18 +40,18 @@ pub(super) struct Scratch {
 
 type Edges<S> = SmallVec<[Edge<S>; 4]>;
 
+#[inline(always)]
 fn edges<S: Scalar + Copy>(corners: &[Vector<S>]) -> Edges<S> {
     let n = corners.len();
-    (0..n)
-        .map(|i| Edge::new(corners[i], corners[(i + 1) % n]))
-        .collect()
+    (0..n).map(|i| Edge::new(corners[i], corners[(i + 1) % n])).collect()
 }
 
-/// In `f64`; `wanted` is the absolute error that truncation may have. `None` if edges come too near to each other
+/// In `f64`; distances are from `gap` to `reach`, `wanted` is the absolute error that truncation may have. `None` if edges come too near to each other
 /// to be resolved.
 pub(super) fn contour(
     first: &Shape,
     second: &Shape,
+    [gap, reach]: [f64; 2],
     wanted: f64,
     scratch: &mut Scratch,
 ) -> Option<ExchangeArea> {
@@ -59,7 +61,6 @@ pub(super) fn contour(
     } else {
         (second, first)
     };
-    let reach = outer.centre.distance(inner.centre) + outer.radius + inner.radius;
     let farthest = outer.centre.abs().max_element() + inner.centre.abs().max_element();
     // far from the origin, coordinates are taken from a corner; each is then rounded once more
     let (shift, shifted) = if farthest > 4.0 * reach {
@@ -73,26 +74,13 @@ pub(super) fn contour(
     };
     let (p, q) = (place(outer), place(inner));
     let lift = |corners: &[DVec3]| -> SmallVec<[Vector<f64>; 8]> {
-        corners
-            .iter()
-            .map(|corner| Vector(corner.to_array()))
-            .collect()
+        corners.iter().map(|corner| Vector(corner.to_array())).collect()
     };
     let (a_edges, b_edges) = (edges(&lift(&p)), edges(&lift(&q)));
-    let precision = Precision {
-        inverse_unit: 1.0 / power_of_two_below(reach),
-        epsilon: f64::EPSILON,
-    };
+    let precision = Precision::new(gap, reach, 1.0, f64::EPSILON);
     let per_length = wanted * TAU / (outer.perimeter * inner.perimeter);
 
-    let Scratch {
-        points,
-        weights,
-        edges,
-        logs,
-        seen,
-        seen_back,
-    } = scratch;
+    let Scratch { points, weights, edges, logs, seen, seen_back } = scratch;
     points.clear();
     weights.clear();
     edges.clear();
@@ -126,17 +114,22 @@ pub(super) fn contour(
     if !all_apart {
         p.iter().for_each(|corner| points.push(*corner));
     }
-    potentials(points, &q, precision.inverse_unit, logs, seen);
+    potentials(points, &q, precision.inverse_square, logs, seen);
     let stride = points.len();
     if !all_apart {
         points.clear();
         q.iter().for_each(|corner| points.push(*corner));
-        potentials(points, &p, precision.inverse_unit, logs, seen_back);
+        potentials(points, &p, precision.inverse_square, logs, seen_back);
     }
-    let of_potential = precision.of_potential(reach);
+    let middle = Vector((outer.centre - shift).to_array());
     let mut sum = 0.0;
     for (j, b) in b_edges.iter().enumerate() {
         let row = &seen[j * stride..(j + 1) * stride];
+        let projected = b.ends.map(|end| end.minus(middle).dot(b.direction).abs());
+        let projected = projected[0].max(projected[1]) + outer.radius;
+        // an edge no longer than its distance subtends at most 2 atan ½
+        let widening = if b.length <= gap { 1.16 } else { std::f64::consts::PI };
+        let of_potential = precision.of_potential(projected, b.length, widening);
         for (i, a) in a_edges.iter().enumerate() {
             let cosine = a.direction.dot(b.direction);
             if apart[i * k + j] {
@@ -164,33 +157,41 @@ pub(super) fn contour(
 
 /// To 106 bits, from corners known that well.
 pub(super) fn precise_contour(
+    outlines: [&[Vector<DoubleDouble>]; 2],
+    wanted: f64,
+) -> Option<ExchangeArea> {
+    let mut exchange = None;
+    vectorised(
+        #[inline(always)]
+        || exchange = precise_sum(outlines, wanted),
+    );
+    exchange
+}
+
+#[inline(always)]
+fn precise_sum(
     [p, q]: [&[Vector<DoubleDouble>]; 2],
     wanted: f64,
 ) -> Option<ExchangeArea> {
-    let distances = p
-        .iter()
-        .flat_map(|x| q.iter().map(|y| x.minus(*y).length().to_f64()));
+    let distances = p.iter().flat_map(|x| q.iter().map(|y| x.minus(*y).length().to_f64()));
     let reach = distances.fold(0.0, f64::max);
-    let precision = Precision {
-        inverse_unit: DoubleDouble::from(1.0 / power_of_two_below(reach)),
-        // functions are within 64 ε², where the double forms count on 2 ε
-        epsilon: 32.0 * SQUARED_EPSILON,
-    };
+    // functions are within 64 ε², where the double forms count on 2 ε
+    let epsilon = 32.0 * SQUARED_EPSILON;
+    let precision = Precision::new(0.0, reach, DoubleDouble::from(1.0), epsilon);
     let (a_edges, b_edges) = (edges(p), edges(q));
-    let perimeter =
-        |edges: &Edges<DoubleDouble>| edges.iter().map(|e| e.length.to_f64()).sum::<f64>();
+    let perimeter = |edges: &Edges<DoubleDouble>| edges.iter().map(|e| e.length.to_f64()).sum::<f64>();
     let per_length = wanted * TAU / (perimeter(&a_edges) * perimeter(&b_edges));
     let (mut sum, mut error) = (DoubleDouble::from(0.0), 0.0);
     for a in &a_edges {
         for b in &b_edges {
             let cosine = a.direction.dot(b.direction);
-            let potential = |edge: &Edge<_>, point| edge.potential(point, precision.inverse_unit);
+            let potential = |edge: &Edge<_>, point| edge.potential(point, precision.inverse_square);
             let at_a = a.ends.map(|end| potential(b, end));
             let at_b = b.ends.map(|end| potential(a, end));
             let pair = near([a, b], at_a, at_b, per_length, precision)?;
             sum = sum + cosine * pair.value;
-            error +=
-                cosine.to_f64().abs() * pair.error + precision.epsilon * pair.value.to_f64().abs();
+            error += cosine.to_f64().abs() * pair.error
+                + precision.epsilon * pair.value.to_f64().abs();
         }
     }
     Some(ExchangeArea {
@@ -199,6 +200,7 @@ pub(super) fn precise_contour(
     })
 }
 
+#[inline(always)]
 fn near<S: Scalar + Copy>(
     pair: [&Edge<S>; 2],
     at_a: [S; 2],
@@ -210,9 +212,4 @@ fn near<S: Scalar + Copy>(
         let wanted = per_length * pair[0].length.to_f64() * pair[1].length.to_f64();
         skew(pair, wanted, precision)
     })
-}
-
-/// The largest power of two not above a positive number.
-fn power_of_two_below(x: f64) -> f64 {
-    f64::from_bits(x.to_bits() & 0x7ff0_0000_0000_0000)
 }

@@ -17,7 +17,9 @@
 //! most, `∫ ½ ln(1 + δ²/t²) dt = π δ` bounds what each potential is off by. Skew edges near to each other are cut into
 //! panels, graded towards the other one, until a [Gauss rule](gauss_error) is certain on each.
 
-use super::potential::{POTENTIAL, POTENTIAL_LOG, log_distance, potential};
+#![allow(clippy::inline_always, reason = "the machine code is made where it is called")]
+
+use super::potential::{log_distance, potential};
 use crate::geometry::Vector;
 use crate::numeric::{GaussLegendre, Scalar};
 use std::f64::consts::PI;
@@ -31,7 +33,8 @@ pub(super) struct Edge<S> {
 }
 
 impl<S: Scalar + Copy> Edge<S> {
-    pub(super) fn new(start: Vector<S>, end: Vector<S>) -> Self {
+    #[inline(always)]
+pub(super) fn new(start: Vector<S>, end: Vector<S>) -> Self {
         let along = end.minus(start);
         let length = along.length();
         Self {
@@ -41,19 +44,22 @@ impl<S: Scalar + Copy> Edge<S> {
         }
     }
 
-    fn at(&self, t: S) -> Vector<S> {
+    #[inline(always)]
+fn at(&self, t: S) -> Vector<S> {
         self.ends[0].plus(self.direction, t * self.length)
     }
 
     /// Its potential at a point.
-    pub(super) fn potential(&self, point: Vector<S>, inverse_unit: S) -> S {
+    #[inline(always)]
+pub(super) fn potential(&self, point: Vector<S>, inverse_square: S) -> S {
         let [a, c] = self.ends.map(|end| end.minus(point));
-        let logs = [a, c].map(|end| log_distance(end, inverse_unit));
+        let logs = [a, c].map(|end| log_distance(end, inverse_square));
         potential(a, c, self.direction, self.length, logs)
     }
 
     /// A lower bound on the distance of a point, as a double.
-    pub(super) fn distance(&self, point: Vector<S>) -> f64 {
+    #[inline(always)]
+pub(super) fn distance(&self, point: Vector<S>) -> f64 {
         let from_start = point.minus(self.ends[0]);
         let along = from_start.dot(self.direction).to_f64();
         let nearest = along.clamp(0.0, self.length.to_f64());
@@ -69,24 +75,49 @@ pub(super) struct PairIntegral<S> {
     pub error: f64,
 }
 
-/// What lengths are measured in under the logarithm, and what a rounding is.
+/// What lengths are measured in under the logarithm, and how well numbers are known.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Precision<S> {
-    pub inverse_unit: S,
+    /// One over the unit of length squared.
+    pub inverse_square: S,
+    /// `max r |ln(r/unit)|` over all distances.
+    pub largest_log: f64,
     pub epsilon: f64,
 }
 
 impl<S: Scalar + Copy> Precision<S> {
-    /// The error of a potential at distances up to `reach`: `x |ln x|` is at most 1/e below 1.
-    pub(super) fn of_potential(&self, reach: f64) -> f64 {
-        let inverse_unit = self.inverse_unit.to_f64();
-        let log = (reach * inverse_unit).ln().max(0.0) * reach + 0.4 / inverse_unit;
-        self.epsilon * (POTENTIAL * reach + POTENTIAL_LOG * log)
+    /// For distances from `gap` (0 if they touch) to `reach`: `x |ln x|` is at most 1/e below 1.
+    pub(super) fn new(gap: f64, reach: f64, like: S, epsilon: f64) -> Self {
+        const BELOW_ONE: f64 = 0.368;
+        let half_range = if gap > 0.0 { 0.5 * (reach / gap).ln() } else { f64::INFINITY };
+        let (unit, log) = if half_range < BELOW_ONE {
+            ((gap * reach).sqrt(), half_range)
+        } else {
+            (reach, BELOW_ONE)
+        };
+        Self {
+            inverse_square: like.constant(1.0 / (unit * unit)),
+            largest_log: reach * log,
+            epsilon,
+        }
+    }
+
+    /// The error of the potential of an edge whose ends are within `projected` along it, and subtend at most so much that
+    /// `θ/sin θ` is `widening`.
+    pub(super) fn of_potential(&self, projected: f64, length: f64, widening: f64) -> f64 {
+        let logs = 5.0 * projected + 18.0 * self.largest_log;
+        0.5 * self.epsilon * (logs + (12.0 + 12.0 * widening) * length)
+    }
+
+    /// The same wherever the point is, for distances up to `reach`.
+    fn of_any_potential(&self, reach: f64, length: f64) -> f64 {
+        self.of_potential(reach, length, PI)
     }
 }
 
 /// The closed form of two edges in one plane, from the potentials of each at the other's ends; `None` if they are skew,
 /// or their lines meet too far away.
+#[inline(always)]
 pub(super) fn coplanar<S: Scalar + Copy>(
     [a, b]: [&Edge<S>; 2],
     at_a: [S; 2],
@@ -96,10 +127,7 @@ pub(super) fn coplanar<S: Scalar + Copy>(
     let number = |x: f64| a.length.constant(x);
     let between = [0, 1].map(|i| [0, 1].map(|j| a.ends[i].minus(b.ends[j])));
     let distances = between.map(|row| row.map(|w| w.length().to_f64()));
-    let reach = distances
-        .as_flattened()
-        .iter()
-        .fold(0.0, |most: f64, r| most.max(*r));
+    let reach = distances.as_flattened().iter().fold(0.0, |most: f64, r| most.max(*r));
     let (mut i, mut j) = (0, 0);
     for (k, l) in [(0, 1), (1, 0), (1, 1)] {
         if distances[k][l] < distances[i][j] {
@@ -123,32 +151,23 @@ pub(super) fn coplanar<S: Scalar + Copy>(
     if s.to_f64().abs().max(t.to_f64().abs()) > 4.0 * a_length.max(b_length) {
         return None;
     }
-    let ends = |near: S, k: usize, length: S| {
-        if k == 0 {
-            [near, near + length]
-        } else {
-            [near - length, near]
-        }
-    };
+    let ends = |near: S, k: usize, length: S| if k == 0 { [near, near + length] } else { [near - length, near] };
     let (s, t, near_s, near_t) = (ends(s, i, a.length), ends(t, j, b.length), s, t);
     let boundary = s[1] * at_a[1] - s[0] * at_a[0] + t[1] * at_b[1] - t[0] * at_b[0];
     let value = (boundary - a.length * b.length) * number(0.5);
     // s and t shift together by what the meeting point is off
     let [s, t] = [s, t].map(|ends| ends.map(|x| x.to_f64().abs()));
-    let shift =
-        4.0 * precision.epsilon * (near + near_s.to_f64().abs() + near_t.to_f64().abs()) / sine;
-    let potentials: f64 = [at_a, at_b]
-        .as_flattened()
-        .iter()
-        .map(|u| u.to_f64().abs())
-        .sum();
+    let shift = 4.0 * precision.epsilon * (near + near_s.to_f64().abs() + near_t.to_f64().abs()) / sine;
+    let potentials: f64 = [at_a, at_b].as_flattened().iter().map(|u| u.to_f64().abs()).sum();
     let weights: f64 = [s, t].as_flattened().iter().sum();
-    let error = 0.5 * weights * (precision.of_potential(reach) + 2.0 * PI * miss)
+    let longer = a_length.max(b_length);
+    let error = 0.5 * weights * (precision.of_any_potential(reach, longer) + 2.0 * PI * miss)
         + 0.5 * shift * potentials
         + 2.0 * precision.epsilon * (weights * potentials / 4.0 + a_length * b_length);
     Some(PairIntegral { value, error })
 }
 
+#[inline(always)]
 fn parallel<S: Scalar + Copy>(
     [a, b]: [&Edge<S>; 2],
     between: [[Vector<S>; 2]; 2],
@@ -158,20 +177,15 @@ fn parallel<S: Scalar + Copy>(
 ) -> PairIntegral<S> {
     let number = |x: f64| a.length.constant(x);
     let along = a.direction.dot(b.direction).to_f64() > 0.0;
-    let apart = if near > 0.0 {
-        w.cross(a.direction).length()
-    } else {
-        number(0.0)
-    };
+    let apart = if near > 0.0 { w.cross(a.direction).length() } else { number(0.0) };
     let mut sum = number(0.0);
     let mut size = 0.0;
     for (i, row) in between.into_iter().enumerate() {
         for (j, w) in row.into_iter().enumerate() {
             let p = w.dot(a.direction);
             let (p2, h2) = (p * p, apart * apart);
-            let log = log_distance(Vector([p, apart, number(0.0)]), precision.inverse_unit);
-            let term =
-                (p2 - h2) * number(0.5) * log + apart * p * p.atan2(&apart) - p2 * number(0.75);
+            let log = log_distance(Vector([p, apart, number(0.0)]), precision.inverse_square);
+            let term = (p2 - h2) * number(0.5) * log + apart * p * p.atan2(&apart) - p2 * number(0.75);
             // + for the ends' difference p1 − q_min and p0 − q_max
             let positive = (i == j) != along;
             sum = if positive { sum + term } else { sum - term };
@@ -201,21 +215,14 @@ pub(super) fn ellipse(sum: f64) -> f64 {
 }
 
 /// The number of points for which [`gauss_error`] is below `error`.
-#[allow(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "small"
-)]
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small")]
 pub(super) fn points_for(error: f64, rho: f64) -> usize {
     let points = (-error.ln() / (2.0 * rho.ln())).ceil().clamp(2.0, 200.0) as usize;
-    if points > 2 && gauss_error(points - 1, rho) <= error {
-        points - 1
-    } else {
-        points
-    }
+    if points > 2 && gauss_error(points - 1, rho) <= error { points - 1 } else { points }
 }
 
 /// Skew edges: a Gauss rule on the shorter one, on panels graded towards the other one; `None` if it does not settle.
+#[inline(always)]
 pub(super) fn skew<S: Scalar + Copy>(
     [a, b]: [&Edge<S>; 2],
     wanted: f64,
@@ -251,16 +258,12 @@ pub(super) fn skew<S: Scalar + Copy>(
         for [x, weight] in &rule.precise {
             let [t, weight] = [x, weight].map(|x| number(x.high()) + number(x.low()));
             let t = number(middle) + half * t;
-            panel = panel + weight * inner.potential(outer.at(t), precision.inverse_unit);
+            panel = panel + weight * inner.potential(outer.at(t), precision.inverse_square);
         }
         value = value + panel * half * outer.length;
         error += gauss_error(rule.nodes.len(), rho) * 0.5 * length * inner_length;
     }
-    let reach = a
-        .ends
-        .iter()
-        .flat_map(|x| b.ends.map(|y| x.minus(y).length().to_f64()))
-        .fold(0.0, f64::max);
-    error += outer_length * precision.of_potential(reach);
+    let reach = a.ends.iter().flat_map(|x| b.ends.map(|y| x.minus(y).length().to_f64())).fold(0.0, f64::max);
+    error += outer_length * precision.of_any_potential(reach, inner_length);
     Some(PairIntegral { value, error })
 }

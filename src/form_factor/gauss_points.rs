@@ -46,8 +46,7 @@ impl Rule {
                     let share = [(1.0 - s) * (1.0 - t), s * (1.0 - t), s * t, (1.0 - s) * t];
                     let point = (0..4).map(|k| share[k] * corners[k]).sum();
                     self.points.push(point);
-                    self.heights
-                        .push((0..4).map(|k| share[k] * heights[k]).sum());
+                    self.heights.push((0..4).map(|k| share[k] * heights[k]).sum());
                     self.weights.push(ws * wt * (j + js * s + jt * t));
                 }
             }
@@ -64,16 +63,10 @@ pub(super) struct Convergence {
 
 impl Convergence {
     /// Points that should do for a relative error.
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "small"
-    )]
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small")]
     pub(super) fn points(self, relative: f64) -> usize {
         let rho = self.gamma + (self.gamma * self.gamma + 1.0).sqrt();
-        ((500.0 / relative).ln() / (2.0 * rho.ln()))
-            .ceil()
-            .clamp(2.0, 64.0) as usize
+        ((500.0 / relative).ln() / (2.0 * rho.ln())).ceil().clamp(2.0, 64.0) as usize
     }
 
     /// The bound on the error of `n` points in both directions of a polygon's cells, relative to

@@ -19,8 +19,12 @@ use crate::numeric::{DoubleDouble, Scalar};
 use glam::DVec3;
 use smallvec::SmallVec;
 
-/// Heights of corners above the other polygon's plane, all ≥ 0.
+/// Heights of corners above the other polygon's plane, all ≥ 0, each within [`HEIGHT_ERROR`] of itself.
 pub(super) type Heights = SmallVec<[f64; 4]>;
+
+/// The relative error of a height: a product of three terms is within 4 ε of the distance, and taken again to 106 bits where
+/// it is smaller than that by 64.
+pub(super) const HEIGHT_ERROR: f64 = 256.0 * f64::EPSILON;
 
 /// How a polygon lies to another one's plane.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,20 +60,15 @@ impl Side {
 /// Where a polygon lies to another one's plane, and how far its corners may be from where they should be.
 pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, f64) {
     let (shape, origin) = (&polygon.shape, plane.shape.corners[0]);
-    let reach = shape
-        .corners
-        .iter()
-        .map(|c| c.abs().max_element())
-        .fold(0.0, f64::max);
+    let reach = shape.corners.iter().map(|c| c.abs().max_element()).fold(0.0, f64::max);
     // what the rounding of coordinates may do to a height
     let noise = 4.0 * f64::EPSILON * (reach + origin.abs().max_element());
     let distance = shape.centre.distance(origin) + shape.radius;
-    // the product below is within 4 ε of the distance, the plane within its tilt
-    let unsure = 4.0 * f64::EPSILON * distance + noise;
     let tilted = plane.tilt * distance;
     let mut slack = tilted;
     let mut refined = |corner: &DVec3, height: f64| -> f64 {
-        if height.abs() > 64.0 * unsure {
+        // a height that is not small beside the distance is known to 2⁻⁴⁵ of itself
+        if height.abs() > distance / 64.0 + 64.0 * noise {
             return height;
         }
         if plane.shape.corners.contains(corner) {
@@ -90,24 +89,10 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, f64) {
         .collect();
     if heights.iter().all(|h| *h >= 0.0) {
         let all_in = heights.iter().all(|h| *h <= 0.0);
-        return (
-            if all_in {
-                Side::Within
-            } else {
-                Side::Front(heights)
-            },
-            slack,
-        );
+        return (if all_in { Side::Within } else { Side::Front(heights) }, slack);
     }
     if heights.iter().all(|h| *h <= 0.0) {
-        return (
-            Side::Behind,
-            if heights.iter().all(|h| *h < 0.0) {
-                tilted
-            } else {
-                slack
-            },
-        );
+        return (Side::Behind, if heights.iter().all(|h| *h < 0.0) { tilted } else { slack });
     }
     let (corners, heights) = clipped(shape, plane, &heights);
     // a coordinate of a new corner is rounded once
@@ -145,26 +130,17 @@ fn clipped(shape: &Shape, plane: &Polygon, heights: &[f64]) -> (Vec<DVec3>, Vec<
 fn crossing(ends: [DVec3; 2], plane: &Polygon) -> DVec3 {
     let [from, to] = ends.map(|end| plane.precise_height(end));
     let [start, end] = ends.map(|end| Vector::lifted(end, from));
-    start
-        .plus(end.minus(start), from / (from - to))
-        .to_doubles()
+    start.plus(end.minus(start), from / (from - to)).to_doubles()
 }
 
 /// The corners of a polygon in front of another one's plane, to 106 bits.
 pub(super) fn precise_outline(polygon: &Polygon, plane: &Polygon) -> Vec<Vector<DoubleDouble>> {
     let zero = DoubleDouble::from(0.0);
     let corners = &polygon.shape.corners;
-    let lifted: Vec<_> = corners
-        .iter()
-        .map(|corner| Vector::lifted(*corner, zero))
-        .collect();
+    let lifted: Vec<_> = corners.iter().map(|corner| Vector::lifted(*corner, zero)).collect();
     let on_it = |corner: &DVec3| plane.shape.corners.contains(corner);
     let height = |corner: &DVec3| {
-        if on_it(corner) {
-            zero
-        } else {
-            plane.precise_height(*corner)
-        }
+        if on_it(corner) { zero } else { plane.precise_height(*corner) }
     };
     let heights: Vec<DoubleDouble> = corners.iter().map(height).collect();
     let n = corners.len();
@@ -185,11 +161,6 @@ pub(super) fn precise_outline(polygon: &Polygon, plane: &Polygon) -> Vec<Vector<
 
 /// The heights of a shape's corners, which are some of `corners`.
 fn heights_of(shape: &Shape, corners: &[DVec3], heights: &[f64]) -> Heights {
-    let of = |corner: &DVec3| {
-        corners
-            .iter()
-            .position(|c| c == corner)
-            .map_or(0.0, |k| heights[k])
-    };
+    let of = |corner: &DVec3| corners.iter().position(|c| c == corner).map_or(0.0, |k| heights[k]);
     shape.corners.iter().map(of).collect()
 }

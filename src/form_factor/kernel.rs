@@ -34,8 +34,5 @@ pub(super) fn kernel(first: &Rule, second: &Rule, sums: &mut Vec<f64>) -> f64 {
         },
     );
     let weighted = sums.iter().zip(&second.weights).zip(&second.heights);
-    weighted
-        .map(|((sum, weight), height)| sum * weight * height)
-        .sum::<f64>()
-        / PI
+    weighted.map(|((sum, weight), height)| sum * weight * height).sum::<f64>() / PI
 }

@@ -6,27 +6,23 @@
 //!   ∫ ln|x − y| dy = s1 ln|c| − s0 ln|a| + h θ − L
 //! ```
 //!
-//! Each term is within a few ε of its size: with r the larger of |a|, |c| and l the larger |ln|, the error is at most
-//! `ε r (16 + 8 l)`: s0, s1 and h are known to 3 ε r, the logarithms of r² to 3 ε before they are halved, θ to
-//! 4 ε r/min(|a|,|c|) where h is at most that minimum.
+//! In units of u = ε/2: a and c are within u of themselves, the directions within 3 u, s and h within 6 u r, the logarithm of r²
+//! (5 u before it is halved) within 2.5 u + 3 u |ln r|; θ within 5 u sin θ from its cosine, 6 u L/min(|a|,|c|) from its sine
+//! and 5 u θ from its function. With r sin θ ≤ L, and r θ ≤ t L where t = θ/sin θ (at most π, where θ > π/2 and so r ≤ L),
+//!
+//! ```text
+//!   error ≤ u [ 2.5 (|s0| + |s1|) + 18 max r |ln r| + (12 + 12 t) L ]
+//! ```
 
 use crate::geometry::Vector;
 use crate::numeric::Scalar;
 use glam::DVec3;
 use std::sync::LazyLock;
 
-/// The error of a potential is at most `ε r (POTENTIAL + POTENTIAL_LOG·l)`, r and l as above.
-pub(super) const POTENTIAL: f64 = 16.0;
-/// See [`POTENTIAL`].
-pub(super) const POTENTIAL_LOG: f64 = 8.0;
-
 /// The potential of an edge at a point, from the vectors `a`, `c` to its ends, its direction and length,
 /// and `ln|a|`, `ln|c|`.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
+#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
 pub(super) fn potential<S: Scalar + Copy>(
     a: Vector<S>,
     c: Vector<S>,
@@ -39,15 +35,11 @@ pub(super) fn potential<S: Scalar + Copy>(
     c.dot(direction) * logs[1] - a.dot(direction) * logs[0] + height * angle - length
 }
 
-/// `ln(|a|/unit)`, kept finite where `a` is 0.
+/// `ln(|a|/unit)` from `1/unit²`, kept finite where `a` is 0.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
-pub(super) fn log_distance<S: Scalar + Copy>(a: Vector<S>, inverse_unit: S) -> S {
-    let scaled = a.times(inverse_unit);
-    let square = scaled.dot(scaled) + inverse_unit.constant(f64::MIN_POSITIVE);
+#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+pub(super) fn log_distance<S: Scalar + Copy>(a: Vector<S>, inverse_square: S) -> S {
+    let square = a.dot(a) * inverse_square + inverse_square.constant(f64::MIN_POSITIVE);
     square.ln() * square.constant(0.5)
 }
 
@@ -81,10 +73,7 @@ static VECTOR_UNIT: LazyLock<pulp::Arch> = LazyLock::new(pulp::Arch::new);
 
 /// Runs `work`, compiled for what this processor can do.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
+#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
 pub(super) fn vectorised(work: impl FnOnce()) {
     VECTOR_UNIT.dispatch(work);
 }
@@ -95,7 +84,7 @@ pub(super) fn vectorised(work: impl FnOnce()) {
 pub(super) fn potentials(
     points: &Points,
     corners: &[DVec3],
-    inverse_unit: f64,
+    inverse_square: f64,
     logs: &mut Vec<f64>,
     out: &mut Vec<f64>,
 ) {
@@ -110,7 +99,7 @@ pub(super) fn potentials(
         || {
             let (mut before, mut after) = logs.split_at_mut(n);
             for (log, ((x, y), z)) in before.iter_mut().zip(coordinates()) {
-                *log = log_distance(seen(corners[0], *x, *y, *z), inverse_unit);
+                *log = log_distance(seen(corners[0], *x, *y, *z), inverse_square);
             }
             for (b, out) in out.chunks_exact_mut(n).enumerate() {
                 let (start, end) = (corners[b], corners[(b + 1) % k]);
@@ -118,12 +107,10 @@ pub(super) fn potentials(
                 let length = edge.length();
                 let direction = Vector((edge / length).to_array());
                 for (log, ((x, y), z)) in after.iter_mut().zip(coordinates()) {
-                    *log = log_distance(seen(end, *x, *y, *z), inverse_unit);
+                    *log = log_distance(seen(end, *x, *y, *z), inverse_square);
                 }
                 let logs = before.iter().zip(&*after);
-                for ((out, (before, after)), ((x, y), z)) in
-                    out.iter_mut().zip(logs).zip(coordinates())
-                {
+                for ((out, (before, after)), ((x, y), z)) in out.iter_mut().zip(logs).zip(coordinates()) {
                     let (a, c) = (seen(start, *x, *y, *z), seen(end, *x, *y, *z));
                     *out = potential(a, c, direction, length, [*before, *after]);
                 }
@@ -135,10 +122,7 @@ pub(super) fn potentials(
 
 /// The vector from a point to a corner.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
+#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
 fn seen(corner: DVec3, x: f64, y: f64, z: f64) -> Vector<f64> {
     Vector([corner.x - x, corner.y - y, corner.z - z])
 }
