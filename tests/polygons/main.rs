@@ -6,6 +6,7 @@
 )]
 
 mod agreement;
+mod invariance;
 mod outlines;
 mod slow_reference;
 #[path = "../support/mod.rs"]
