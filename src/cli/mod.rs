@@ -3,12 +3,14 @@
 //! Data goes to standard output or `--output`, messages to standard error. Exit status: 0 done; 1 a claim's
 //! verdict differs from the recorded one, or fuzzing found a counterexample; 2 wrong usage or bad input, and nothing is written.
 
+mod convert;
 mod curve;
 mod cut;
 #[cfg(feature = "proptest")]
 mod fuzz;
 mod output;
 mod reproduce;
+mod scene;
 mod split;
 mod study;
 
@@ -37,6 +39,8 @@ enum Question {
     Split(split::Split),
     /// Find the cuts of a patch whose radiosity grows as a power (§4.2).
     Cut(cut::Cut),
+    /// Write a scene in another format.
+    Convert(convert::Convert),
     /// Throw random refinements at Theorem 1.
     #[cfg(feature = "proptest")]
     Fuzz(fuzz::Fuzz),
@@ -92,6 +96,7 @@ fn answer(question: Question) -> Answer {
         Question::Curve(question) => question.answer(),
         Question::Split(question) => question.answer(),
         Question::Cut(question) => question.answer(),
+        Question::Convert(question) => question.answer(),
         #[cfg(feature = "proptest")]
         Question::Fuzz(question) => question.answer(),
         Question::Study(question) => question.answer(),

@@ -54,7 +54,7 @@ impl Output {
     /// Refuses a place that cannot be written to, before long work begins.
     pub(super) fn check(&self) -> Result<(), Box<dyn std::error::Error>> {
         if self.output != Path::new("-") {
-            folder_of(&self.output).map_err(|source| cannot_write(&self.output, source))?;
+            check_place(&self.output)?;
         }
         Ok(())
     }
@@ -65,8 +65,7 @@ impl Output {
         if self.output == Path::new("-") {
             print(text.as_bytes())
         } else {
-            replace(&self.output, text.as_bytes())
-                .map_err(|source| cannot_write(&self.output, source))?;
+            write_file(&self.output, text.as_bytes())?;
             Ok(Outcome::Done)
         }
     }
@@ -83,9 +82,20 @@ impl Output {
         } else {
             self.output.with_file_name(name)
         };
-        replace(&path, text).map_err(|source| cannot_write(&path, source))?;
+        write_file(&path, text)?;
         Ok(path)
     }
+}
+
+/// Refuses a file that cannot be written because of its folder.
+pub(super) fn check_place(path: &Path) -> Result<(), Box<dyn std::error::Error>> {
+    folder_of(path).map_err(|source| cannot_write(path, source))?;
+    Ok(())
+}
+
+/// Writes the whole file or nothing.
+pub(super) fn write_file(path: &Path, text: &[u8]) -> Result<(), Box<dyn std::error::Error>> {
+    Ok(replace(path, text).map_err(|source| cannot_write(path, source))?)
 }
 
 fn cannot_write(path: &Path, source: io::Error) -> CannotWrite {

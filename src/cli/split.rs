@@ -2,6 +2,7 @@
 
 use super::Answer;
 use super::output::{MOST_DECIMALS, Output, between, precision};
+use super::scene::SceneArgument;
 use crate::discretize::{PatchSplit, regular_positions};
 use crate::geometry::SplitAxis;
 use crate::numeric::interval::DecimalBounds;
@@ -11,8 +12,8 @@ use crate::scene::Scene;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Split {
-    /// A built-in scene: two-squares, three-squares or cube:N.
-    scene: String,
+    #[command(flatten)]
+    scene: SceneArgument,
     /// The patch to cut, counted from 0.
     #[arg(long, value_name = "I")]
     patch: usize,
@@ -66,7 +67,13 @@ impl Split {
         if self.precision.is_some() && self.parts != 2 {
             return Err("--precision encloses one cut; leave out --parts".into());
         }
-        let scene = Scene::built_in(&self.scene)?;
+        let scene = self.scene.read()?;
+        if !scene.obstructions().is_empty() && !self.scene.is_unoccluded() {
+            return Err(
+                "split does not count what obstructions hide: leave it out with --unoccluded"
+                    .into(),
+            );
+        }
         let others = (0..scene.patches().len()).filter(|index| *index != self.patch);
         let against = if self.against.is_empty() {
             others.collect()

@@ -11,8 +11,8 @@
 //! plane is clipped.
 
 use super::contour::{Scratch, contour, precise_contour};
-use super::gauss_points::{Convergence, Rule};
-use super::horizon::{HEIGHT_ERROR, Side, precise_outline, side_of};
+use super::gauss_points::{self, Rule};
+use super::horizon::{HEIGHT_ERROR, Off, Side, precise_outline, side_of};
 use super::kernel::kernel;
 use super::point_to_polygon::point_to_polygon;
 use super::shape::Shape;
@@ -26,6 +26,9 @@ use std::f64::consts::PI;
 
 /// Relative error that is asked for unless something else is.
 pub const DEFAULT_TOLERANCE: f64 = 1e-12;
+
+/// Gauss points per direction from which on other routes are cheaper.
+const MOST: usize = 17;
 
 thread_local! {
     static WORK: RefCell<Work> = RefCell::default();
@@ -71,11 +74,35 @@ impl Polygon {
             return self.exchange_in_units(other, tolerance, reach);
         }
         if let (Some(first), Some(second)) = (&self.rectangle, &other.rectangle)
-            && let Some(answer) = rectangles(first, second, reach, tolerance)
+            && let Some(answer) = rectangles(first, second, tolerance)
         {
             return Ok(answer);
         }
-        WORK.with_borrow_mut(|work| answer([self, other], tolerance, work))
+        WORK.with_borrow_mut(|work| answer([self, other], tolerance, |view| view.answer(work)))
+    }
+
+    /// The same by one route, whether its bound meets the tolerance or not: for studies of the routes.
+    ///
+    /// # Errors
+    /// [`FormFactorError::NotResolved`] if the route does not serve this pair, or leaves no digit;
+    /// [`FormFactorError::OutOfRange`] if distances or the value leave the range that the routes work in.
+    pub fn exchange_area_by(
+        &self,
+        route: Route,
+        other: &Self,
+        tolerance: f64,
+    ) -> Result<Answer, FormFactorError> {
+        let tolerance = if tolerance > 0.0 { tolerance } else { 0.0 };
+        let not_served = FormFactorError::NotResolved { value: f64::NAN, error_bound: f64::INFINITY };
+        if let (Some(first), Some(second)) = (&self.rectangle, &other.rectangle)
+            && let Some(answer) = rectangles(first, second, f64::INFINITY)
+            && answer.route == route
+        {
+            return Ok(answer);
+        }
+        WORK.with_borrow_mut(|work| {
+            answer([self, other], tolerance, |view| view.answer_by(route, work).ok_or(not_served))
+        })
     }
 
     /// In units of a power of two near the pair's size, so that squares stay in range.
@@ -108,7 +135,6 @@ impl Polygon {
 fn rectangles(
     first: &Rectangle,
     second: &Rectangle,
-    reach: f64,
     tolerance: f64,
 ) -> Option<Answer> {
     let pair = RectanglePair::try_new(first, second).ok()?;
@@ -132,6 +158,8 @@ fn rectangles(
             let [a, b, _, d] = r.corners();
             2.0 * (a.distance(b) + a.distance(d))
         };
+        let reach = first.corners().iter().map(|c| c.distance(second.origin())).fold(0.0, f64::max);
+        let reach = reach + sides(second);
         exchange.error_bound += f64::EPSILON * reach * (sides(first) + sides(second));
     }
     (exchange.error_bound <= tolerance * exchange.value).then_some(Answer { exchange, route })
@@ -147,9 +175,12 @@ struct View<'a> {
     /// An upper bound on all distances.
     reach: f64,
     /// What corners may be off.
-    off: f64,
-    /// What that changes at most, per length: by flux through ribbons, and relative to the value for polygons apart.
-    slack: [f64; 2],
+    off: Off,
+    /// What that changes at most, per length: by flux through ribbons; for polygons apart, relative to the value, by other
+    /// heights, and by other areas and distances.
+    ribbons: f64,
+    by_height: f64,
+    by_place: f64,
     /// An idea of the value.
     estimate: f64,
     tolerance: f64,
@@ -158,26 +189,26 @@ struct View<'a> {
 fn answer(
     polygons: [&Polygon; 2],
     tolerance: f64,
-    work: &mut Work,
+    route: impl FnOnce(&View) -> Result<Answer, FormFactorError>,
 ) -> Result<Answer, FormFactorError> {
     let [first, second] = polygons;
-    let (above_second, off_first) = side_of(first, second);
-    let (above_first, off_second) = side_of(second, first);
-    let off = off_first.max(off_second);
+    let (above_second, first_off) = side_of(first, second);
+    let (above_first, second_off) = side_of(second, first);
+    let off = first_off.max(second_off);
     let sides = [&above_second, &above_first];
     let [Some(first_heights), Some(second_heights)] = sides.map(Side::heights) else {
         let within = sides.iter().all(|side| matches!(side, Side::Within));
         return Ok(Answer {
             exchange: ExchangeArea {
                 value: 0.0,
-                error_bound: 2.0 * off * (first.perimeter() + second.perimeter()),
+                error_bound: 2.0 * off.height * (first.perimeter() + second.perimeter()),
             },
             route: if within { Route::Coplanar } else { Route::BackFacing },
         });
     };
     let shapes = [above_second.shape(&first.shape), above_first.shape(&second.shape)];
     let view = View::new(polygons, shapes, [first_heights, second_heights], off, tolerance);
-    view.answer(work)
+    route(&view)
 }
 
 impl<'a> View<'a> {
@@ -185,7 +216,7 @@ impl<'a> View<'a> {
         polygons: [&'a Polygon; 2],
         shapes: [&'a Shape; 2],
         heights: [&'a [f64]; 2],
-        off: f64,
+        off: Off,
         tolerance: f64,
     ) -> Self {
         let [first, second] = shapes;
@@ -211,7 +242,7 @@ impl<'a> View<'a> {
         let received = |shape: &Shape| (shape.area / (PI * gap * gap)).min(1.0);
         let ribbons = first.perimeter * received(second) + second.perimeter * received(first);
         // corners that are off by δ change heights, areas and r⁴, too: relative to the value
-        let relative = sensitivities[0] + sensitivities[1] + 4.0 / gap
+        let by_place = 4.0 / gap
             + first.perimeter / first.area
             + second.perimeter / second.area;
         // between the far formula and that of two patches near to each other
@@ -225,7 +256,9 @@ impl<'a> View<'a> {
             gap,
             reach,
             off,
-            slack: [2.0 * ribbons, 2.0 * relative],
+            ribbons: 2.0 * ribbons,
+            by_height: 2.0 * (sensitivities[0] + sensitivities[1]),
+            by_place: 2.0 * by_place,
             estimate,
             tolerance,
         }
@@ -255,6 +288,28 @@ impl<'a> View<'a> {
         }
     }
 
+    /// By one route alone.
+    fn answer_by(&self, route: Route, work: &mut Work) -> Option<Answer> {
+        let exchange = match route {
+            Route::Contour => self.follow(Plan::Contour, work),
+            Route::DoubleDouble => self.precise_contour(),
+            _ if self.gap > 0.0 => {
+                let points = [0, 1].map(|k| self.points(k));
+                let over = usize::from(points[1] < points[0]);
+                match route {
+                    Route::PointToPolygon => {
+                        self.follow(Plan::PointToPolygon { over, points: points[over] }, work)
+                    }
+                    Route::Kernel => self.follow(Plan::Kernel { points }, work),
+                    _ => None,
+                }
+            }
+            _ => None,
+        };
+        let mut best = None;
+        self.settle(exchange, route, &mut best).or(best)
+    }
+
     /// The answer, if its bound meets the tolerance; else it is kept if it is the best so far.
     fn settle(
         &self,
@@ -264,7 +319,7 @@ impl<'a> View<'a> {
     ) -> Option<Answer> {
         let mut exchange = exchange?;
         if route != Route::DoubleDouble {
-            exchange.error_bound += self.slack(self.off, exchange.value);
+            exchange.error_bound += self.slack(self.off, exchange.value, route);
         }
         let ExchangeArea { value, error_bound } = exchange;
         let answer = Answer { exchange, route };
@@ -278,9 +333,13 @@ impl<'a> View<'a> {
         None
     }
 
-    /// What corners that are off may change.
-    fn slack(&self, off: f64, value: f64) -> f64 {
-        off * self.slack[0].min(self.slack[1] * value.abs())
+    /// What corners that are off may change. The kernel takes its heights from the corners', which are exact where a clip put
+    /// them on the plane; for all others a corner out of place is at another height, too.
+    fn slack(&self, off: Off, value: f64, route: Route) -> f64 {
+        let Off { height, place } = off;
+        let heights = if route == Route::Kernel { height } else { height + place };
+        let relative = heights * self.by_height + (height + place) * self.by_place;
+        ((height + place) * self.ribbons).min(relative * value.abs())
     }
 
     /// The absolute error that truncation may have.
@@ -314,10 +373,10 @@ impl<'a> View<'a> {
         let on = |k: usize| (points[k] * points[k] * self.shapes[k].cells.len()) as f64;
         let k = usize::from(on(1) * (self.shapes[0].corners.len() as f64) < on(0) * (self.shapes[1].corners.len() as f64));
         let corners = self.shapes[1 - k].corners.len() as f64;
-        if points[k] <= 16 {
+        if points[k] < MOST && self.lambert_rounding(k) < 0.7 * self.tolerance * self.estimate {
             plans.push((150.0 + on(k) * corners * 3.0, Plan::PointToPolygon { over: k, points: points[k] }));
         }
-        if points[0].max(points[1]) <= 16 {
+        if points[0].max(points[1]) < MOST {
             plans.push((150.0 + 4.0 * (on(0) + on(1)) + on(0) * on(1) * 0.4, Plan::Kernel { points }));
         }
         plans
@@ -325,18 +384,13 @@ impl<'a> View<'a> {
 
     /// Gauss points per direction on one of the shapes.
     fn points(&self, k: usize) -> usize {
-        let convergence = self.convergence(k);
-        let largest = self.largest();
-        let mut points = convergence.points(self.tolerance.max(4.0 * f64::EPSILON)).saturating_sub(1).max(2);
-        while points < 17 && convergence.error(points) * largest > self.wanted() {
-            points += 1;
-        }
-        points
+        let (largest, wanted) = (self.largest(), self.wanted());
+        (2..MOST).find(|n| self.truncation(k, *n, largest) <= wanted).unwrap_or(MOST)
     }
 
-    fn convergence(&self, k: usize) -> Convergence {
-        let gamma = self.gap / self.shapes[k].half_length();
-        Convergence { gamma }
+    /// A bound on the error of a rule on one of the shapes.
+    fn truncation(&self, k: usize, points: usize, largest: f64) -> f64 {
+        gauss_points::error(points, self.gap / self.shapes[k].half_length) * largest
     }
 
     /// `area × area × h_max g_max / (π gap⁴)`.
@@ -364,17 +418,28 @@ impl<'a> View<'a> {
         rule.fill(over, self.heights[k], origin, points);
         let corners: SmallVec<[DVec3; 8]> = seen.corners.iter().map(|c| *c - origin).collect();
         let value = point_to_polygon(rule, self.polygons[k].normal, &corners, &mut work.sums);
-        // an edge of length L at distance g: angle × (1/h) a ≤ (π/2) L/g, and at most π reach/g
-        let angles: f64 = (0..corners.len())
-            .map(|b| (corners[(b + 1) % corners.len()] - corners[b]).length())
-            .map(|length| (0.5 * PI * length).min(PI * self.reach) / self.gap)
-            .sum();
-        let rounding = 12.0 * f64::EPSILON * over.area * angles / (2.0 * PI);
-        let truncation = self.convergence(k).error(points) * self.largest();
+        let rounding = self.lambert_rounding(k);
+        let truncation = self.truncation(k, points, self.largest());
         ExchangeArea {
             value,
             error_bound: rounding + truncation + 4.0 * f64::EPSILON * value,
         }
+    }
+
+    /// The rounding of Lambert's formula over shape `k`: in a term `θ n·(a×u)/h` the cross product is within 5 u r of
+    /// itself, and θ as in the [potential](super::potential); with `θ r/h ≤ t L/r` (t = θ/sin θ) that is at most
+    /// `(14 t + 12) u L/r`.
+    fn lambert_rounding(&self, k: usize) -> f64 {
+        let (over, seen) = (self.shapes[k], self.shapes[1 - k]);
+        let n = seen.corners.len();
+        let edge = |b: usize| {
+            let (start, end) = (seen.corners[b], seen.corners[(b + 1) % n]);
+            let length = start.distance(end);
+            let widening = if length <= self.gap { 1.16 } else { PI };
+            let away = (end.distance(over.centre) - over.radius).max(self.gap);
+            (14.0 * widening + 12.0) * length / away
+        };
+        0.5 * f64::EPSILON * over.area * (0..n).map(edge).sum::<f64>() / (2.0 * PI)
     }
 
     #[allow(clippy::cast_precision_loss, reason = "some points")]
@@ -385,12 +450,13 @@ impl<'a> View<'a> {
         }
         let [first, second] = &work.rules;
         let value = kernel(first, second, &mut work.sums);
-        let truncation: f64 = (0..2).map(|k| self.convergence(k).error(points[k])).sum();
+        let largest = self.largest();
+        let truncation: f64 = (0..2).map(|k| self.truncation(k, points[k], largest)).sum();
         let terms = 0.5 * (first.weights.len() + second.weights.len()) as f64;
         let relative = (24.0 + terms) * f64::EPSILON + 2.0 * HEIGHT_ERROR;
         ExchangeArea {
             value,
-            error_bound: relative * value + truncation * self.largest(),
+            error_bound: relative * value + truncation,
         }
     }
 
@@ -400,8 +466,9 @@ impl<'a> View<'a> {
         let wanted = 0.01 * self.wanted();
         let mut exchange = precise_contour([&outlines[0], &outlines[1]], wanted)?;
         // the clip is right to 64 ε² of the coordinates; a polygon that is not planar is off by its tilt
-        let off = (first.tilt.max(second.tilt) + 64.0 * SQUARED_EPSILON) * self.reach;
-        exchange.error_bound += self.slack(off, exchange.value);
+        let height = (first.tilt.max(second.tilt) + 64.0 * SQUARED_EPSILON) * self.reach;
+        let off = Off { height, place: 0.0 };
+        exchange.error_bound += self.slack(off, exchange.value, Route::DoubleDouble);
         Some(exchange)
     }
 }

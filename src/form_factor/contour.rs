@@ -24,8 +24,8 @@ use std::f64::consts::TAU;
 
 /// Edges at least this far from each other, as a sum of half-axes, take a Gauss rule in one piece.
 const APART: f64 = 1.4;
-/// And no more points than this.
-const MOST: usize = 24;
+/// And no more points than about this.
+const MOST: u32 = 24;
 
 /// Room for the work on a pair.
 #[derive(Debug, Default)]
@@ -85,6 +85,8 @@ pub(super) fn contour(
     weights.clear();
     edges.clear();
     let (m, k) = (p.len(), q.len());
+    // the ellipse for which the largest rule does
+    let narrowest = (-(2.0 * per_length).ln() / (2.0 * f64::from(MOST))).exp().max(ellipse(APART));
     let mut apart: SmallVec<[bool; 16]> = SmallVec::with_capacity(m * k);
     let mut error = 0.0;
     for (i, a) in a_edges.iter().enumerate() {
@@ -92,7 +94,7 @@ pub(super) fn contour(
         let mut nearest = f64::INFINITY;
         for b in &b_edges {
             let sum = 2.0 * b.distance(middle) / a.length;
-            let is_apart = sum >= APART && points_for(2.0 * per_length, ellipse(sum)) <= MOST;
+            let is_apart = sum > 1.0 && ellipse(sum) >= narrowest;
             apart.push(is_apart);
             if is_apart {
                 nearest = nearest.min(sum);

@@ -22,9 +22,9 @@ use smallvec::SmallVec;
 /// Heights of corners above the other polygon's plane, all ≥ 0, each within [`HEIGHT_ERROR`] of itself.
 pub(super) type Heights = SmallVec<[f64; 4]>;
 
-/// The relative error of a height: a product of three terms is within 4 ε of the distance, and taken again to 106 bits where
-/// it is smaller than that by 64.
-pub(super) const HEIGHT_ERROR: f64 = 256.0 * f64::EPSILON;
+/// The relative error of a height: a product of three terms is within 3 ε of the distance, and taken again to 106 bits where
+/// it is smaller than that by 16.
+pub(super) const HEIGHT_ERROR: f64 = 48.0 * f64::EPSILON;
 
 /// How a polygon lies to another one's plane.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,6 +37,24 @@ pub(super) enum Side {
     Front(Heights),
     /// In front, what is left of it.
     Clipped(Box<Shape>, Heights),
+}
+
+/// How far corners may be from where they should be.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Off {
+    /// Above or below the other polygon's plane.
+    pub height: f64,
+    /// Within their own plane.
+    pub place: f64,
+}
+
+impl Off {
+    pub(super) const fn max(self, other: Self) -> Self {
+        Self {
+            height: self.height.max(other.height),
+            place: self.place.max(other.place),
+        }
+    }
 }
 
 impl Side {
@@ -58,7 +76,7 @@ impl Side {
 }
 
 /// Where a polygon lies to another one's plane, and how far its corners may be from where they should be.
-pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, f64) {
+pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
     let (shape, origin) = (&polygon.shape, plane.shape.corners[0]);
     let reach = shape.corners.iter().map(|c| c.abs().max_element()).fold(0.0, f64::max);
     // what the rounding of coordinates may do to a height
@@ -67,8 +85,8 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, f64) {
     let tilted = plane.tilt * distance;
     let mut slack = tilted;
     let mut refined = |corner: &DVec3, height: f64| -> f64 {
-        // a height that is not small beside the distance is known to 2⁻⁴⁵ of itself
-        if height.abs() > distance / 64.0 + 64.0 * noise {
+        // a height that is not small beside the distance is known well enough
+        if height.abs() > distance / 16.0 + 64.0 * noise {
             return height;
         }
         if plane.shape.corners.contains(corner) {
@@ -89,20 +107,21 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, f64) {
         .collect();
     if heights.iter().all(|h| *h >= 0.0) {
         let all_in = heights.iter().all(|h| *h <= 0.0);
-        return (if all_in { Side::Within } else { Side::Front(heights) }, slack);
+        let off = Off { height: slack, place: 0.0 };
+        return (if all_in { Side::Within } else { Side::Front(heights) }, off);
     }
     if heights.iter().all(|h| *h <= 0.0) {
-        return (Side::Behind, if heights.iter().all(|h| *h < 0.0) { tilted } else { slack });
+        return (Side::Behind, Off { height: slack, place: 0.0 });
     }
     let (corners, heights) = clipped(shape, plane, &heights);
     // a coordinate of a new corner is rounded once
-    let slack = slack + f64::EPSILON * reach;
+    let off = Off { height: slack, place: f64::EPSILON * reach };
     match Shape::new(&corners, polygon.precise_normal) {
         Some(shape) => {
             let heights = heights_of(&shape, &corners, &heights);
-            (Side::Clipped(Box::new(shape), heights), slack)
+            (Side::Clipped(Box::new(shape), heights), off)
         }
-        None => (Side::Behind, slack),
+        None => (Side::Behind, off),
     }
 }
 

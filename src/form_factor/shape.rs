@@ -24,6 +24,8 @@ pub(super) struct Shape {
     pub perimeter: f64,
     pub longest_edge: f64,
     pub centre: DVec3,
+    /// Half the longest line of a cell along which a rule runs.
+    pub half_length: f64,
     /// Largest distance of a corner from the centre.
     pub radius: f64,
 }
@@ -58,6 +60,7 @@ impl Shape {
         Some(Self {
             perimeter: edges.clone().sum(),
             longest_edge: edges.fold(0.0, f64::max),
+            half_length: half_length(&corners, &cells),
             corners,
             cells,
             jacobians,
@@ -66,17 +69,16 @@ impl Shape {
             radius,
         })
     }
+}
 
-    /// Half the longest line `s = const` or `t = const` of a cell.
-    pub(super) fn half_length(&self) -> f64 {
-        // such a line joins points of two opposite sides; it is at most the longer of the other two
-        let of_cell = |cell: &Cell| {
-            let [a, b, c, d] = cell.map(|i| self.corners[i]);
-            let sides = [b - a, c - b, d - c, a - d];
-            sides.into_iter().map(DVec3::length).fold(0.0, f64::max)
-        };
-        0.5 * self.cells.iter().map(of_cell).fold(0.0, f64::max)
-    }
+/// Half the longest line `s = const` or `t = const` of a cell: one that joins points of two opposite sides is at most the
+/// longer of the other two.
+fn half_length(corners: &[DVec3], cells: &[Cell]) -> f64 {
+    let longest = |cell: &Cell| {
+        let [a, b, c, d] = cell.map(|i| corners[i]);
+        [b - a, c - b, d - c, a - d].into_iter().map(DVec3::length).fold(0.0, f64::max)
+    };
+    0.5 * cells.iter().map(longest).fold(0.0, f64::max)
 }
 
 fn is_convex(corners: &[DVec3], normal: Vector<DoubleDouble>) -> bool {

@@ -1,12 +1,13 @@
-//! The paper's own scenes.
+//! The paper's own scenes, and a room that everybody has.
 //!
 //! ```text
 //!   two-squares     fig. 2   unit squares at 90° with a common edge
 //!   three-squares   fig. 3   three unit squares in a corner
 //!   cube:N          figs. 4, 5   the inside of the unit cube, N × N patches on a face
+//!   cornell-box     not of the paper: the empty room of Cornell University, from data/scenes/cornell-box.obj
 //! ```
 
-use super::{NamedPatch, Scene, SceneError};
+use super::{NamedPatch, Scene, SceneError, files};
 use crate::geometry::{Patch, Rectangle, SplitAxis};
 use glam::DVec3;
 
@@ -14,7 +15,7 @@ use glam::DVec3;
 const LARGEST_CUBE: usize = 32;
 
 impl Scene {
-    /// A built-in scene: `two-squares`, `three-squares` or `cube:N`.
+    /// A built-in scene: `two-squares`, `three-squares`, `cube:N` or `cornell-box`.
     ///
     /// In the first two, patch 0 is the one that the paper cuts; its axis u runs away from the
     /// edge it shares with patch 1.
@@ -32,6 +33,7 @@ impl Scene {
         match name {
             "two-squares" => Self::floor_and_wall(1.0),
             "three-squares" => corner(),
+            "cornell-box" => files::cornell_box(),
             _ => {
                 let size = name.strip_prefix("cube:").and_then(|n| n.parse().ok());
                 match size.filter(|n| (1..=LARGEST_CUBE).contains(n)) {
@@ -83,19 +85,24 @@ impl Scene {
     }
 
     /// The scene in which patch `index` is cut across an axis; the part at `v0` takes its place,
-    /// the other one follows at the end.
+    /// the other one follows at the end. Both are of its material and lie where it lay; each is a row of its own
+    /// unless the patch was summed with others.
     ///
     /// # Errors
     /// [`SceneError::NoSuchPatch`], [`SceneError::Patch`] if the patch is not a rectangle or the
-    /// position is not inside it.
+    /// position is not inside it; [`SceneError::CutThroughPart`] if others lie in it.
     pub fn with_patch_split(
         &self,
         index: usize,
         axis: SplitAxis,
         position: f64,
     ) -> Result<Self, SceneError> {
+        if let Some(part) = self.parts_of(index).next() {
+            return Err(SceneError::CutThroughPart { base: index, part });
+        }
         let rectangle = self.rectangle(index)?;
         let name = self.patches[index].name.clone();
+        let material = self.patches[index].material;
         let parts = rectangle
             .split(axis, position)
             .and_then(|[near, far]| Ok([Patch::try_from(&near)?, Patch::try_from(&far)?]))
@@ -105,10 +112,18 @@ impl Scene {
                 source,
             })?;
         let [near, far] = parts;
-        let mut patches = self.patches.clone();
-        patches[index] = NamedPatch::new(format!("{name} (near)"), near);
-        patches.push(NamedPatch::new(format!("{name} (far)"), far));
-        Self::try_new(patches)
+        let mut scene = self.clone();
+        let part = |name, shape| NamedPatch::new(name, shape).with_material(material);
+        scene.patches[index] = part(format!("{name} (near)"), near);
+        scene.patches.push(part(format!("{name} (far)"), far));
+        scene.bases.push(self.bases[index]);
+        let own_row = self.patches_of_group(self.groups[index]).count() == 1;
+        scene.groups.push(if own_row {
+            self.group_count()
+        } else {
+            self.groups[index]
+        });
+        Ok(scene)
     }
 }
 

@@ -1,5 +1,6 @@
 //! What is wrong with a scene.
 
+use super::files::FileError;
 use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
 
@@ -12,7 +13,8 @@ pub enum SceneError {
     Empty,
     /// The name is not one of the built-in scenes.
     #[error(
-        "there is no built-in scene \"{name}\": use two-squares, three-squares or cube:N (N from 1 to {largest})"
+        "there is no built-in scene \"{name}\": use cornell-box, two-squares, three-squares or cube:N (N from 1 to \
+         {largest}), or the path of a file that ends in .obj or .vs3"
     )]
     UnknownName {
         /// As given.
@@ -47,5 +49,86 @@ pub enum SceneError {
         second: usize,
         /// Why.
         source: FormFactorError,
+    },
+    /// A file is not a scene.
+    #[error(transparent)]
+    File(#[from] Box<FileError>),
+    /// A patch lies, in the end, in itself.
+    #[error("patch {part} cannot lie in patch {base}, which lies in it: name a base outside")]
+    BaseCycle {
+        /// Index of the part.
+        part: usize,
+        /// Index of its base.
+        base: usize,
+    },
+    /// A part is not in the plane of its base.
+    #[error(
+        "patch {part} lies {deviation:e} off the plane of its base, patch {base}, and {allowed:e} is accepted: move it into the plane"
+    )]
+    PartOffPlane {
+        /// Index of the part.
+        part: usize,
+        /// Index of its base.
+        base: usize,
+        /// Largest distance of a corner from the plane.
+        deviation: f64,
+        /// What would be accepted.
+        allowed: f64,
+    },
+    /// A part has its front at the back of its base.
+    #[error(
+        "patch {part} faces away from the front of its base, patch {base}: reverse its corners"
+    )]
+    PartFacesAway {
+        /// Index of the part.
+        part: usize,
+        /// Index of its base.
+        base: usize,
+    },
+    /// A part is not inside its base.
+    #[error("patch {part} reaches out of its base, patch {base}: cut off what is outside")]
+    PartOutside {
+        /// Index of the part.
+        part: usize,
+        /// Index of its base.
+        base: usize,
+    },
+    /// Parts cover all of their base.
+    #[error(
+        "the parts of patch {base} leave an area of {left:e} to it: leave the patch out, or its parts"
+    )]
+    NothingLeft {
+        /// Index of the base.
+        base: usize,
+        /// Area less that of the parts.
+        left: f64,
+    },
+    /// A label for each patch was needed.
+    #[error("{labels} labels for {patches} patches: one for each is needed")]
+    LabelCount {
+        /// Labels given.
+        labels: usize,
+        /// Patches of the scene.
+        patches: usize,
+    },
+    /// What cannot be cut, as others lie in it.
+    #[error(
+        "patch {base} cannot be cut, as patch {part} lies in it: cut patch {part} or leave it out"
+    )]
+    CutThroughPart {
+        /// Index of the patch.
+        base: usize,
+        /// Index of one that lies in it.
+        part: usize,
+    },
+    /// The format has no place for something that the scene has.
+    #[error("{format} cannot say that {what}: {mend}")]
+    NotExpressible {
+        /// Name of the format.
+        format: &'static str,
+        /// What is lost.
+        what: String,
+        /// What to do instead.
+        mend: &'static str,
     },
 }

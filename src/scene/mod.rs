@@ -1,30 +1,47 @@
-//! Scenes: named patches, and what they exchange.
+//! Scenes: named patches with their materials, and what they exchange.
 //!
-//! The paper's own scenes are built in ([`Scene::built_in`]); others are made from patches.
+//! The paper's own scenes are built in ([`Scene::built_in`]), others are read from [`files`] or made from patches.
+//! A scene also says what only obstructs, which patches lie in another one, and which are summed into one row
+//! ([`Scene::base_of`], [`Scene::group_of`]).
 //!
-//! **Not covered**: occlusion (every exchange area is the unoccluded one), reflectance, files.
+//! **Not covered**: occlusion (every exchange area is the unoccluded one).
 
 mod built_in;
 mod error;
 mod exchange_areas;
+pub mod files;
+mod material;
+mod parts;
 
 pub use error::SceneError;
 pub use exchange_areas::ExchangeAreas;
+pub use material::{Material, MaterialError};
 
-use crate::geometry::{Patch, Rectangle};
+use crate::geometry::{GeometryError, Patch, Rectangle};
 
-/// A patch and its name.
+/// A patch, its name and its material.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NamedPatch {
     name: String,
     shape: Patch,
+    material: Material,
 }
 
 impl NamedPatch {
-    /// A patch under a name.
+    /// A black patch under a name.
     #[must_use]
     pub const fn new(name: String, shape: Patch) -> Self {
-        Self { name, shape }
+        Self {
+            name,
+            shape,
+            material: Material::BLACK,
+        }
+    }
+
+    /// The same patch of this material.
+    #[must_use]
+    pub fn with_material(self, material: Material) -> Self {
+        Self { material, ..self }
     }
 
     /// The name.
@@ -38,25 +55,41 @@ impl NamedPatch {
     pub const fn shape(&self) -> &Patch {
         &self.shape
     }
+
+    /// The material.
+    #[must_use]
+    pub const fn material(&self) -> Material {
+        self.material
+    }
 }
 
-/// A list of patches.
+/// A list of patches, and how they belong together.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
     patches: Vec<NamedPatch>,
+    obstructions: Vec<NamedPatch>,
+    /// For each patch the one that it lies in.
+    bases: Vec<Option<usize>>,
+    /// For each patch its row, numbered in the order of their first patches.
+    groups: Vec<usize>,
 }
 
 impl Scene {
-    /// The scene of these patches.
+    /// The scene of these patches: nothing else obstructs, no patch lies in another, each is a row of its own.
     ///
     /// # Errors
     /// [`SceneError::Empty`] without a patch.
     pub fn try_new(patches: Vec<NamedPatch>) -> Result<Self, SceneError> {
         if patches.is_empty() {
-            Err(SceneError::Empty)
-        } else {
-            Ok(Self { patches })
+            return Err(SceneError::Empty);
         }
+        let (bases, groups) = (vec![None; patches.len()], (0..patches.len()).collect());
+        Ok(Self {
+            patches,
+            obstructions: Vec::new(),
+            bases,
+            groups,
+        })
     }
 
     /// The patches, in order.
@@ -65,25 +98,45 @@ impl Scene {
         &self.patches
     }
 
-    /// The sum of the patches' areas `A_T`.
+    /// The sum of the patches' areas `A_T`; what lies in another patch counts once.
     #[must_use]
     pub fn total_area(&self) -> f64 {
-        self.patches.iter().map(|patch| patch.shape.area()).sum()
+        let whole = self.patches.iter().zip(&self.bases);
+        whole
+            .filter(|(_, base)| base.is_none())
+            .map(|(patch, _)| patch.shape.area())
+            .sum()
     }
 
     /// The patch with this index, as a rectangle.
     ///
     /// # Errors
-    /// [`SceneError::NoSuchPatch`]; [`SceneError::Patch`] if it is not a rectangle.
+    /// [`SceneError::NoSuchPatch`]; [`SceneError::Patch`] if it is not a rectangle, as it is not either when others
+    /// lie in it.
     pub fn rectangle(&self, index: usize) -> Result<Rectangle, SceneError> {
-        let patch = self.patches.get(index).ok_or(SceneError::NoSuchPatch {
-            index,
-            last: self.patches.len() - 1,
-        })?;
-        Rectangle::try_from(&patch.shape).map_err(|source| SceneError::Patch {
+        self.check(index)?;
+        let patch = &self.patches[index];
+        let shape = match self.parts_of(index).next() {
+            None => Rectangle::try_from(&patch.shape),
+            Some(part) => Err(GeometryError::NotARectangle {
+                reason: format!("patch {part} lies in it, and it counts without"),
+            }),
+        };
+        shape.map_err(|source| SceneError::Patch {
             index,
             name: patch.name.clone(),
             source,
         })
+    }
+
+    fn check(&self, index: usize) -> Result<(), SceneError> {
+        if index < self.patches.len() {
+            Ok(())
+        } else {
+            Err(SceneError::NoSuchPatch {
+                index,
+                last: self.patches.len() - 1,
+            })
+        }
     }
 }

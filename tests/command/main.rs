@@ -8,6 +8,7 @@
 mod fuzzing;
 mod keys;
 mod refusals;
+mod scene_files;
 
 use assert_cmd::Command;
 

@@ -1,0 +1,232 @@
+//! What is wrong with a scene file: where, which condition is broken, and what mends it.
+
+use crate::geometry::GeometryError;
+use crate::scene::{MaterialError, SceneError};
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// A file was refused: the first fault that its reader met.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FileError {
+    /// The file as it was named.
+    pub file: PathBuf,
+    /// The line, from 1; of a continued line the first. None if the whole file is at fault.
+    pub line: Option<usize>,
+    /// Number and name of the patch that the line defines.
+    pub patch: Option<String>,
+    /// The broken condition.
+    pub fault: Fault,
+}
+
+impl FileError {
+    /// A fault of the whole file.
+    #[must_use]
+    pub fn of_file(file: &Path, fault: Fault) -> Self {
+        Self {
+            file: file.to_owned(),
+            line: None,
+            patch: None,
+            fault,
+        }
+    }
+}
+
+impl fmt::Display for FileError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.file.display())?;
+        if let Some(line) = self.line {
+            write!(f, ", line {line}")?;
+        }
+        if let Some(patch) = &self.patch {
+            write!(f, ", patch {patch}")?;
+        }
+        write!(f, ": {}", self.fault)
+    }
+}
+
+impl std::error::Error for FileError {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        Some(&self.fault)
+    }
+}
+
+/// The condition that a file breaks; the message says what would mend it.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Fault {
+    /// The operating system gives no content.
+    #[error("it cannot be read ({reason}): name a file that is there and may be read")]
+    CannotRead {
+        /// What the system says.
+        reason: String,
+    },
+    /// A folder.
+    #[error("it is a folder: name a file in it")]
+    IsFolder,
+    /// Larger than any scene that could be computed.
+    #[error("it is larger than {limit} bytes: split the scene")]
+    TooLarge {
+        /// Most bytes that are read.
+        limit: u64,
+    },
+    /// Neither of the two formats, to judge by its name.
+    #[error(
+        "its name does not say what it is: a scene is a Wavefront .obj or a View3D .vs3 file, so rename or export it"
+    )]
+    UnknownFormat,
+    /// Bytes that are no text.
+    #[error("byte {column} of the line is not UTF-8: save the file as UTF-8 text")]
+    NotUtf8 {
+        /// Position in the line, from 1.
+        column: usize,
+    },
+    /// No patch in the file.
+    #[error("it has no patch: {mend}")]
+    NoPatch {
+        /// What defines one.
+        mend: &'static str,
+    },
+    /// A line begins with something that the format does not know.
+    #[error(
+        "{format} has no \"{keyword}\": remove the line, or check that this is {format} at all"
+    )]
+    UnknownKeyword {
+        /// Name of the format.
+        format: &'static str,
+        /// As given, shortened.
+        keyword: String,
+    },
+    /// Something that the format knows and we do not.
+    #[error("{what}: {mend}")]
+    NotSupported {
+        /// Its name, and that it is not supported.
+        what: String,
+        /// What to do instead.
+        mend: &'static str,
+    },
+    /// A value is not there.
+    #[error("{what} is missing: write {form}")]
+    Missing {
+        /// Its name.
+        what: &'static str,
+        /// How the line should look.
+        form: &'static str,
+    },
+    /// There is more on the line than belongs there.
+    #[error("\"{given}\" is one value too many: write {form}")]
+    TooMany {
+        /// The first of them, shortened.
+        given: String,
+        /// How the line should look.
+        form: &'static str,
+    },
+    /// A number was expected.
+    #[error("{what} is \"{given}\": write a number, as in {form}")]
+    NotANumber {
+        /// Its name.
+        what: &'static str,
+        /// As given, shortened.
+        given: String,
+        /// How the line should look.
+        form: &'static str,
+    },
+    /// A number that is NaN, infinite or beyond `f64`.
+    #[error("{what} is \"{given}\": write a finite number")]
+    NotFinite {
+        /// Its name.
+        what: &'static str,
+        /// As given, shortened.
+        given: String,
+    },
+    /// A vertex that is not there.
+    #[error(
+        "there is no vertex {index}: {defined} are defined before this line, so write 1 to {defined}, or -1 for the last"
+    )]
+    NoSuchVertex {
+        /// As given.
+        index: String,
+        /// Vertices defined so far.
+        defined: usize,
+    },
+    /// A corner of a face occurs twice.
+    #[error("vertex {vertex} is a corner twice: name each corner once")]
+    RepeatedCorner {
+        /// Number of the vertex.
+        vertex: String,
+    },
+    /// A number that was given before.
+    #[error("{what} {number} is defined already, in line {line}: give it another number")]
+    DefinedTwice {
+        /// Vertex or surface.
+        what: &'static str,
+        /// Its number.
+        number: usize,
+        /// Where it was defined first.
+        line: usize,
+    },
+    /// A number or name that nothing in the file has.
+    #[error("there is no {what} {given}: define it, or name one that is there")]
+    Undefined {
+        /// Vertex, surface or material.
+        what: &'static str,
+        /// As given, shortened.
+        given: String,
+    },
+    /// A material file that cannot be used.
+    #[error("the material file {}: {source}", file.display())]
+    Library {
+        /// The file.
+        file: PathBuf,
+        /// Why.
+        source: Box<Fault>,
+    },
+    /// A shape that is no patch.
+    #[error("{source}{}", mend(source))]
+    Geometry {
+        /// Why.
+        source: GeometryError,
+    },
+    /// A material that cannot be.
+    #[error("{source}")]
+    Material {
+        /// Why.
+        source: MaterialError,
+    },
+    /// Patches that do not belong together.
+    #[error("{source}")]
+    Scene {
+        /// Why.
+        source: Box<SceneError>,
+    },
+    /// The last line is not there.
+    #[error("the line \"End of data\" is missing: add it, unless the file was cut short")]
+    NoEnd,
+}
+
+/// What mends a shape, as far as the geometry does not say so itself.
+const fn mend(error: &GeometryError) -> &'static str {
+    match error {
+        GeometryError::TooFewCorners { .. } => ": add corners or remove the face",
+        GeometryError::NotFinite { .. } => ": mend the vertex",
+        GeometryError::NoArea { .. } => {
+            ": move its corners apart, off one line and into their order, or remove the face"
+        }
+        GeometryError::NotPlanar { .. } => " (--triangulate does)",
+        GeometryError::NotSimple { .. } => ", so reorder or split the face",
+        _ => "",
+    }
+}
+
+/// The beginning of what a file says, fit for a message.
+pub(super) fn excerpt(text: &str) -> String {
+    const LONGEST: usize = 40;
+    let mut short: String = text
+        .chars()
+        .take(LONGEST)
+        .flat_map(char::escape_debug)
+        .collect();
+    if text.chars().nth(LONGEST).is_some() {
+        short.push('…');
+    }
+    short
+}

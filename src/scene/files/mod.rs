@@ -1,0 +1,119 @@
+//! Scene files: Wavefront OBJ with MTL, and View3D `.vs3`; read and written.
+//!
+//! ```text
+//!   .obj   v x y z | f v…                 one face, one patch    o g: names   mtllib usemtl: Kd reflectance, Ke emittance
+//!   .vs3   V n x y z | S n v1 v2 v3 v4 base cmb emit name        O: obstructs only      reflectance = 1 − emit
+//! ```
+//!
+//! A reader stops at the first fault and says where it is and what would mend it ([`FileError`]). Numbers are
+//! written so that they read back to the same `f64`.
+//!
+//! Both readers are our own: the libraries for OBJ keep coordinates in 32 bits or cut polygons into triangles, and none
+//! says in which line a number is wrong, or which patch is not planar; for `.vs3` there is none.
+
+mod decimal;
+mod error;
+mod mtl;
+mod obj;
+mod obj_writer;
+mod source;
+mod triangles;
+mod view3d;
+mod view3d_surfaces;
+mod view3d_writer;
+
+pub use error::{Fault, FileError};
+pub use obj::read_obj;
+pub use obj_writer::{ObjText, write_obj};
+pub use source::Source;
+pub use view3d::read_view3d;
+pub use view3d_writer::write_view3d;
+
+use super::{Scene, SceneError};
+use std::path::Path;
+
+/// What is done with a face that is not planar.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum NonPlanarFaces {
+    /// The file is refused, with the deviation.
+    #[default]
+    Refuse,
+    /// The face is split into triangles, each a patch. Of the possible ones those that fold towards the front are
+    /// taken, so that what is in front of a bulging wall stays convex (of a quadrilateral: the diagonal farther from
+    /// the front). Faces that are planar stay whole.
+    Triangulate,
+}
+
+/// A scene, and what its reader has to say about it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LoadedScene {
+    /// The scene.
+    pub scene: Scene,
+    /// What was read and has no effect, a sentence each.
+    pub notes: Vec<String>,
+}
+
+/// The scene that a name stands for: a built-in one ([`Scene::built_in`]) or a file ([`read`]).
+///
+/// # Errors
+/// [`SceneError::UnknownName`] if it is neither; [`SceneError::File`] if the file is at fault.
+pub fn open(name: &str, faces: NonPlanarFaces) -> Result<LoadedScene, SceneError> {
+    match Scene::built_in(name) {
+        Ok(scene) => Ok(LoadedScene {
+            scene,
+            notes: Vec::new(),
+        }),
+        Err(SceneError::UnknownName { .. }) if is_path(name) => {
+            read(Path::new(name), faces).map_err(|error| Box::new(error).into())
+        }
+        Err(error) => Err(error),
+    }
+}
+
+/// Does it look like a path rather than a misspelt name?
+fn is_path(name: &str) -> bool {
+    let path = Path::new(name);
+    path.extension().is_some() && !name.starts_with("cube:")
+        || path.components().count() > 1
+        || (!name.is_empty() && path.exists())
+}
+
+/// Reads a scene file; what follows the last dot of its name says of which format it is.
+///
+/// # Errors
+/// A [`FileError`] at the first fault.
+pub fn read(path: &Path, faces: NonPlanarFaces) -> Result<LoadedScene, FileError> {
+    let extension = path
+        .extension()
+        .map(|extension| extension.to_string_lossy());
+    let is = |format: &str| {
+        extension
+            .as_ref()
+            .is_some_and(|extension| extension.eq_ignore_ascii_case(format))
+    };
+    if is("obj") {
+        let beside = |name: &str| Source::read(&path.with_file_name(name));
+        read_obj(&Source::read(path)?, &beside, faces)
+    } else if is("vs3") {
+        read_view3d(&Source::read(path)?, faces)
+    } else {
+        Source::check(path)?;
+        Err(FileError::of_file(path, Fault::UnknownFormat))
+    }
+}
+
+/// The empty Cornell box, from the file that comes with the source.
+pub(super) fn cornell_box() -> Result<Scene, SceneError> {
+    let source = Source::new(
+        "cornell-box.obj",
+        include_str!("../../../data/scenes/cornell-box.obj"),
+    );
+    let materials = |_: &str| {
+        Ok(Source::new(
+            "cornell-box.mtl",
+            include_str!("../../../data/scenes/cornell-box.mtl"),
+        ))
+    };
+    let loaded = read_obj(&source, &materials, NonPlanarFaces::Refuse).map_err(Box::new)?;
+    Ok(loaded.scene)
+}
