@@ -15,8 +15,8 @@
 //!   |ΔA F| ≤ δ·(perimeter P · max|Φ_Q| + perimeter Q · max|Φ_P|),   |Φ_Q| ≤ min(1, A_Q/(π d²))
 //! ```
 //!
-//! at distance d. Where a plane cuts the other polygon, the cut moves as well: Φ is 0 there outside Q, and inside it the cut, no longer
-//! than the perimeter, moves by δ/sin θ for planes at an angle θ.
+//! at distance d. Where one polygon cuts or touches the plane of the other, what lies in front changes as well: Φ is 0 in the
+//! plane outside Q, and inside it the cut, no longer than the perimeter, moves by δ/sin θ for planes at an angle θ.
 
 use crate::support::polygon_pairs::Family;
 use glam::{DMat3, DVec3};
@@ -236,12 +236,13 @@ fn allowance(pair: &Pair, delta: f64) -> f64 {
             1.0
         }
     };
+    // touching within δ counts: the moved outline may reach behind
     let is_cut = |patch: &Patch, other: &Patch| {
         let heights = other
             .corners()
             .iter()
             .map(|c| (*c - patch.corners()[0]).dot(patch.normal()));
-        heights.fold(0.0, f64::min) < -delta
+        heights.fold(f64::INFINITY, f64::min) <= 2.0 * delta
     };
     let cut = if is_cut(p, q) || is_cut(q, p) {
         1.0 + 1.0 / p.normal().cross(q.normal()).length()
