@@ -28,3 +28,4 @@ mod refusals;
 mod soundness;
 #[path = "../support/mod.rs"]
 mod support;
+mod wide_numbers;

@@ -6,6 +6,7 @@
 //! ```
 
 use crate::support::polygon_pairs::Family;
+use crate::support::references::rows;
 use infoscene::form_factor::{Answer, DEFAULT_TOLERANCE, Polygon, reference};
 use rayon::prelude::*;
 
@@ -95,7 +96,8 @@ fn assert_agreement(count: u64) {
             found.len(),
             parts.join(", "),
         );
-        if slack > SLACK {
+        // the median of a few says nothing
+        if slack > SLACK && count >= 50 {
             failures.push(format!("{family:?}: median bound/error {slack}"));
         }
         let smallest = found.iter().min_by(|a, b| a.exact.total_cmp(&b.exact));
@@ -126,4 +128,29 @@ fn answers_agree_with_the_slow_reference() {
 fn answers_agree_with_the_slow_reference_on_many_pairs() {
     let count = std::env::var("INFOSCENE_COUNT").map_or(200, |count| count.parse().unwrap());
     assert_agreement(count);
+}
+
+/// `|A F − exact| ≤ 1e-12 A F` and the bound holds, both ways, for every row of the file. Its corners are decimals: rounding them by ε of
+/// themselves, at most 1e6, moves the value by less than ε·perimeter.
+#[test]
+fn every_row_of_thirty_digits_is_met() {
+    let mut count = 0;
+    for row in rows("form_factors.csv") {
+        let exact = row.number("exchange_area");
+        let polygons: Vec<_> = row.polygons().iter().map(Polygon::new).collect();
+        let rounding = f64::EPSILON * polygons.iter().map(Polygon::perimeter).fold(0.0, f64::max);
+        for (first, second) in [(0, 1), (1, 0)] {
+            let answer = polygons[first].exchange_area(&polygons[second], DEFAULT_TOLERANCE);
+            let exchange = answer.unwrap().exchange;
+            let error = (exchange.value - exact).abs();
+            assert!(error <= DEFAULT_TOLERANCE * exact, "{}: {error:e}", row.id);
+            assert!(
+                error <= exchange.error_bound + rounding,
+                "{}: {error:e}",
+                row.id
+            );
+            count += 1;
+        }
+    }
+    assert_eq!(count, 52);
 }
