@@ -52,7 +52,12 @@ fn rotation(random: &mut ChaCha8Rng) -> DMat3 {
 /// Corners of a rectangle `w × h`, from its middle, in a turned frame.
 fn turned_rectangle(frame: DMat3, middle: DVec3, w: f64, h: f64) -> [DVec3; 4] {
     let (u, v) = (0.5 * w * frame.x_axis, 0.5 * h * frame.y_axis);
-    [middle - u - v, middle + u - v, middle + u + v, middle - u + v]
+    [
+        middle - u - v,
+        middle + u - v,
+        middle + u + v,
+        middle - u + v,
+    ]
 }
 
 /// Pairs whose form factor is worth computing, from a recipe.
@@ -66,20 +71,40 @@ fn family(seed: u64, mut recipe: impl FnMut(&mut ChaCha8Rng) -> Pair) -> Vec<Pai
             continue;
         }
         let back = pair[1].exchange_area(&pair[0], DEFAULT_TOLERANCE).unwrap();
-        if answer.exchange.error_bound > DEFAULT_TOLERANCE * answer.exchange.value { println!("{seed} {:?} {:?}", answer, pair[0].exchange_area(&pair[1], 1e-6)); }
+        if answer.exchange.error_bound > DEFAULT_TOLERANCE * answer.exchange.value {
+            println!(
+                "{seed} {:?} {:?}",
+                answer,
+                pair[0].exchange_area(&pair[1], 1e-6)
+            );
+        }
         let bound = answer.exchange.error_bound + back.exchange.error_bound;
-        if false {assert!(answer.exchange.error_bound <= DEFAULT_TOLERANCE * answer.exchange.value);}
+        if false {
+            assert!(answer.exchange.error_bound <= DEFAULT_TOLERANCE * answer.exchange.value);
+        }
         assert!((answer.exchange.value - back.exchange.value).abs() <= bound);
         pairs.push(pair);
     }
     if std::env::var("ROUTES").is_ok() {
-    let mut hist = std::collections::BTreeMap::<_, (usize, f64)>::new();
-    for [a, b] in &pairs {
-        let mut best = f64::INFINITY; let mut route = None;
-        for _ in 0..20 { let t = std::time::Instant::now(); route = Some(a.exchange_area(b, DEFAULT_TOLERANCE).unwrap().route); best = best.min(t.elapsed().as_secs_f64()); }
-        let e = hist.entry(route.unwrap().name()).or_default(); e.0 += 1; e.1 += best * 1e6;
-    }
-    println!("family {seed}: {:?}", hist.iter().map(|(k, v)| (k, v.0, v.1 / v.0 as f64)).collect::<Vec<_>>());
+        let mut hist = std::collections::BTreeMap::<_, (usize, f64)>::new();
+        for [a, b] in &pairs {
+            let mut best = f64::INFINITY;
+            let mut route = None;
+            for _ in 0..20 {
+                let t = std::time::Instant::now();
+                route = Some(a.exchange_area(b, DEFAULT_TOLERANCE).unwrap().route);
+                best = best.min(t.elapsed().as_secs_f64());
+            }
+            let e = hist.entry(route.unwrap().name()).or_default();
+            e.0 += 1;
+            e.1 += best * 1e6;
+        }
+        println!(
+            "family {seed}: {:?}",
+            hist.iter()
+                .map(|(k, v)| (k, v.0, v.1 / v.0 as f64))
+                .collect::<Vec<_>>()
+        );
     }
     pairs
 }
@@ -94,7 +119,11 @@ fn rectangles(random: &mut ChaCha8Rng) -> Pair {
     if random.random_bool(0.5) {
         [floor, at(DVec3::new(dx, dy, z), y * DVec3::Y, x * DVec3::X)]
     } else {
-        let origin = DVec3::new(if dx > 0.0 { 0.0 } else { dx }, dy, if dy > 0.0 { 0.0 } else { z });
+        let origin = DVec3::new(
+            if dx > 0.0 { 0.0 } else { dx },
+            dy,
+            if dy > 0.0 { 0.0 } else { z },
+        );
         [floor, at(origin, y * DVec3::Y, x * DVec3::Z)]
     }
 }
@@ -145,9 +174,18 @@ fn families(criterion: &mut Criterion) {
     let families: [(&str, Vec<Pair>); 8] = [
         ("rectangles", family(1, rectangles)),
         ("free triangles", family(2, |random| free(random, 3, 2.5))),
-        ("free quadrilaterals", family(3, |random| free(random, 4, 2.5))),
-        ("free quadrilaterals, 8 sizes apart", family(4, |random| free(random, 4, 8.0))),
-        ("quadrilaterals, 30 sizes apart", family(5, |random| free(random, 4, 30.0))),
+        (
+            "free quadrilaterals",
+            family(3, |random| free(random, 4, 2.5)),
+        ),
+        (
+            "free quadrilaterals, 8 sizes apart",
+            family(4, |random| free(random, 4, 8.0)),
+        ),
+        (
+            "quadrilaterals, 30 sizes apart",
+            family(5, |random| free(random, 4, 30.0)),
+        ),
         ("shared edge", family(6, |random| shared_edge(random, 0.6))),
         ("shared vertex", family(7, shared_vertex)),
         ("nearly flat shared edge, escalated", family(8, nearly_flat)),

@@ -9,6 +9,7 @@
 //!
 //! **Not here**: form-factor formulas; information measures.
 
+mod closure;
 mod error;
 pub mod random;
 pub mod recipe;
@@ -18,7 +19,8 @@ mod reversible;
 pub mod strategies;
 mod visibility;
 
+pub use closure::{Closure, RowSum};
 pub use error::ChainError;
 pub use refinement::Refinement;
 pub use reversible::ReversibleChain;
-pub use visibility::visibility_chain;
+pub use visibility::{open_visibility_chain, visibility_chain};

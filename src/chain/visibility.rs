@@ -1,8 +1,15 @@
 //! The visibility chain of a scene: `J_ij = A_i F_ij`, `w_i ∝ A_i`, `P_ij = F_ij`.
+//!
+//! What escapes from an open scene goes to one more state, `outside`, and comes back, so that the chain stays reversible:
+//!
+//! ```text
+//!   J_i,out = A_i (1 − Σ_j F_ij),   J_out,out = 0,   total N = A_T + Σ_i A_i (1 − Σ_j F_ij)
+//! ```
 
-use super::{ChainError, ReversibleChain};
+use super::{ChainError, Closure, ReversibleChain};
 use crate::numeric::compensated_sum;
-use crate::scene::Scene;
+use crate::scene::{ExchangeAreas, Scene};
+use nalgebra::DMatrix;
 
 /// The visibility chain of a closed scene.
 ///
@@ -11,29 +18,55 @@ use crate::scene::Scene;
 ///
 /// # Errors
 /// [`ChainError::OpenScene`] with the worst row if a row of form factors does not sum to one within
-/// its error bounds; [`ChainError::Scene`] if a form factor is refused.
+/// its error bounds; [`ChainError::RowAboveOne`]; [`ChainError::Scene`] if a form factor is refused.
 pub fn visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
     let exchange = scene.exchange_areas()?;
-    let mut worst: Option<(f64, ChainError)> = None;
-    for (row, patch) in scene.patches().iter().enumerate() {
-        let area = patch.shape().area();
-        let sum = compensated_sum(exchange.values().column(row).iter().copied()) / area;
-        let bound = compensated_sum(exchange.error_bounds().column(row).iter().copied()) / area;
-        let tolerance = bound + 4.0 * f64::EPSILON; // the area's and the quotient's rounding
-        let excess = (sum - 1.0).abs() / tolerance;
-        if excess > 1.0 && worst.as_ref().is_none_or(|(most, _)| excess > *most) {
-            worst = Some((
-                excess,
-                ChainError::OpenScene {
-                    row,
-                    sum,
-                    tolerance,
-                },
-            ));
+    closure(scene, &exchange).require_closed()?;
+    ReversibleChain::try_new(exchange.into_values())
+}
+
+/// The visibility chain of an open scene: the last state is `outside`. That of a closed scene has the state, too, without
+/// weight.
+///
+/// # Errors
+/// [`ChainError::RowAboveOne`] if patches overlap or hide each other; [`ChainError::Scene`] if a form factor is refused.
+///
+/// # Examples
+/// ```
+/// use infoscene::chain::open_visibility_chain;
+/// use infoscene::scene::Scene;
+/// // two unit squares at 90° see a fifth of each other
+/// let chain = open_visibility_chain(&Scene::built_in("two-squares")?)?;
+/// assert_eq!(chain.states(), 3);
+/// assert!((chain.transition_probability(0, 2) - 0.8).abs() < 1e-3);
+/// assert!((chain.total() - 3.6).abs() < 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn open_visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
+    let exchange = scene.exchange_areas()?;
+    let closure = closure(scene, &exchange);
+    closure.require_at_most_one()?;
+    let outside = exchange.patches();
+    let escaping = |i: usize| scene.patches()[i].shape().area() * closure.escaping(i);
+    ReversibleChain::try_new(DMatrix::from_fn(outside + 1, outside + 1, |i, j| {
+        match (i == outside, j == outside) {
+            (true, true) => 0.0,
+            (true, false) => escaping(j),
+            (false, true) => escaping(i),
+            (false, false) => exchange.get(i, j).exchange.value,
         }
-    }
-    match worst {
-        Some((_, open)) => Err(open),
-        None => ReversibleChain::try_new(exchange.into_values()),
-    }
+    }))
+}
+
+fn closure(scene: &Scene, exchange: &ExchangeAreas) -> Closure {
+    let patches = scene.patches();
+    let areas: Vec<f64> = patches.iter().map(|patch| patch.shape().area()).collect();
+    let row = |i: usize| {
+        let entries = || (0..areas.len()).map(|j| exchange.get(i, j).exchange);
+        [
+            compensated_sum(entries().map(|entry| entry.value)),
+            compensated_sum(entries().map(|entry| entry.error_bound)),
+        ]
+    };
+    Closure::new(&areas, (0..areas.len()).map(row))
 }

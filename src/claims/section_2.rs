@@ -41,9 +41,9 @@ fn walk_converges(input: &Inputs) -> Result<Finding, ClaimError> {
 fn areas_are_stationary(input: &Inputs) -> Result<Finding, ClaimError> {
     let scene = cube(input)?;
     let factor = input.number("area_factor")?;
-    let exchange = scene.exchange_areas()?;
+    let exchange = scene.exchange_areas()?.into_values();
     let deviations = scene.patches().iter().enumerate().map(|(i, patch)| {
-        let inflow = compensated_sum(exchange.values().column(i).iter().copied());
+        let inflow = compensated_sum(exchange.column(i).iter().copied());
         (inflow / (factor * patch.shape().area()) - 1.0).abs()
     });
     Ok(Finding::residual(largest(deviations), tolerance::CLOSURE))

@@ -1,16 +1,19 @@
 //! The command line: one file per subcommand, argument parsing and exit status only.
 //!
 //! Data goes to standard output or `--output`, messages to standard error. Exit status: 0 done; 1 a claim's
-//! verdict differs from the recorded one, or fuzzing found a counterexample; 2 wrong usage or bad input, and nothing is written.
+//! verdict differs from the recorded one, fuzzing found a counterexample, or a tolerance was not reached; 2 wrong usage or bad input, and nothing is written.
 
 mod convert;
 mod curve;
 mod cut;
+mod form_factor;
 #[cfg(feature = "proptest")]
 mod fuzz;
+mod measure;
 mod output;
 mod reproduce;
 mod scene;
+mod scene_pairs;
 mod split;
 mod study;
 
@@ -39,6 +42,10 @@ enum Question {
     Split(split::Split),
     /// Find the cuts of a patch whose radiosity grows as a power (§4.2).
     Cut(cut::Cut),
+    /// Compute the form factors of a scene.
+    FormFactor(form_factor::FormFactor),
+    /// Measure the information of a scene: entropies and mutual information.
+    Measure(measure::Measure),
     /// Write a scene in another format.
     Convert(convert::Convert),
     /// Throw random refinements at Theorem 1.
@@ -60,7 +67,7 @@ enum Question {
 enum Outcome {
     /// All is as expected.
     Done,
-    /// A verdict differs from the one on record, or a counterexample was found.
+    /// A verdict differs from the one on record, a counterexample was found, or a tolerance was not reached.
     Differs,
 }
 
@@ -96,6 +103,8 @@ fn answer(question: Question) -> Answer {
         Question::Curve(question) => question.answer(),
         Question::Split(question) => question.answer(),
         Question::Cut(question) => question.answer(),
+        Question::FormFactor(question) => question.answer(),
+        Question::Measure(question) => question.answer(),
         Question::Convert(question) => question.answer(),
         #[cfg(feature = "proptest")]
         Question::Fuzz(question) => question.answer(),

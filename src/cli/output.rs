@@ -70,6 +70,20 @@ impl Output {
         }
     }
 
+    /// Writes an answer that is made while it is written, the whole of it or nothing where it goes to a file.
+    pub(super) fn write_with(
+        &self,
+        write: impl FnOnce(Format, &mut dyn Write) -> Result<(), Box<dyn std::error::Error>>,
+    ) -> Result<(), Box<dyn std::error::Error>> {
+        if self.output == Path::new("-") {
+            let mut text = Reader(io::BufWriter::new(io::stdout().lock()));
+            write(self.format.into(), &mut text)?;
+            Ok(text.flush()?)
+        } else {
+            replace_with(&self.output, |file| write(self.format.into(), file))
+        }
+    }
+
     /// Writes a file of this name into the folder of the output, or here.
     #[cfg(feature = "proptest")]
     pub(super) fn beside(
@@ -114,16 +128,55 @@ pub(super) fn print(text: &[u8]) -> Answer {
     }
 }
 
+/// A standard output whose reader may go away: what is written after that is dropped.
+struct Reader<W>(W);
+
+impl<W: Write> Write for Reader<W> {
+    fn write(&mut self, text: &[u8]) -> io::Result<usize> {
+        match self.0.write(text) {
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(text.len()),
+            written => written,
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self.0.flush() {
+            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
+            flushed => flushed,
+        }
+    }
+}
+
+fn replace(path: &Path, text: &[u8]) -> io::Result<()> {
+    replace_by(path, |file| file.write_all(text))
+}
+
+/// As [`replace_by`], with an error that says which file it was.
+pub(super) fn replace_with(
+    path: &Path,
+    write: impl FnOnce(&mut dyn Write) -> Result<(), Box<dyn std::error::Error>>,
+) -> Result<(), Box<dyn std::error::Error>> {
+    let mut refusal = None;
+    let written = replace_by(path, |file| {
+        write(file).map_err(|error| {
+            let text = error.to_string();
+            refusal = (!error.is::<io::Error>()).then_some(error);
+            io::Error::other(text)
+        })
+    });
+    match (written, refusal) {
+        (_, Some(refusal)) => Err(refusal),
+        (written, None) => Ok(written.map_err(|source| cannot_write(path, source))?),
+    }
+}
+
 /// Writes beside the file and moves into place, so that no half-written file is ever seen. Links are
 /// followed, an existing file keeps its mode, and a device or a pipe is written to as it is.
-fn replace(path: &Path, text: &[u8]) -> io::Result<()> {
+fn replace_by(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     folder_of(path)?;
     let old = fs::metadata(path).ok();
     if old.as_ref().is_some_and(|old| !old.is_file()) {
-        return fs::OpenOptions::new()
-            .write(true)
-            .open(path)?
-            .write_all(text);
+        return buffered(fs::OpenOptions::new().write(true).open(path)?, write);
     }
     let path = if old.is_some() {
         fs::canonicalize(path)?
@@ -139,12 +192,21 @@ fn replace(path: &Path, text: &[u8]) -> io::Result<()> {
         builder.permissions(fs::Permissions::from_mode(0o666));
     }
     let mut file = builder.tempfile_in(folder_of(&path)?)?;
-    file.write_all(text)?;
+    buffered(&mut file, write)?;
     if let Some(old) = old {
         file.as_file().set_permissions(old.permissions())?;
     }
     file.persist(path)?;
     Ok(())
+}
+
+fn buffered(
+    file: impl Write,
+    write: impl FnOnce(&mut dyn Write) -> io::Result<()>,
+) -> io::Result<()> {
+    let mut file = io::BufWriter::new(file);
+    write(&mut file)?;
+    file.flush()
 }
 
 /// The folder of a file that is to be written.

@@ -93,7 +93,10 @@ impl Polygon {
         tolerance: f64,
     ) -> Result<Answer, FormFactorError> {
         let tolerance = if tolerance > 0.0 { tolerance } else { 0.0 };
-        let not_served = FormFactorError::NotResolved { value: f64::NAN, error_bound: f64::INFINITY };
+        let not_served = FormFactorError::NotResolved {
+            value: f64::NAN,
+            error_bound: f64::INFINITY,
+        };
         if let (Some(first), Some(second)) = (&self.rectangle, &other.rectangle)
             && let Some(answer) = rectangles(first, second, f64::INFINITY)
             && answer.route == route
@@ -101,7 +104,9 @@ impl Polygon {
             return Ok(answer);
         }
         WORK.with_borrow_mut(|work| {
-            answer([self, other], tolerance, |view| view.answer_by(route, work).ok_or(not_served))
+            answer([self, other], tolerance, |view| {
+                view.answer_by(route, work).ok_or(not_served)
+            })
         })
     }
 
@@ -132,11 +137,7 @@ impl Polygon {
 }
 
 /// The closed form, if its bound meets the tolerance.
-fn rectangles(
-    first: &Rectangle,
-    second: &Rectangle,
-    tolerance: f64,
-) -> Option<Answer> {
+fn rectangles(first: &Rectangle, second: &Rectangle, tolerance: f64) -> Option<Answer> {
     let pair = RectanglePair::try_new(first, second).ok()?;
     let mut exchange = pair.exchange_area().ok()?;
     if exchange.value <= 0.0 {
@@ -149,16 +150,23 @@ fn rectangles(
     };
     // the second one's coordinates in the frame of the first are rounded once, unless they are exact there
     let origin = first.origin();
-    let exact = |corner: DVec3| {
+    let far = second.corners()[2];
+    let exact = [second.origin(), far].into_iter().all(|corner| {
         let pairs = corner.to_array().into_iter().zip(origin.to_array());
-        pairs.into_iter().all(|(x, o)| DoubleDouble::difference(x, o).low() == 0.0)
-    };
-    if !second.corners().into_iter().all(exact) {
+        pairs
+            .into_iter()
+            .all(|(x, o)| DoubleDouble::difference(x, o).low() == 0.0)
+    });
+    if !exact {
         let sides = |r: &Rectangle| {
             let [a, b, _, d] = r.corners();
             2.0 * (a.distance(b) + a.distance(d))
         };
-        let reach = first.corners().iter().map(|c| c.distance(second.origin())).fold(0.0, f64::max);
+        let reach = first
+            .corners()
+            .iter()
+            .map(|c| c.distance(second.origin()))
+            .fold(0.0, f64::max);
         let reach = reach + sides(second);
         exchange.error_bound += f64::EPSILON * reach * (sides(first) + sides(second));
     }
@@ -203,11 +211,24 @@ fn answer(
                 value: 0.0,
                 error_bound: 2.0 * off.height * (first.perimeter() + second.perimeter()),
             },
-            route: if within { Route::Coplanar } else { Route::BackFacing },
+            route: if within {
+                Route::Coplanar
+            } else {
+                Route::BackFacing
+            },
         });
     };
-    let shapes = [above_second.shape(&first.shape), above_first.shape(&second.shape)];
-    let view = View::new(polygons, shapes, [first_heights, second_heights], off, tolerance);
+    let shapes = [
+        above_second.shape(&first.shape),
+        above_first.shape(&second.shape),
+    ];
+    let view = View::new(
+        polygons,
+        shapes,
+        [first_heights, second_heights],
+        off,
+        tolerance,
+    );
     route(&view)
 }
 
@@ -222,11 +243,17 @@ impl<'a> View<'a> {
         let [first, second] = shapes;
         let between = second.centre - first.centre;
         let distance = between.length();
-        let corners = first.corners.iter().flat_map(|x| second.corners.iter().map(|y| (*x - *y).length_squared()));
+        let corners = first
+            .corners
+            .iter()
+            .flat_map(|x| second.corners.iter().map(|y| (*x - *y).length_squared()));
         let reach = corners.fold(0.0, f64::max).sqrt() * (1.0 + 4.0 * f64::EPSILON);
         // planes that have one polygon on one side and the other on the other: across the centres' line, and their own
         let farthest = |shape: &Shape, direction: DVec3| {
-            let along = shape.corners.iter().map(|c| (*c - first.centre).dot(direction));
+            let along = shape
+                .corners
+                .iter()
+                .map(|c| (*c - first.centre).dot(direction));
             along.fold(f64::NEG_INFINITY, f64::max)
         };
         let least = |heights: &[f64]| heights.iter().copied().fold(f64::INFINITY, f64::min);
@@ -236,15 +263,17 @@ impl<'a> View<'a> {
         #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
         let means = heights.map(|heights| heights.iter().sum::<f64>() / heights.len() as f64);
         let gap = if gap > 0.0 { gap } else { 0.0 };
-        let spread = if gap > 0.0 { (reach / gap).powi(4) } else { f64::INFINITY };
+        let spread = if gap > 0.0 {
+            (reach / gap).powi(4)
+        } else {
+            f64::INFINITY
+        };
         // heights h weighted by the kernel K: Σ K/Σ h K is at most 1/h_min, and at most (K_max/K_min)/h_mean
         let sensitivities = [0, 1].map(|k| (1.0 / least(heights[k])).min(spread / means[k]));
         let received = |shape: &Shape| (shape.area / (PI * gap * gap)).min(1.0);
         let ribbons = first.perimeter * received(second) + second.perimeter * received(first);
         // corners that are off by δ change heights, areas and r⁴, too: relative to the value
-        let by_place = 4.0 / gap
-            + first.perimeter / first.area
-            + second.perimeter / second.area;
+        let by_place = 4.0 / gap + first.perimeter / first.area + second.perimeter / second.area;
         // between the far formula and that of two patches near to each other
         let square = distance * distance + first.area.max(second.area) / PI;
         let cosines = means[0] * means[1] / (distance * distance).max(means[0] * means[1]);
@@ -284,7 +313,10 @@ impl<'a> View<'a> {
         }
         match best {
             Some(best) => best.in_range(),
-            None => Err(FormFactorError::NotResolved { value: self.estimate, error_bound: f64::INFINITY }),
+            None => Err(FormFactorError::NotResolved {
+                value: self.estimate,
+                error_bound: f64::INFINITY,
+            }),
         }
     }
 
@@ -297,9 +329,13 @@ impl<'a> View<'a> {
                 let points = [0, 1].map(|k| self.points(k));
                 let over = usize::from(points[1] < points[0]);
                 match route {
-                    Route::PointToPolygon => {
-                        self.follow(Plan::PointToPolygon { over, points: points[over] }, work)
-                    }
+                    Route::PointToPolygon => self.follow(
+                        Plan::PointToPolygon {
+                            over,
+                            points: points[over],
+                        },
+                        work,
+                    ),
                     Route::Kernel => self.follow(Plan::Kernel { points }, work),
                     _ => None,
                 }
@@ -337,7 +373,11 @@ impl<'a> View<'a> {
     /// them on the plane; for all others a corner out of place is at another height, too.
     fn slack(&self, off: Off, value: f64, route: Route) -> f64 {
         let Off { height, place } = off;
-        let heights = if route == Route::Kernel { height } else { height + place };
+        let heights = if route == Route::Kernel {
+            height
+        } else {
+            height + place
+        };
         let relative = heights * self.by_height + (height + place) * self.by_place;
         ((height + place) * self.ribbons).min(relative * value.abs())
     }
@@ -355,9 +395,15 @@ impl<'a> View<'a> {
             return f64::INFINITY;
         }
         let (longest, corners) = if first.longest_edge <= second.longest_edge {
-            (first.longest_edge, first.corners.len() * second.corners.len())
+            (
+                first.longest_edge,
+                first.corners.len() * second.corners.len(),
+            )
         } else {
-            (second.longest_edge, first.corners.len() * second.corners.len())
+            (
+                second.longest_edge,
+                first.corners.len() * second.corners.len(),
+            )
         };
         let ratio = 1.0 + 2.0 * self.gap / longest;
         #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
@@ -371,13 +417,25 @@ impl<'a> View<'a> {
         let mut plans = SmallVec::new();
         let points = [0, 1].map(|k| self.points(k));
         let on = |k: usize| (points[k] * points[k] * self.shapes[k].cells.len()) as f64;
-        let k = usize::from(on(1) * (self.shapes[0].corners.len() as f64) < on(0) * (self.shapes[1].corners.len() as f64));
+        let k = usize::from(
+            on(1) * (self.shapes[0].corners.len() as f64)
+                < on(0) * (self.shapes[1].corners.len() as f64),
+        );
         let corners = self.shapes[1 - k].corners.len() as f64;
         if points[k] < MOST && self.lambert_rounding(k) < 0.7 * self.tolerance * self.estimate {
-            plans.push((150.0 + on(k) * corners * 3.0, Plan::PointToPolygon { over: k, points: points[k] }));
+            plans.push((
+                150.0 + on(k) * corners * 3.0,
+                Plan::PointToPolygon {
+                    over: k,
+                    points: points[k],
+                },
+            ));
         }
         if points[0].max(points[1]) < MOST {
-            plans.push((150.0 + 4.0 * (on(0) + on(1)) + on(0) * on(1) * 0.4, Plan::Kernel { points }));
+            plans.push((
+                150.0 + 4.0 * (on(0) + on(1)) + on(0) * on(1) * 0.25,
+                Plan::Kernel { points },
+            ));
         }
         plans
     }
@@ -385,7 +443,9 @@ impl<'a> View<'a> {
     /// Gauss points per direction on one of the shapes.
     fn points(&self, k: usize) -> usize {
         let (largest, wanted) = (self.largest(), self.wanted());
-        (2..MOST).find(|n| self.truncation(k, *n, largest) <= wanted).unwrap_or(MOST)
+        (2..MOST)
+            .find(|n| self.truncation(k, *n, largest) <= wanted)
+            .unwrap_or(MOST)
     }
 
     /// A bound on the error of a rule on one of the shapes.
@@ -404,8 +464,14 @@ impl<'a> View<'a> {
         match plan {
             Plan::Contour => {
                 let range = [self.gap, self.reach];
-                contour(self.shapes[0], self.shapes[1], range, self.wanted(), &mut work.scratch)
-            },
+                contour(
+                    self.shapes[0],
+                    self.shapes[1],
+                    range,
+                    self.wanted(),
+                    &mut work.scratch,
+                )
+            }
             Plan::PointToPolygon { over, points } => Some(self.over_one(over, points, work)),
             Plan::Kernel { points } => Some(self.over_both(points, work)),
         }
@@ -449,7 +515,7 @@ impl<'a> View<'a> {
             work.rules[k].fill(self.shapes[k], self.heights[k], origin, points[k]);
         }
         let [first, second] = &work.rules;
-        let value = kernel(first, second, &mut work.sums);
+        let value = kernel(first, second, self.reach, &mut work.sums);
         let largest = self.largest();
         let truncation: f64 = (0..2).map(|k| self.truncation(k, points[k], largest)).sum();
         let terms = 0.5 * (first.weights.len() + second.weights.len()) as f64;
@@ -462,7 +528,10 @@ impl<'a> View<'a> {
 
     fn precise_contour(&self) -> Option<ExchangeArea> {
         let [first, second] = self.polygons;
-        let outlines = [precise_outline(first, second), precise_outline(second, first)];
+        let outlines = [
+            precise_outline(first, second),
+            precise_outline(second, first),
+        ];
         let wanted = 0.01 * self.wanted();
         let mut exchange = precise_contour([&outlines[0], &outlines[1]], wanted)?;
         // the clip is right to 64 ε² of the coordinates; a polygon that is not planar is off by its tilt

@@ -10,17 +10,23 @@
 //!
 //! Reference: Sparrow, "A new and simpler formulation for radiative angle factors", *J. Heat Transfer* 85 (1963), 81–87.
 
-#![allow(clippy::inline_always, reason = "the machine code is made where it is called")]
+#![allow(
+    clippy::inline_always,
+    reason = "the machine code is made where it is called"
+)]
 
 use super::ExchangeArea;
-use super::edge_pair::{Edge, Precision, coplanar, ellipse, gauss_error, points_for, skew};
-use super::potential::{Points, potentials, vectorised};
+use super::edge_pair::{
+    Edge, Precision, Relation, coplanar, ellipse, gauss_error, panels, points_for, relation, skew,
+};
+use super::potential::{Points, padded, potentials, vectorised};
 use super::shape::Shape;
 use crate::geometry::Vector;
 use crate::numeric::{DoubleDouble, GaussLegendre, SQUARED_EPSILON, Scalar};
 use glam::DVec3;
 use smallvec::SmallVec;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
+use std::ops::Range;
 
 /// Edges at least this far from each other, as a sum of half-axes, take a Gauss rule in one piece.
 const APART: f64 = 1.4;
@@ -32,10 +38,18 @@ const MOST: u32 = 24;
 pub(super) struct Scratch {
     points: Points,
     weights: Vec<f64>,
-    edges: Vec<usize>,
+    runs: Vec<Run>,
     logs: Vec<f64>,
     seen: Vec<f64>,
     seen_back: Vec<f64>,
+}
+
+/// The points of a rule on an edge: for one edge of the other polygon, or for all that are apart from it.
+#[derive(Debug)]
+struct Run {
+    edge: usize,
+    only: Option<usize>,
+    points: Range<usize>,
 }
 
 type Edges<S> = SmallVec<[Edge<S>; 4]>;
@@ -43,7 +57,9 @@ type Edges<S> = SmallVec<[Edge<S>; 4]>;
 #[inline(always)]
 fn edges<S: Scalar + Copy>(corners: &[Vector<S>]) -> Edges<S> {
     let n = corners.len();
-    (0..n).map(|i| Edge::new(corners[i], corners[(i + 1) % n])).collect()
+    (0..n)
+        .map(|i| Edge::new(corners[i], corners[(i + 1) % n]))
+        .collect()
 }
 
 /// In `f64`; distances are from `gap` to `reach`, `wanted` is the absolute error that truncation may have. `None` if edges come too near to each other
@@ -74,53 +90,85 @@ pub(super) fn contour(
     };
     let (p, q) = (place(outer), place(inner));
     let lift = |corners: &[DVec3]| -> SmallVec<[Vector<f64>; 8]> {
-        corners.iter().map(|corner| Vector(corner.to_array())).collect()
+        corners
+            .iter()
+            .map(|corner| Vector(corner.to_array()))
+            .collect()
     };
     let (a_edges, b_edges) = (edges(&lift(&p)), edges(&lift(&q)));
     let precision = Precision::new(gap, reach, 1.0, f64::EPSILON);
     let per_length = wanted * TAU / (outer.perimeter * inner.perimeter);
 
-    let Scratch { points, weights, edges, logs, seen, seen_back } = scratch;
+    let Scratch {
+        points,
+        weights,
+        runs,
+        logs,
+        seen,
+        seen_back,
+    } = scratch;
     points.clear();
     weights.clear();
-    edges.clear();
+    runs.clear();
     let (m, k) = (p.len(), q.len());
     // the ellipse for which the largest rule does
-    let narrowest = (-(2.0 * per_length).ln() / (2.0 * f64::from(MOST))).exp().max(ellipse(APART));
-    let mut apart: SmallVec<[bool; 16]> = SmallVec::with_capacity(m * k);
+    let narrowest = (-(2.0 * per_length).ln() / (2.0 * f64::from(MOST)))
+        .exp()
+        .max(ellipse(APART));
+    let mut relations: SmallVec<[Option<Relation<f64>>; 16]> = SmallVec::with_capacity(m * k);
     let mut error = 0.0;
+    let mut run = |i: usize, only: Option<usize>, (middle, half): (f64, f64), n: usize| {
+        let (start, along) = (p[i], p[(i + 1) % m] - p[i]);
+        let rule = GaussLegendre::with(n);
+        let from = weights.len();
+        for (x, weight) in rule.nodes.iter().zip(&rule.weights) {
+            points.push(start + (middle + half * x) * along);
+            weights.push(half * weight * a_edges[i].length);
+        }
+        runs.push(Run {
+            edge: i,
+            only,
+            points: from..weights.len(),
+        });
+    };
     for (i, a) in a_edges.iter().enumerate() {
         let middle = Vector(((p[i] + p[(i + 1) % m]) * 0.5).to_array());
         let mut nearest = f64::INFINITY;
-        for b in &b_edges {
+        for (j, b) in b_edges.iter().enumerate() {
             let sum = 2.0 * b.distance(middle) / a.length;
-            let is_apart = sum > 1.0 && ellipse(sum) >= narrowest;
-            apart.push(is_apart);
-            if is_apart {
+            if sum > 1.0 && ellipse(sum) >= narrowest {
                 nearest = nearest.min(sum);
+                relations.push(None);
+                continue;
             }
+            let near = relation([a, b], f64::EPSILON);
+            if matches!(near, Relation::Skew) {
+                for panel in panels(a, b, per_length)? {
+                    run(i, Some(j), (panel.middle, panel.half), panel.points);
+                    error += a.length * b.length * panel.error;
+                }
+            }
+            relations.push(Some(near));
         }
         if nearest < f64::INFINITY {
             let rho = ellipse(nearest);
-            let rule = GaussLegendre::with(points_for(2.0 * per_length, rho));
-            for (x, weight) in rule.nodes.iter().zip(&rule.weights) {
-                points.push(p[i] + (0.5 + 0.5 * x) * (p[(i + 1) % m] - p[i]));
-                weights.push(0.5 * weight * a.length);
-                edges.push(i);
-            }
-            error += 0.5 * a.length * inner.perimeter * gauss_error(rule.nodes.len(), rho);
+            let n = points_for(2.0 * per_length, rho);
+            run(i, None, (0.5, 0.5), n);
+            error += 0.5 * a.length * inner.perimeter * gauss_error(n, rho);
         }
     }
-    let ruled = points.len();
-    let all_apart = apart.iter().all(|is| *is);
+    let ruled = weights.len();
+    let all_apart = relations.iter().all(Option::is_none);
     if !all_apart {
         p.iter().for_each(|corner| points.push(*corner));
     }
+    points.pad();
     potentials(points, &q, precision.inverse_square, logs, seen);
     let stride = points.len();
     if !all_apart {
         points.clear();
         q.iter().for_each(|corner| points.push(*corner));
+        points.pad();
         potentials(points, &p, precision.inverse_square, logs, seen_back);
     }
     let middle = Vector((outer.centre - shift).to_array());
@@ -130,24 +178,32 @@ pub(super) fn contour(
         let projected = b.ends.map(|end| end.minus(middle).dot(b.direction).abs());
         let projected = projected[0].max(projected[1]) + outer.radius;
         // an edge no longer than its distance subtends at most 2 atan ½
-        let widening = if b.length <= gap { 1.16 } else { std::f64::consts::PI };
+        let widening = if b.length <= gap { 1.16 } else { PI };
         let of_potential = precision.of_potential(projected, b.length, widening);
         for (i, a) in a_edges.iter().enumerate() {
             let cosine = a.direction.dot(b.direction);
-            if apart[i * k + j] {
-                error += cosine.abs() * a.length * (of_potential + 4.0 * f64::EPSILON * b.length);
-            } else {
+            if let Some(Relation::Coplanar(relation)) = relations[i * k + j] {
                 let at_a = [row[ruled + i], row[ruled + (i + 1) % m]];
-                let back = &seen_back[i * k..(i + 1) * k];
+                let back = &seen_back[i * padded(k)..(i + 1) * padded(k)];
                 let at_b = [back[j], back[(j + 1) % k]];
-                let pair = near([a, b], at_a, at_b, per_length, precision)?;
+                let pair = coplanar([a, b], relation, at_a, at_b, precision);
                 sum += cosine * pair.value;
                 error += cosine.abs() * pair.error + 4.0 * f64::EPSILON * pair.value.abs();
+            } else {
+                error += cosine.abs() * a.length * (of_potential + 4.0 * f64::EPSILON * b.length);
             }
         }
-        for ((weight, i), potential) in weights.iter().zip(&*edges).zip(row) {
-            if apart[i * k + j] {
-                sum += weight * a_edges[*i].direction.dot(b.direction) * potential;
+        for Run { edge, only, points } in runs.iter() {
+            let serves = match only {
+                Some(other) => *other == j,
+                None => relations[edge * k + j].is_none(),
+            };
+            if serves {
+                let potentials = weights[points.clone()].iter().zip(&row[points.clone()]);
+                let integral: f64 = potentials
+                    .map(|(weight, potential)| weight * potential)
+                    .sum();
+                sum += integral * a_edges[*edge].direction.dot(b.direction);
             }
         }
     }
@@ -171,47 +227,38 @@ pub(super) fn precise_contour(
 }
 
 #[inline(always)]
-fn precise_sum(
-    [p, q]: [&[Vector<DoubleDouble>]; 2],
-    wanted: f64,
-) -> Option<ExchangeArea> {
-    let distances = p.iter().flat_map(|x| q.iter().map(|y| x.minus(*y).length().to_f64()));
+fn precise_sum([p, q]: [&[Vector<DoubleDouble>]; 2], wanted: f64) -> Option<ExchangeArea> {
+    let distances = p
+        .iter()
+        .flat_map(|x| q.iter().map(|y| x.minus(*y).length().to_f64()));
     let reach = distances.fold(0.0, f64::max);
     // functions are within 64 ε², where the double forms count on 2 ε
     let epsilon = 32.0 * SQUARED_EPSILON;
     let precision = Precision::new(0.0, reach, DoubleDouble::from(1.0), epsilon);
     let (a_edges, b_edges) = (edges(p), edges(q));
-    let perimeter = |edges: &Edges<DoubleDouble>| edges.iter().map(|e| e.length.to_f64()).sum::<f64>();
+    let perimeter =
+        |edges: &Edges<DoubleDouble>| edges.iter().map(|e| e.length.to_f64()).sum::<f64>();
     let per_length = wanted * TAU / (perimeter(&a_edges) * perimeter(&b_edges));
     let (mut sum, mut error) = (DoubleDouble::from(0.0), 0.0);
     for a in &a_edges {
         for b in &b_edges {
             let cosine = a.direction.dot(b.direction);
             let potential = |edge: &Edge<_>, point| edge.potential(point, precision.inverse_square);
-            let at_a = a.ends.map(|end| potential(b, end));
-            let at_b = b.ends.map(|end| potential(a, end));
-            let pair = near([a, b], at_a, at_b, per_length, precision)?;
+            let pair = match relation([a, b], SQUARED_EPSILON) {
+                Relation::Skew => skew([a, b], per_length, precision)?,
+                Relation::Coplanar(relation) => {
+                    let at_a = a.ends.map(|end| potential(b, end));
+                    let at_b = b.ends.map(|end| potential(a, end));
+                    coplanar([a, b], relation, at_a, at_b, precision)
+                }
+            };
             sum = sum + cosine * pair.value;
-            error += cosine.to_f64().abs() * pair.error
-                + precision.epsilon * pair.value.to_f64().abs();
+            error +=
+                cosine.to_f64().abs() * pair.error + precision.epsilon * pair.value.to_f64().abs();
         }
     }
     Some(ExchangeArea {
         value: sum.to_f64() / TAU,
         error_bound: error / TAU + f64::EPSILON * sum.to_f64().abs(),
-    })
-}
-
-#[inline(always)]
-fn near<S: Scalar + Copy>(
-    pair: [&Edge<S>; 2],
-    at_a: [S; 2],
-    at_b: [S; 2],
-    per_length: f64,
-    precision: Precision<S>,
-) -> Option<super::edge_pair::PairIntegral<S>> {
-    coplanar(pair, at_a, at_b, precision).or_else(|| {
-        let wanted = per_length * pair[0].length.to_f64() * pair[1].length.to_f64();
-        skew(pair, wanted, precision)
     })
 }

@@ -17,11 +17,15 @@
 //! most, `∫ ½ ln(1 + δ²/t²) dt = π δ` bounds what each potential is off by. Skew edges near to each other are cut into
 //! panels, graded towards the other one, until a [Gauss rule](gauss_error) is certain on each.
 
-#![allow(clippy::inline_always, reason = "the machine code is made where it is called")]
+#![allow(
+    clippy::inline_always,
+    reason = "the machine code is made where it is called"
+)]
 
 use super::potential::{log_distance, potential};
 use crate::geometry::Vector;
-use crate::numeric::{GaussLegendre, Scalar};
+use crate::numeric::{GaussLegendre, MOST_POINTS, Scalar};
+use smallvec::SmallVec;
 use std::f64::consts::PI;
 
 /// An edge, from start to end.
@@ -34,7 +38,7 @@ pub(super) struct Edge<S> {
 
 impl<S: Scalar + Copy> Edge<S> {
     #[inline(always)]
-pub(super) fn new(start: Vector<S>, end: Vector<S>) -> Self {
+    pub(super) fn new(start: Vector<S>, end: Vector<S>) -> Self {
         let along = end.minus(start);
         let length = along.length();
         Self {
@@ -45,13 +49,13 @@ pub(super) fn new(start: Vector<S>, end: Vector<S>) -> Self {
     }
 
     #[inline(always)]
-fn at(&self, t: S) -> Vector<S> {
+    fn at(&self, t: S) -> Vector<S> {
         self.ends[0].plus(self.direction, t * self.length)
     }
 
     /// Its potential at a point.
     #[inline(always)]
-pub(super) fn potential(&self, point: Vector<S>, inverse_square: S) -> S {
+    pub(super) fn potential(&self, point: Vector<S>, inverse_square: S) -> S {
         let [a, c] = self.ends.map(|end| end.minus(point));
         let logs = [a, c].map(|end| log_distance(end, inverse_square));
         potential(a, c, self.direction, self.length, logs)
@@ -59,7 +63,7 @@ pub(super) fn potential(&self, point: Vector<S>, inverse_square: S) -> S {
 
     /// A lower bound on the distance of a point, as a double.
     #[inline(always)]
-pub(super) fn distance(&self, point: Vector<S>) -> f64 {
+    pub(super) fn distance(&self, point: Vector<S>) -> f64 {
         let from_start = point.minus(self.ends[0]);
         let along = from_start.dot(self.direction).to_f64();
         let nearest = along.clamp(0.0, self.length.to_f64());
@@ -89,7 +93,11 @@ impl<S: Scalar + Copy> Precision<S> {
     /// For distances from `gap` (0 if they touch) to `reach`: `x |ln x|` is at most 1/e below 1.
     pub(super) fn new(gap: f64, reach: f64, like: S, epsilon: f64) -> Self {
         const BELOW_ONE: f64 = 0.368;
-        let half_range = if gap > 0.0 { 0.5 * (reach / gap).ln() } else { f64::INFINITY };
+        let half_range = if gap > 0.0 {
+            0.5 * (reach / gap).ln()
+        } else {
+            f64::INFINITY
+        };
         let (unit, log) = if half_range < BELOW_ONE {
             ((gap * reach).sqrt(), half_range)
         } else {
@@ -110,83 +118,149 @@ impl<S: Scalar + Copy> Precision<S> {
     }
 
     /// The same wherever the point is, for distances up to `reach`.
-    fn of_any_potential(&self, reach: f64, length: f64) -> f64 {
+    pub(super) fn of_any_potential(&self, reach: f64, length: f64) -> f64 {
         self.of_potential(reach, length, PI)
     }
 }
 
-/// The closed form of two edges in one plane, from the potentials of each at the other's ends; `None` if they are skew,
-/// or their lines meet too far away.
+/// How two edges lie to each other.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Relation<S> {
+    /// On lines that meet, as far as rounding tells, or are parallel.
+    Coplanar(Coplanar<S>),
+    /// On lines that miss each other, or meet too far away.
+    Skew,
+}
+
+/// Two edges in one plane.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Coplanar<S> {
+    /// The coordinates of their ends from where their lines meet.
+    Meeting {
+        s: [S; 2],
+        t: [S; 2],
+        /// How far the lines miss each other.
+        miss: f64,
+        /// How far the meeting point may be off.
+        shift: f64,
+        reach: f64,
+    },
+    /// Parallel, this far apart; the sine is what is left of their angle.
+    Parallel { apart: S, sine: f64 },
+}
+
+/// How two edges lie to each other.
 #[inline(always)]
-pub(super) fn coplanar<S: Scalar + Copy>(
-    [a, b]: [&Edge<S>; 2],
-    at_a: [S; 2],
-    at_b: [S; 2],
-    precision: Precision<S>,
-) -> Option<PairIntegral<S>> {
-    let number = |x: f64| a.length.constant(x);
-    let between = [0, 1].map(|i| [0, 1].map(|j| a.ends[i].minus(b.ends[j])));
-    let distances = between.map(|row| row.map(|w| w.length().to_f64()));
-    let reach = distances.as_flattened().iter().fold(0.0, |most: f64, r| most.max(*r));
+pub(super) fn relation<S: Scalar + Copy>([a, b]: [&Edge<S>; 2], epsilon: f64) -> Relation<S> {
+    let across = a.direction.cross(b.direction);
+    let square = across.dot(across);
+    let sine = square.sqrt().to_f64();
+    let between = |i: usize, j: usize| a.ends[i].minus(b.ends[j]);
+    let distances = [[0, 1], [2, 3]]
+        .map(|row: [usize; 2]| row.map(|k| between(k / 2, k % 2).length().to_f64()));
+    let reach = distances
+        .as_flattened()
+        .iter()
+        .fold(0.0, |most: f64, r| most.max(*r));
     let (mut i, mut j) = (0, 0);
     for (k, l) in [(0, 1), (1, 0), (1, 1)] {
         if distances[k][l] < distances[i][j] {
             (i, j) = (k, l);
         }
     }
-    let (w, near) = (between[i][j], distances[i][j]);
-    let across = a.direction.cross(b.direction);
-    let square = across.dot(across);
-    let sine = square.sqrt().to_f64();
-    if sine <= 16.0 * precision.epsilon {
-        return Some(parallel([a, b], between, (w, near), sine, precision));
+    let (w, near) = (between(i, j), distances[i][j]);
+    if sine <= 16.0 * epsilon {
+        let apart = if near > 0.0 {
+            w.cross(a.direction).length()
+        } else {
+            a.length.zero()
+        };
+        return Relation::Coplanar(Coplanar::Parallel { apart, sine });
     }
     let miss = w.dot(across).to_f64().abs() / sine;
-    if miss > 16.0 * precision.epsilon * reach {
-        return None;
+    if miss > 16.0 * epsilon * reach {
+        return Relation::Skew;
     }
     let s = w.cross(b.direction).dot(across) / square;
     let t = w.cross(a.direction).dot(across) / square;
-    let (a_length, b_length) = (a.length.to_f64(), b.length.to_f64());
-    if s.to_f64().abs().max(t.to_f64().abs()) > 4.0 * a_length.max(b_length) {
-        return None;
+    let nearest = s.to_f64().abs().max(t.to_f64().abs());
+    if nearest > 4.0 * a.length.to_f64().max(b.length.to_f64()) {
+        return Relation::Skew;
     }
-    let ends = |near: S, k: usize, length: S| if k == 0 { [near, near + length] } else { [near - length, near] };
-    let (s, t, near_s, near_t) = (ends(s, i, a.length), ends(t, j, b.length), s, t);
+    let shift = 4.0 * epsilon * (near + s.to_f64().abs() + t.to_f64().abs()) / sine;
+    let ends = |near: S, k: usize, length: S| {
+        if k == 0 {
+            [near, near + length]
+        } else {
+            [near - length, near]
+        }
+    };
+    let (s, t) = (ends(s, i, a.length), ends(t, j, b.length));
+    Relation::Coplanar(Coplanar::Meeting {
+        s,
+        t,
+        miss,
+        shift,
+        reach,
+    })
+}
+
+/// The closed form of two edges in one plane, from the potentials of each at the other's ends.
+#[inline(always)]
+pub(super) fn coplanar<S: Scalar + Copy>(
+    [a, b]: [&Edge<S>; 2],
+    relation: Coplanar<S>,
+    at_a: [S; 2],
+    at_b: [S; 2],
+    precision: Precision<S>,
+) -> PairIntegral<S> {
+    let (s, t, miss, shift, reach) = match relation {
+        Coplanar::Parallel { apart, sine } => return parallel([a, b], apart, sine, precision),
+        Coplanar::Meeting {
+            s,
+            t,
+            miss,
+            shift,
+            reach,
+        } => (s, t, miss, shift, reach),
+    };
     let boundary = s[1] * at_a[1] - s[0] * at_a[0] + t[1] * at_b[1] - t[0] * at_b[0];
-    let value = (boundary - a.length * b.length) * number(0.5);
-    // s and t shift together by what the meeting point is off
-    let [s, t] = [s, t].map(|ends| ends.map(|x| x.to_f64().abs()));
-    let shift = 4.0 * precision.epsilon * (near + near_s.to_f64().abs() + near_t.to_f64().abs()) / sine;
-    let potentials: f64 = [at_a, at_b].as_flattened().iter().map(|u| u.to_f64().abs()).sum();
-    let weights: f64 = [s, t].as_flattened().iter().sum();
+    let value = (boundary - a.length * b.length) * boundary.constant(0.5);
+    let weights: f64 = [s, t].as_flattened().iter().map(|x| x.to_f64().abs()).sum();
+    let potentials: f64 = [at_a, at_b]
+        .as_flattened()
+        .iter()
+        .map(|u| u.to_f64().abs())
+        .sum();
+    let (a_length, b_length) = (a.length.to_f64(), b.length.to_f64());
     let longer = a_length.max(b_length);
+    // s and t shift together by what the meeting point is off
     let error = 0.5 * weights * (precision.of_any_potential(reach, longer) + 2.0 * PI * miss)
         + 0.5 * shift * potentials
         + 2.0 * precision.epsilon * (weights * potentials / 4.0 + a_length * b_length);
-    Some(PairIntegral { value, error })
+    PairIntegral { value, error }
 }
 
 #[inline(always)]
 fn parallel<S: Scalar + Copy>(
     [a, b]: [&Edge<S>; 2],
-    between: [[Vector<S>; 2]; 2],
-    (w, near): (Vector<S>, f64),
+    apart: S,
     sine: f64,
     precision: Precision<S>,
 ) -> PairIntegral<S> {
     let number = |x: f64| a.length.constant(x);
     let along = a.direction.dot(b.direction).to_f64() > 0.0;
-    let apart = if near > 0.0 { w.cross(a.direction).length() } else { number(0.0) };
+    let h2 = apart * apart;
     let mut sum = number(0.0);
     let mut size = 0.0;
-    for (i, row) in between.into_iter().enumerate() {
-        for (j, w) in row.into_iter().enumerate() {
-            let p = w.dot(a.direction);
-            let (p2, h2) = (p * p, apart * apart);
+    for (i, start) in a.ends.into_iter().enumerate() {
+        for (j, end) in b.ends.into_iter().enumerate() {
+            let p = start.minus(end).dot(a.direction);
+            let p2 = p * p;
             let log = log_distance(Vector([p, apart, number(0.0)]), precision.inverse_square);
-            let term = (p2 - h2) * number(0.5) * log + apart * p * p.atan2(&apart) - p2 * number(0.75);
-            // + for the ends' difference p1 − q_min and p0 − q_max
+            let term =
+                (p2 - h2) * number(0.5) * log + apart * p * p.atan2(&apart) - p2 * number(0.75);
+            // + for the differences p1 − q_min and p0 − q_max
             let positive = (i == j) != along;
             sum = if positive { sum + term } else { sum - term };
             size += (p2 + h2).to_f64() * (log.to_f64().abs() + 4.0);
@@ -215,55 +289,96 @@ pub(super) fn ellipse(sum: f64) -> f64 {
 }
 
 /// The number of points for which [`gauss_error`] is below `error`.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small")]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "small"
+)]
 pub(super) fn points_for(error: f64, rho: f64) -> usize {
     let points = (-error.ln() / (2.0 * rho.ln())).ceil().clamp(2.0, 200.0) as usize;
-    if points > 2 && gauss_error(points - 1, rho) <= error { points - 1 } else { points }
+    if points > 2 && gauss_error(points - 1, rho) <= error {
+        points - 1
+    } else {
+        points
+    }
 }
 
-/// Skew edges: a Gauss rule on the shorter one, on panels graded towards the other one; `None` if it does not settle.
+/// A piece of an edge, relative to it, with a rule that is certain there.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Panel {
+    pub middle: f64,
+    pub half: f64,
+    pub points: usize,
+    /// The truncation error, per length of both edges.
+    pub error: f64,
+}
+
+/// Panels of `outer`, graded towards `inner`; `None` if there are too many. `wanted` is per length of both edges.
+#[inline(always)]
+pub(super) fn panels<S: Scalar + Copy>(
+    outer: &Edge<S>,
+    inner: &Edge<S>,
+    wanted: f64,
+) -> Option<SmallVec<[Panel; 16]>> {
+    const MOST_PANELS: usize = 200;
+    /// All points of the other edge are outside the ellipse with this sum of half-axes.
+    const SUM: f64 = 1.7;
+    let length = outer.length.to_f64();
+    let mut open: SmallVec<[(f64, f64); 64]> = SmallVec::new();
+    open.push((0.0, 1.0));
+    let mut panels = SmallVec::new();
+    while let Some((from, to)) = open.pop() {
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        let sum = inner.distance(outer.at(outer.length.constant(middle))) / (half * length);
+        if sum < SUM {
+            if panels.len() + open.len() > MOST_PANELS || half < 1e-18 {
+                return None;
+            }
+            open.push((from, middle));
+            open.push((middle, to));
+            continue;
+        }
+        let rho = ellipse(sum);
+        // short panels may have a larger share of what is wanted than their length is of the whole
+        let points = points_for(wanted / half.max(1e-3).sqrt(), rho).min(MOST_POINTS);
+        let error = gauss_error(points, rho) * half;
+        panels.push(Panel {
+            middle,
+            half,
+            points,
+            error,
+        });
+    }
+    Some(panels)
+}
+
+/// Skew edges: Gauss rules on the panels of the shorter one; `None` if they do not settle.
 #[inline(always)]
 pub(super) fn skew<S: Scalar + Copy>(
     [a, b]: [&Edge<S>; 2],
     wanted: f64,
     precision: Precision<S>,
 ) -> Option<PairIntegral<S>> {
-    const MOST_PANELS: usize = 400;
-    /// Panels have all points of the other edge outside the ellipse with this sum of half-axes.
-    const SUM: f64 = 1.7;
     let (outer, inner) = if a.length <= b.length { (a, b) } else { (b, a) };
     let number = |x: f64| a.length.constant(x);
-    let (outer_length, inner_length) = (outer.length.to_f64(), inner.length.to_f64());
-    let per_length = wanted / (outer_length * inner_length);
-    let mut panels = vec![(0.0, 1.0)];
-    let (mut value, mut error, mut done) = (number(0.0), 0.0, 0);
-    while let Some((from, to)) = panels.pop() {
-        done += 1;
-        if done > MOST_PANELS {
-            return None;
-        }
-        let middle = 0.5 * (from + to);
-        let length = (to - from) * outer_length;
-        let sum = 2.0 * inner.distance(outer.at(number(middle))) / length;
-        if sum < SUM {
-            panels.push((from, middle));
-            panels.push((middle, to));
-            continue;
-        }
-        let rho = ellipse(sum);
-        let share = (to - from).max(1e-3);
-        let rule = GaussLegendre::with(points_for(per_length * 2.0 / share.sqrt(), rho));
-        let half = number(0.5 * (to - from));
-        let mut panel = number(0.0);
-        for [x, weight] in &rule.precise {
+    let (mut value, mut error) = (number(0.0), 0.0);
+    for panel in panels(outer, inner, wanted)? {
+        let half = number(panel.half);
+        let mut sum = number(0.0);
+        for [x, weight] in &GaussLegendre::with(panel.points).precise {
             let [t, weight] = [x, weight].map(|x| number(x.high()) + number(x.low()));
-            let t = number(middle) + half * t;
-            panel = panel + weight * inner.potential(outer.at(t), precision.inverse_square);
+            let point = outer.at(number(panel.middle) + half * t);
+            sum = sum + weight * inner.potential(point, precision.inverse_square);
         }
-        value = value + panel * half * outer.length;
-        error += gauss_error(rule.nodes.len(), rho) * 0.5 * length * inner_length;
+        value = value + sum * half * outer.length;
+        error += panel.error;
     }
-    let reach = a.ends.iter().flat_map(|x| b.ends.map(|y| x.minus(y).length().to_f64())).fold(0.0, f64::max);
-    error += outer_length * precision.of_any_potential(reach, inner_length);
+    let reach = a
+        .ends
+        .iter()
+        .flat_map(|x| b.ends.map(|y| x.minus(y).length().to_f64()))
+        .fold(0.0, f64::max);
+    let (outer, inner) = (outer.length.to_f64(), inner.length.to_f64());
+    let error = outer * (error * inner + precision.of_any_potential(reach, inner));
     Some(PairIntegral { value, error })
 }

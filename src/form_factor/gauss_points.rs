@@ -18,7 +18,7 @@
 //! (Trefethen, *Approximation Theory and Approximation Practice*, 2013, theorem 19.3), for each of the directions, and for
 //! every z1 that far away: beside the middle of the line φ is a right angle, off its end φ is less and ρ more.
 
-use super::potential::Points;
+use super::potential::{Points, padded};
 use super::shape::Shape;
 use crate::numeric::{GaussLegendre, MOST_POINTS};
 use glam::DVec3;
@@ -28,7 +28,7 @@ use std::sync::OnceLock;
 #[derive(Debug, Default)]
 pub(super) struct Rule {
     pub points: Points,
-    /// Weights; their sum is the area.
+    /// Weights; their sum is the area. The last ones may be 0.
     pub weights: Vec<f64>,
     /// Heights above the other plane.
     pub heights: Vec<f64>,
@@ -55,7 +55,8 @@ impl Square {
             let points: Vec<[f64; 3]> = on_unit()
                 .flat_map(|(s, ws)| on_unit().map(move |(t, wt)| [s, t, 0.25 * ws * wt]))
                 .collect();
-            let column = |of: fn(f64, f64) -> f64| points.iter().map(|[s, t, _]| of(*s, *t)).collect();
+            let column =
+                |of: fn(f64, f64) -> f64| points.iter().map(|[s, t, _]| of(*s, *t)).collect();
             Self {
                 shares: [
                     column(|s, t| (1.0 - s) * (1.0 - t)),
@@ -83,10 +84,27 @@ impl Rule {
     /// `n × n` points on each cell.
     pub(super) fn fill(&mut self, shape: &Shape, corner_heights: &[f64], origin: DVec3, n: usize) {
         let square = Square::with(n);
-        let (each, all) = (square.weights.len(), square.weights.len() * shape.cells.len());
-        let Self { points: Points { x, y, z }, weights, heights } = self;
-        for column in [&mut *x, y, z, weights, heights] {
-            column.resize(all, 0.0);
+        let (each, all) = (
+            square.weights.len(),
+            square.weights.len() * shape.cells.len(),
+        );
+        // what fills the last vector lies at the middle, and weighs nothing
+        let all = padded(all);
+        let Self {
+            points: Points { x, y, z },
+            weights,
+            heights,
+        } = self;
+        let middle = shape.centre - origin;
+        for (column, value) in [
+            (&mut *x, middle.x),
+            (y, middle.y),
+            (z, middle.z),
+            (weights, 0.0),
+            (heights, 0.0),
+        ] {
+            column.clear();
+            column.resize(all, value);
         }
         for (i, (cell, [j, js, jt])) in shape.cells.iter().zip(&shape.jacobians).enumerate() {
             let part = i * each..(i + 1) * each;
@@ -110,17 +128,21 @@ const STEPS: usize = 13 * 16;
 /// The bound on the error of `n × n` points on a polygon's cells, relative to
 /// `area × area × h_max g_max / (π gap⁴)`; infinite where `gamma`, gap over half-length, is below 1/8.
 pub(super) fn error(n: usize, gamma: f64) -> f64 {
-    static BOUNDS: [OnceLock<Vec<f64>>; MOST_POINTS + 1] = [const { OnceLock::new() }; MOST_POINTS + 1];
+    static BOUNDS: [OnceLock<Vec<f64>>; MOST_POINTS + 1] =
+        [const { OnceLock::new() }; MOST_POINTS + 1];
     let n = n.clamp(1, MOST_POINTS);
     let step = |gamma: f64| gamma.to_bits() >> 48;
     if gamma < SMALLEST || gamma.is_nan() {
         return f64::INFINITY;
     }
-    let index = usize::try_from(step(gamma) - step(SMALLEST)).map_or(STEPS - 1, |i| i.min(STEPS - 1));
+    let index =
+        usize::try_from(step(gamma) - step(SMALLEST)).map_or(STEPS - 1, |i| i.min(STEPS - 1));
     let bounds = BOUNDS[n].get_or_init(|| {
         let first = step(SMALLEST);
         // the bound at a ratio holds for all above it
-        (0..STEPS as u64).map(|i| bound(n, f64::from_bits((first + i) << 48))).collect()
+        (0..STEPS as u64)
+            .map(|i| bound(n, f64::from_bits((first + i) << 48)))
+            .collect()
     });
     bounds[index]
 }

@@ -78,7 +78,11 @@ impl Side {
 /// Where a polygon lies to another one's plane, and how far its corners may be from where they should be.
 pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
     let (shape, origin) = (&polygon.shape, plane.shape.corners[0]);
-    let reach = shape.corners.iter().map(|c| c.abs().max_element()).fold(0.0, f64::max);
+    let reach = shape
+        .corners
+        .iter()
+        .map(|c| c.abs().max_element())
+        .fold(0.0, f64::max);
     // what the rounding of coordinates may do to a height
     let noise = 4.0 * f64::EPSILON * (reach + origin.abs().max_element());
     let distance = shape.centre.distance(origin) + shape.radius;
@@ -107,15 +111,34 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
         .collect();
     if heights.iter().all(|h| *h >= 0.0) {
         let all_in = heights.iter().all(|h| *h <= 0.0);
-        let off = Off { height: slack, place: 0.0 };
-        return (if all_in { Side::Within } else { Side::Front(heights) }, off);
+        let off = Off {
+            height: slack,
+            place: 0.0,
+        };
+        return (
+            if all_in {
+                Side::Within
+            } else {
+                Side::Front(heights)
+            },
+            off,
+        );
     }
     if heights.iter().all(|h| *h <= 0.0) {
-        return (Side::Behind, Off { height: slack, place: 0.0 });
+        return (
+            Side::Behind,
+            Off {
+                height: slack,
+                place: 0.0,
+            },
+        );
     }
     let (corners, heights) = clipped(shape, plane, &heights);
     // a coordinate of a new corner is rounded once
-    let off = Off { height: slack, place: f64::EPSILON * reach };
+    let off = Off {
+        height: slack,
+        place: f64::EPSILON * reach,
+    };
     match Shape::new(&corners, polygon.precise_normal) {
         Some(shape) => {
             let heights = heights_of(&shape, &corners, &heights);
@@ -149,17 +172,26 @@ fn clipped(shape: &Shape, plane: &Polygon, heights: &[f64]) -> (Vec<DVec3>, Vec<
 fn crossing(ends: [DVec3; 2], plane: &Polygon) -> DVec3 {
     let [from, to] = ends.map(|end| plane.precise_height(end));
     let [start, end] = ends.map(|end| Vector::lifted(end, from));
-    start.plus(end.minus(start), from / (from - to)).to_doubles()
+    start
+        .plus(end.minus(start), from / (from - to))
+        .to_doubles()
 }
 
 /// The corners of a polygon in front of another one's plane, to 106 bits.
 pub(super) fn precise_outline(polygon: &Polygon, plane: &Polygon) -> Vec<Vector<DoubleDouble>> {
     let zero = DoubleDouble::from(0.0);
     let corners = &polygon.shape.corners;
-    let lifted: Vec<_> = corners.iter().map(|corner| Vector::lifted(*corner, zero)).collect();
+    let lifted: Vec<_> = corners
+        .iter()
+        .map(|corner| Vector::lifted(*corner, zero))
+        .collect();
     let on_it = |corner: &DVec3| plane.shape.corners.contains(corner);
     let height = |corner: &DVec3| {
-        if on_it(corner) { zero } else { plane.precise_height(*corner) }
+        if on_it(corner) {
+            zero
+        } else {
+            plane.precise_height(*corner)
+        }
     };
     let heights: Vec<DoubleDouble> = corners.iter().map(height).collect();
     let n = corners.len();
@@ -180,6 +212,11 @@ pub(super) fn precise_outline(polygon: &Polygon, plane: &Polygon) -> Vec<Vector<
 
 /// The heights of a shape's corners, which are some of `corners`.
 fn heights_of(shape: &Shape, corners: &[DVec3], heights: &[f64]) -> Heights {
-    let of = |corner: &DVec3| corners.iter().position(|c| c == corner).map_or(0.0, |k| heights[k]);
+    let of = |corner: &DVec3| {
+        corners
+            .iter()
+            .position(|c| c == corner)
+            .map_or(0.0, |k| heights[k])
+    };
     shape.corners.iter().map(of).collect()
 }

@@ -10,29 +10,45 @@ use super::gauss_points::Rule;
 use super::potential::vectorised;
 use std::f64::consts::PI;
 
-/// The sum over all pairs of points.
-pub(super) fn kernel(first: &Rule, second: &Rule, sums: &mut Vec<f64>) -> f64 {
+/// The sum over all pairs of points; `unit` is a length near the distances.
+///
+/// Four points of the first rule share one division: `f1/q1 + f2/q2 = (f1 q2 + f2 q1)/(q1 q2)`, twice over, with q = r⁴ in
+/// units in which four of them stay in range.
+pub(super) fn kernel(first: &Rule, second: &Rule, unit: f64, sums: &mut Vec<f64>) -> f64 {
+    let inverse_square = 1.0 / (unit * unit);
     sums.clear();
     sums.resize(second.weights.len(), 0.0);
     let sums = sums.as_mut_slice();
     vectorised(
         #[inline(always)]
         || {
+            let fluxes = first.weights.iter().zip(&first.heights);
+            let fluxes = fluxes.map(|(weight, height)| weight * height);
             let points = &first.points;
-            let coordinates = points.x.iter().zip(&points.y).zip(&points.z);
-            let weights = first.weights.iter().zip(&first.heights);
-            for (((x, y), z), (weight, height)) in coordinates.zip(weights) {
-                let flux = weight * height;
+            let points = points.x.iter().zip(&points.y).zip(&points.z);
+            let mut points = points.map(|((x, y), z)| [*x, *y, *z]).zip(fluxes);
+            while let (Some(a), Some(b), Some(c), Some(d)) =
+                (points.next(), points.next(), points.next(), points.next())
+            {
                 let others = &second.points;
                 let others = others.x.iter().zip(&others.y).zip(&others.z);
-                for (sum, ((ox, oy), oz)) in sums.iter_mut().zip(others) {
-                    let (dx, dy, dz) = (x - ox, y - oy, z - oz);
-                    let square = dx * dx + dy * dy + dz * dz;
-                    *sum += flux / (square * square);
+                for (sum, ((x, y), z)) in sums.iter_mut().zip(others) {
+                    let fourth_power = |[px, py, pz]: [f64; 3]| {
+                        let (dx, dy, dz) = (px - x, py - y, pz - z);
+                        let square = (dx * dx + dy * dy + dz * dz) * inverse_square;
+                        square * square
+                    };
+                    let [qa, qb, qc, qd] = [a.0, b.0, c.0, d.0].map(fourth_power);
+                    let (ab, cd) = (qa * qb, qc * qd);
+                    let numerator = (a.1 * qb + b.1 * qa) * cd + (c.1 * qd + d.1 * qc) * ab;
+                    *sum += numerator / (ab * cd);
                 }
             }
         },
     );
     let weighted = sums.iter().zip(&second.weights).zip(&second.heights);
-    weighted.map(|((sum, weight), height)| sum * weight * height).sum::<f64>() / PI
+    let sum: f64 = weighted
+        .map(|((sum, weight), height)| sum * weight * height)
+        .sum();
+    sum * inverse_square * inverse_square / PI
 }

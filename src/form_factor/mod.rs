@@ -32,9 +32,9 @@ pub mod reference;
 mod route;
 mod shape;
 
+pub use choice::DEFAULT_TOLERANCE;
 pub use error::FormFactorError;
 pub use exchange::{Exchange, ExchangeArea};
-pub use choice::DEFAULT_TOLERANCE;
 pub use point_to_polygon::{point_form_factor, point_kernel};
 pub use polygon::Polygon;
 pub use rectangle_pair::RectanglePair;

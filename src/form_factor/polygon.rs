@@ -26,32 +26,33 @@ impl Polygon {
 
     fn of(corners: &[DVec3], rectangle: Option<Rectangle>) -> Self {
         let like = DoubleDouble::from(0.0);
-        let points: Vec<Vector<DoubleDouble>> =
-            corners.iter().map(|corner| Vector::lifted(*corner, like)).collect();
+        let points: Vec<Vector<DoubleDouble>> = corners
+            .iter()
+            .map(|corner| Vector::lifted(*corner, like))
+            .collect();
         let along = |i: usize| points[i].minus(points[0]);
         let doubled = (1..points.len() - 1)
             .map(|i| along(i).cross(along(i + 1)))
-            .fold(Vector([like; 3]), |sum, next| sum.plus(next, like.constant(1.0)));
+            .fold(Vector([like; 3]), |sum, next| {
+                sum.plus(next, like.constant(1.0))
+            });
         let length = doubled.length();
         let precise_normal = doubled.times(like.constant(1.0) / length);
         let heights = (1..points.len()).map(|i| along(i).dot(precise_normal).to_f64().abs());
         let deviation = heights.fold(0.0, f64::max);
-        let diameter = (1..points.len()).map(|i| along(i).length().to_f64()).fold(0.0, f64::max);
+        let diameter = (1..points.len())
+            .map(|i| along(i).length().to_f64())
+            .fold(0.0, f64::max);
         // the polygon is at least 2 A/diameter wide: a deviation there turns the plane by so much at most
         let tilt = 2.0 * deviation * diameter / length.to_f64();
         let shape = Shape::new(corners, precise_normal)
             .unwrap_or_else(|| unreachable!("a patch has three corners apart"));
-        let axis_aligned = |rectangle: &Rectangle| {
-            let edges = rectangle.corners();
-            let along = [edges[1] - edges[0], edges[3] - edges[0]];
-            along.iter().all(|edge| edge.to_array().iter().filter(|x| x.abs() > 0.0).count() == 1)
-        };
         Self {
             shape,
             normal: precise_normal.to_doubles(),
             precise_normal,
             tilt,
-            rectangle: rectangle.filter(axis_aligned),
+            rectangle: rectangle.filter(|rectangle| rectangle.axes().is_some()),
         }
     }
 

@@ -22,7 +22,10 @@ use std::sync::LazyLock;
 /// The potential of an edge at a point, from the vectors `a`, `c` to its ends, its direction and length,
 /// and `ln|a|`, `ln|c|`.
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 pub(super) fn potential<S: Scalar + Copy>(
     a: Vector<S>,
     c: Vector<S>,
@@ -37,7 +40,10 @@ pub(super) fn potential<S: Scalar + Copy>(
 
 /// `ln(|a|/unit)` from `1/unit²`, kept finite where `a` is 0.
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 pub(super) fn log_distance<S: Scalar + Copy>(a: Vector<S>, inverse_square: S) -> S {
     let square = a.dot(a) * inverse_square + inverse_square.constant(f64::MIN_POSITIVE);
     square.ln() * square.constant(0.5)
@@ -67,13 +73,29 @@ impl Points {
     pub(super) fn len(&self) -> usize {
         self.x.len()
     }
+
+    /// Repeats the last point until the processor's vectors are full: what is left over would take as long as all of them.
+    pub(super) fn pad(&mut self) {
+        for column in [&mut self.x, &mut self.y, &mut self.z] {
+            let last = column.last().copied().unwrap_or(0.0);
+            column.resize(padded(column.len()), last);
+        }
+    }
+}
+
+/// The next multiple of eight doubles, a vector of today's widest processors.
+pub(super) const fn padded(len: usize) -> usize {
+    len.next_multiple_of(8)
 }
 
 static VECTOR_UNIT: LazyLock<pulp::Arch> = LazyLock::new(pulp::Arch::new);
 
 /// Runs `work`, compiled for what this processor can do.
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 pub(super) fn vectorised(work: impl FnOnce()) {
     VECTOR_UNIT.dispatch(work);
 }
@@ -110,7 +132,9 @@ pub(super) fn potentials(
                     *log = log_distance(seen(end, *x, *y, *z), inverse_square);
                 }
                 let logs = before.iter().zip(&*after);
-                for ((out, (before, after)), ((x, y), z)) in out.iter_mut().zip(logs).zip(coordinates()) {
+                for ((out, (before, after)), ((x, y), z)) in
+                    out.iter_mut().zip(logs).zip(coordinates())
+                {
                     let (a, c) = (seen(start, *x, *y, *z), seen(end, *x, *y, *z));
                     *out = potential(a, c, direction, length, [*before, *after]);
                 }
@@ -122,7 +146,10 @@ pub(super) fn potentials(
 
 /// The vector from a point to a corner.
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 fn seen(corner: DVec3, x: f64, y: f64, z: f64) -> Vector<f64> {
     Vector([corner.x - x, corner.y - y, corner.z - z])
 }

@@ -45,18 +45,32 @@ impl Shape {
             return None;
         }
         let cells: SmallVec<[Cell; 1]> = if is_convex(&corners, normal) {
-            (1..n - 1).step_by(2).map(|i| [0, i, i + 1, (i + 2).min(n - 1)]).collect()
+            (1..n - 1)
+                .step_by(2)
+                .map(|i| [0, i, i + 1, (i + 2).min(n - 1)])
+                .collect()
         } else {
             let triangles = triangulated(&corners, normal.to_doubles());
-            triangles.into_iter().map(|[a, b, c]| [a, b, c, c]).collect()
+            triangles
+                .into_iter()
+                .map(|[a, b, c]| [a, b, c, c])
+                .collect()
         };
-        let jacobians: SmallVec<[[f64; 3]; 1]> =
-            cells.iter().map(|cell| jacobian(cell.map(|i| corners[i]), normal)).collect();
-        let area = jacobians.iter().map(|[j, js, jt]| j + 0.5 * (js + jt)).sum();
+        let jacobians: SmallVec<[[f64; 3]; 1]> = cells
+            .iter()
+            .map(|cell| jacobian(cell.map(|i| corners[i]), normal))
+            .collect();
+        let area = jacobians
+            .iter()
+            .map(|[j, js, jt]| j + 0.5 * (js + jt))
+            .sum();
         #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
         let centre = corners.iter().sum::<DVec3>() / n as f64;
         let edges = (0..n).map(|i| (corners[(i + 1) % n] - corners[i]).length());
-        let radius = corners.iter().map(|c| c.distance(centre)).fold(0.0, f64::max);
+        let radius = corners
+            .iter()
+            .map(|c| c.distance(centre))
+            .fold(0.0, f64::max);
         Some(Self {
             perimeter: edges.clone().sum(),
             longest_edge: edges.fold(0.0, f64::max),
@@ -76,7 +90,10 @@ impl Shape {
 fn half_length(corners: &[DVec3], cells: &[Cell]) -> f64 {
     let longest = |cell: &Cell| {
         let [a, b, c, d] = cell.map(|i| corners[i]);
-        [b - a, c - b, d - c, a - d].into_iter().map(DVec3::length).fold(0.0, f64::max)
+        [b - a, c - b, d - c, a - d]
+            .into_iter()
+            .map(DVec3::length)
+            .fold(0.0, f64::max)
     };
     0.5 * cells.iter().map(longest).fold(0.0, f64::max)
 }
@@ -95,7 +112,10 @@ fn turns_once(corners: &[DVec3], normal: Vector<DoubleDouble>) -> bool {
     let (n, normal) = (corners.len(), normal.to_doubles());
     n == 4
         || (1..n - 1).all(|i| {
-            (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]).dot(normal) >= 0.0
+            (corners[i] - corners[0])
+                .cross(corners[i + 1] - corners[0])
+                .dot(normal)
+                >= 0.0
         })
 }
 

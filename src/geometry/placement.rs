@@ -35,12 +35,16 @@ pub struct Placement {
 impl Placement {
     /// Places `second` in the frame of `first`.
     ///
-    /// Coordinates within [`tolerance::ALIGNMENT`] of a plane of the frame are put on it.
+    /// Coordinates within [`tolerance::ALIGNMENT`] of a plane of the frame are put on it, unless all edges run along the
+    /// coordinate axes: then coordinates are taken as they are.
     ///
     /// # Errors
     /// [`GeometryError::NotAligned`] if the edges do not run along three common axes;
     /// [`GeometryError::EmptySpan`] if the sizes differ by more than `f64` can hold.
     pub fn try_new(first: &Rectangle, second: &Rectangle) -> Result<Self, GeometryError> {
+        if let (Some(axes), Some(others)) = (first.axes(), second.axes()) {
+            return Self::along_axes((first, axes), (second, others));
+        }
         let lengths = SplitAxis::ALL.map(|axis| first.edge(axis).length());
         let axes = [
             first.edge(SplitAxis::U) / lengths[0],
@@ -131,4 +135,61 @@ impl Placement {
             unit,
         })
     }
+
+    /// Rectangles with edges along the coordinate axes: nothing is turned, so only differences are rounded.
+    fn along_axes(
+        (first, axes): (&Rectangle, [usize; 2]),
+        (second, others): (&Rectangle, [usize; 2]),
+    ) -> Result<Self, GeometryError> {
+        let [u, v] = SplitAxis::ALL.map(|axis| first.edge(axis).to_array()[axes[axis as usize]]);
+        let [p, q] = SplitAxis::ALL.map(|axis| second.edge(axis).to_array()[others[axis as usize]]);
+        // the third axis, and whether two make a right-handed system with it
+        let normal = 3 - axes[0] - axes[1];
+        let flat = 3 - others[0] - others[1];
+        let up = handedness(axes) * u.signum() * v.signum();
+        let other_up = handedness(others) * p.signum() * q.signum();
+        let frame = [(axes[0], u.signum()), (axes[1], v.signum()), (normal, up)];
+        let from_origin = (second.origin() - first.origin()).to_array();
+        let lengths = [u.abs(), v.abs()];
+        let starts = frame.map(|(k, sign)| sign * from_origin[k]);
+        let sides = frame.map(|(k, sign)| {
+            let side = if k == others[0] { p } else { q };
+            if k == flat { 0.0 } else { sign * side }
+        });
+        let extent = (0..3)
+            .flat_map(|k| [starts[k].abs(), (starts[k] + sides[k]).abs()])
+            .chain(lengths)
+            .fold(0.0, f64::max);
+        // the power of two at or below it
+        let unit = f64::from_bits(extent.to_bits() & 0x7ff0_0000_0000_0000);
+        let extent_along = |k: usize| {
+            if frame[k].0 == flat {
+                return Ok(Extent::Flat(starts[k] / unit));
+            }
+            let lower = if sides[k] < 0.0 {
+                starts[k] + sides[k]
+            } else {
+                starts[k]
+            };
+            Span::with_length(lower / unit, sides[k].abs() / unit).map(Extent::Long)
+        };
+        let faces = frame
+            .iter()
+            .find(|(k, _)| *k == flat)
+            .map_or(1.0, |(_, sign)| *sign);
+        Ok(Self {
+            first: [
+                Span::with_length(0.0, lengths[0] / unit)?,
+                Span::with_length(0.0, lengths[1] / unit)?,
+            ],
+            second: [extent_along(0)?, extent_along(1)?, extent_along(2)?],
+            faces_along: faces * other_up > 0.0,
+            unit,
+        })
+    }
+}
+
+/// +1 if the third axis follows these two as z follows x and y, else −1.
+const fn handedness([a, b]: [usize; 2]) -> f64 {
+    if (b + 3 - a) % 3 == 1 { 1.0 } else { -1.0 }
 }

@@ -65,34 +65,42 @@ pub fn mutual_information(chain: &ReversibleChain) -> f64 {
         let probability = weights[j] / total;
         // the upper triangle twice, the diagonal once
         let above = (0..j).filter(|i| weights[*i] > 0.0);
-        let term = |i: usize| {
-            let joint = unit.times(column[i]);
-            let transition = joint / weights[i];
-            let x = transition / probability - 1.0;
-            if x < FAR_ABOVE {
-                weights[i] * probability * divergence_kernel(x)
-            } else {
-                // w_i w_j φ(x) without the product and the quotient, which may leave the range
-                joint * (transition.ln() - probability.ln() - 1.0) + weights[i] * probability
-            }
-        };
+        let term = |i: usize| pair_divergence(unit.times(column[i]), weights[i], probability);
         2.0 * compensated_sum(above.map(term)) + term(j)
     });
     compensated_sum(sum) / (total * LN_2)
 }
 
+/// `w_i p_j φ(x)` with `x = J_ij/(w_i p_j) − 1`: one term of eq. (3), in nats and in the scale of J and w.
+///
+/// **Arguments** the joint entry, the weight of one state > 0, the probability of the other > 0.
+pub(super) fn pair_divergence(joint: f64, weight: f64, probability: f64) -> f64 {
+    let transition = joint / weight;
+    let x = transition / probability - 1.0;
+    if x < FAR_ABOVE {
+        weight * probability * divergence_kernel(x)
+    } else {
+        // w_i w_j φ(x) without the product and the quotient, which may leave the range
+        joint * (transition.ln() - probability.ln() - 1.0) + weight * probability
+    }
+}
+
 /// A power of two that brings the chain's total near 1, as two factors that `f64` can hold.
 #[derive(Debug, Clone, Copy)]
-struct Unit([f64; 2]);
+pub(super) struct Unit([f64; 2]);
 
 impl Unit {
     fn of(chain: &ReversibleChain) -> Self {
-        let power = -Scaled::new(chain.total()).exponent;
+        Self::of_total(chain.total())
+    }
+
+    pub(super) fn of_total(total: f64) -> Self {
+        let power = -Scaled::new(total).exponent;
         Self([power / 2, power - power / 2].map(|power| 2f64.powi(power)))
     }
 
     /// Exact, but for what is below 1e-308 of the total.
-    fn times(self, value: f64) -> f64 {
+    pub(super) fn times(self, value: f64) -> f64 {
         value * self.0[0] * self.0[1]
     }
 }

@@ -7,9 +7,11 @@
 
 mod gain;
 mod measures;
+mod scene;
 
 pub use gain::{divergence, refinement_gain, relative_entropy, subdivision_bound};
 pub use measures::{entropy_rate, mutual_information, positional_entropy};
+pub use scene::{ErrorGrade, SceneInformation, Surroundings, scene_information};
 
 /// From this x on `a φ(x) = p (ln(p/a) − 1) + a` is used, whose factors cannot overflow.
 const FAR_ABOVE: f64 = 4.0;

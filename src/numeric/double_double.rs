@@ -16,7 +16,10 @@
 //! Reference: Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
 //! arithmetic", *ACM Trans. Math. Softw.* 44 (2017), 15.
 
-#![allow(clippy::inline_always, reason = "the machine code is made where it is called")]
+#![allow(
+    clippy::inline_always,
+    reason = "the machine code is made where it is called"
+)]
 
 use super::{Interval, Scalar};
 use std::cmp::Ordering;
@@ -111,7 +114,10 @@ impl DoubleDouble {
 
 /// 1/15, 1/13, … 1, to 106 bits: the low halves are (1 − k high)/k, exact in the numerator.
 const ODD_RECIPROCALS: [DoubleDouble; 8] = {
-    let mut reciprocals = [DoubleDouble { high: 1.0, low: 0.0 }; 8];
+    let mut reciprocals = [DoubleDouble {
+        high: 1.0,
+        low: 0.0,
+    }; 8];
     let mut i = 0;
     while i < 7 {
         let k = 15.0 - 2.0 * i as f64;
@@ -120,7 +126,10 @@ const ODD_RECIPROCALS: [DoubleDouble; 8] = {
         let split = 134_217_729.0 * high;
         let top = split - (split - high);
         let rest = high - top;
-        reciprocals[i] = DoubleDouble { high, low: ((1.0 - k * top) - k * rest) / k };
+        reciprocals[i] = DoubleDouble {
+            high,
+            low: ((1.0 - k * top) - k * rest) / k,
+        };
         i += 1;
     }
     reciprocals
@@ -129,14 +138,18 @@ const ODD_RECIPROCALS: [DoubleDouble; 8] = {
 /// `ln(c)` for `c = 22/32 … 46/32`.
 static LOGARITHMS: LazyLock<Vec<DoubleDouble>> = LazyLock::new(|| {
     let c = |step: u32| Interval::precise(f64::from(step) / 32.0, 192);
-    (22..=46).map(|step| DoubleDouble::of_enclosure(&c(step).ln())).collect()
+    (22..=46)
+        .map(|step| DoubleDouble::of_enclosure(&c(step).ln()))
+        .collect()
 });
 
 /// `atan(c)` for `c = 0 … 32/32`.
 static ANGLES: LazyLock<Vec<DoubleDouble>> = LazyLock::new(|| {
     let one = Interval::precise(1.0, 192);
     let c = |step: u32| one.constant(f64::from(step) / 32.0);
-    (0..=32).map(|step| DoubleDouble::of_enclosure(&c(step).atan2(&one))).collect()
+    (0..=32)
+        .map(|step| DoubleDouble::of_enclosure(&c(step).atan2(&one)))
+        .collect()
 });
 
 static PI: LazyLock<DoubleDouble> =
@@ -254,10 +267,16 @@ impl Scalar for DoubleDouble {
     fn ln(&self) -> Self {
         // exact powers of two, so that the leading half of m lies in [√½, √2)
         let exponent = (self.high * std::f64::consts::SQRT_2).log2().floor();
-        let m = self.scaled((-exponent / 2.0).floor().exp2()).scaled((-exponent / 2.0).ceil().exp2());
+        let m = self
+            .scaled((-exponent / 2.0).floor().exp2())
+            .scaled((-exponent / 2.0).ceil().exp2());
         let step = (m.high * 32.0).round().clamp(22.0, 46.0);
         let c = Self::from(step / 32.0);
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "22 to 46")]
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "22 to 46"
+        )]
         let log_c = LOGARITHMS[step as usize - 22];
         let series = ((m - c) / (m + c)).odd_series(1.0).scaled(2.0);
         LN_2.times(exponent) + (log_c + series)
@@ -266,7 +285,9 @@ impl Scalar for DoubleDouble {
     fn ln_1p(&self) -> Self {
         if self.high.abs() < 1.0 / 32.0 {
             // 2 atanh(x/(2 + x))
-            (*self / (*self + Self::from(2.0))).odd_series(1.0).scaled(2.0)
+            (*self / (*self + Self::from(2.0)))
+                .odd_series(1.0)
+                .scaled(2.0)
         } else {
             (*self + Self::from(1.0)).ln()
         }
@@ -300,11 +321,23 @@ impl Scalar for DoubleDouble {
         let t = if long.high > 0.0 { short / long } else { short };
         let step = (t.high * 32.0).round().clamp(0.0, 32.0);
         let c = Self::from(step / 32.0);
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 32")]
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "0 to 32"
+        )]
         let angle_c = ANGLES[step as usize];
         let octant = angle_c + ((t - c) / (Self::from(1.0) + t * c)).odd_series(-1.0);
-        let quadrant = if steep { PI.scaled(0.5) - octant } else { octant };
-        let half = if x.high < 0.0 { *PI - quadrant } else { quadrant };
+        let quadrant = if steep {
+            PI.scaled(0.5) - octant
+        } else {
+            octant
+        };
+        let half = if x.high < 0.0 {
+            *PI - quadrant
+        } else {
+            quadrant
+        };
         if self.high < 0.0 { -half } else { half }
     }
     #[inline(always)]

@@ -50,7 +50,10 @@ const ATAN: [f64; 11] = [
 /// **Accuracy** within [`LN_ERROR`].
 #[inline(always)]
 #[must_use]
-#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 pub fn ln(x: f64) -> f64 {
     // the bits of √½ taken off, so that the exponent turns over there and not at 1
     const SQRT_HALF: u64 = 0x3fe6_a09e_667f_3bcd;
@@ -71,7 +74,8 @@ pub fn ln(x: f64) -> f64 {
     let odd = w * (LN[1] + w * (LN[3] + w * LN[5]));
     let even = z * (LN[0] + w * (LN[2] + w * (LN[4] + w * LN[6])));
     let half_square = 0.5 * f * f;
-    let log = k * LN_2_HIGH - ((half_square - (s * (half_square + (odd + even)) + k * LN_2_LOW)) - f);
+    let log =
+        k * LN_2_HIGH - ((half_square - (s * (half_square + (odd + even)) + k * LN_2_LOW)) - f);
     let below = if x < 0.0 { f64::NAN } else { f64::NEG_INFINITY };
     let log = if x > 0.0 { log } else { below };
     // infinity and NaN stay as they are
@@ -84,7 +88,10 @@ pub fn ln(x: f64) -> f64 {
 /// **Accuracy** within [`ANGLE_ERROR`].
 #[inline(always)]
 #[must_use]
-#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 pub fn angle(y: f64, x: f64) -> f64 {
     use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
     const TAN_PI_8: f64 = 0.414_213_562_373_095_03;
@@ -98,12 +105,16 @@ pub fn angle(y: f64, x: f64) -> f64 {
     let t = numerator / if denominator > 0.0 { denominator } else { 1.0 };
     let z = t * t;
     let w = z * z;
-    let even = ATAN[0]
-        + w * (ATAN[2] + w * (ATAN[4] + w * (ATAN[6] + w * (ATAN[8] + w * ATAN[10]))));
+    let even =
+        ATAN[0] + w * (ATAN[2] + w * (ATAN[4] + w * (ATAN[6] + w * (ATAN[8] + w * ATAN[10]))));
     let odd = ATAN[1] + w * (ATAN[3] + w * (ATAN[5] + w * (ATAN[7] + w * ATAN[9])));
     let small = t + t * z * (even + z * odd);
     let octant = if turned { FRAC_PI_4 + small } else { small };
     let quadrant = if steep { FRAC_PI_2 - octant } else { octant };
-    let half = if x.is_sign_negative() { PI - quadrant } else { quadrant };
+    let half = if x.is_sign_negative() {
+        PI - quadrant
+    } else {
+        quadrant
+    };
     half.copysign(y)
 }

@@ -30,7 +30,7 @@ pub use certified::{
     Certificate, CertifiedMaximum, CertifiedRoot, CertifiedRoots, End, Function, Objective,
     VectorFunction, certified_maximum, certified_roots, certified_stationary_point,
 };
-pub use compensated_sum::compensated_sum;
+pub use compensated_sum::{CompensatedSum, compensated_sum};
 pub use double_double::{DoubleDouble, SQUARED_EPSILON};
 pub use dual::Dual;
 pub use entropy_kernel::{divergence_kernel, x_ln_x, x_log2_ratio, x_log2_x};

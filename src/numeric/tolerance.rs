@@ -71,3 +71,8 @@ pub const VANISHING_GAIN: f64 = 1e-27;
 /// Absolute error of a gain in bits where entries below 1e-290 of the sum take part: (a) such an entry enters
 /// with at most itself times the logarithm of the smallest double, and products of it may be lost.
 pub const TINY_GAIN: f64 = 1e-280;
+
+/// Rounding of a scene's mutual information I, times 2 + I bits: (a) the kernel's 24 ε on terms ≥ 0; 2 ε of
+/// `Σ J |log2(J/q)|` ≤ I + 1.07 for the argument of the kernel; areas within 4 ε change q by 12 ε and the sum by
+/// `Σ |q − J|` ≤ 2 of that over ln 2. Measured by `information_errors_are_bounds`.
+pub const INFORMATION: f64 = 32.0 * f64::EPSILON;

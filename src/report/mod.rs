@@ -6,7 +6,10 @@
 //! **Not here**: computing; the numbers come finished.
 
 mod campaign;
+mod form_factors;
 mod latex;
+mod measure;
+mod npy;
 mod number;
 mod records;
 mod reproduction;
@@ -15,6 +18,9 @@ mod table;
 #[cfg(feature = "proptest")]
 pub use campaign::fuzz_report;
 pub use campaign::study_report;
+pub use form_factors::{FormFactorRecord, write_form_factors};
+pub use measure::{measure_report, plan_notes};
+pub use npy::{write_npy_head, write_npy_row};
 pub use number::{certain_digits, enclosed_digits, power_of_ten, scientific};
 pub use records::{Format, Report, ReportError};
 pub use reproduction::{curve_report, reproduction_report};

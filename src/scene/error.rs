@@ -121,6 +121,14 @@ pub enum SceneError {
         /// Index of one that lies in it.
         part: usize,
     },
+    /// Pairs are taken patch by patch: nothing lies in another patch, nothing is summed into one row.
+    #[error("patch {index} {what}: pairs of such patches are not computed yet, leave it out")]
+    NotAPatchOfItsOwn {
+        /// Index of the patch.
+        index: usize,
+        /// What it is instead.
+        what: &'static str,
+    },
     /// The format has no place for something that the scene has.
     #[error("{format} cannot say that {what}: {mend}")]
     NotExpressible {

@@ -7,16 +7,30 @@
 //! **Not covered**: occlusion (every exchange area is the unoccluded one).
 
 mod built_in;
+mod congruence;
 mod error;
 mod exchange_areas;
 pub mod files;
+mod lattice;
 mod material;
+mod pairs;
 mod parts;
+mod plan;
+mod planes;
+mod row_sums;
+mod rows;
+mod tally;
 
 pub use error::SceneError;
 pub use exchange_areas::ExchangeAreas;
 pub use material::{Material, MaterialError};
+pub use pairs::{Account, ScenePairs};
+pub use plan::Congruence;
+pub use rows::Entry;
+pub use tally::{PlanSummary, Unreached};
 
+use planes::Sight;
+use tally::Tally;
 use crate::geometry::{GeometryError, Patch, Rectangle};
 
 /// A patch, its name and its material.

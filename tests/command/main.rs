@@ -9,6 +9,7 @@ mod fuzzing;
 mod keys;
 mod refusals;
 mod scene_files;
+mod scenes;
 
 use assert_cmd::Command;
 

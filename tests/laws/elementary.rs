@@ -19,7 +19,9 @@ fn error(value: f64, exact: &Interval) -> f64 {
 
 fn double_double_error(value: DoubleDouble, exact: &Interval) -> f64 {
     let low = (value - DoubleDouble::from(value.high())).high();
-    (precise(value.high()) + &precise(low) - exact).abs().to_f64()
+    (precise(value.high()) + &precise(low) - exact)
+        .abs()
+        .to_f64()
 }
 
 /// Over all binades, and near 1, where the logarithm is small.
@@ -49,16 +51,38 @@ fn elementary_functions_keep_their_bound() {
     assert!(worst_ln <= 1.0, "ln: {worst_ln} of its bound");
     assert!(worst_angle <= 1.0, "angle: {worst_angle} of its bound");
     println!("{worst_ln} {worst_angle}");
-    assert!(worst_ln > 0.1 && worst_angle > 0.1, "the bounds say little: {worst_ln}, {worst_angle}");
+    assert!(
+        worst_ln > 0.1 && worst_angle > 0.1,
+        "the bounds say little: {worst_ln}, {worst_angle}"
+    );
     // the ends of the range, as the standard library has them
-    for x in [0.0, -0.0, -1.0, f64::INFINITY, f64::NAN, f64::MAX, 5e-324, 1e-310] {
+    for x in [
+        0.0,
+        -0.0,
+        -1.0,
+        f64::INFINITY,
+        f64::NAN,
+        f64::MAX,
+        5e-324,
+        1e-310,
+    ] {
         let (ours, std) = (ln(x), x.ln());
         let equal = ours == std || (ours.is_nan() && std.is_nan());
-        assert!(equal || ((ours - std) / std).abs() <= 2.0 * LN_ERROR, "ln {x}: {ours}, {std}");
+        assert!(
+            equal || ((ours - std) / std).abs() <= 2.0 * LN_ERROR,
+            "ln {x}: {ours}, {std}"
+        );
     }
     // exact where the answer is
     assert!(ln(1.0).abs() <= 0.0 && angle(0.0, 2.0).abs() <= 0.0);
-    for (y, x, quarters) in [(1.0, 1.0, 1.0), (1.0, 0.0, 2.0), (1.0, -1.0, 3.0), (0.0, -1.0, 4.0), (0.0, 0.0, 0.0), (-1.0, 0.0, -2.0)] {
+    for (y, x, quarters) in [
+        (1.0, 1.0, 1.0),
+        (1.0, 0.0, 2.0),
+        (1.0, -1.0, 3.0),
+        (0.0, -1.0, 4.0),
+        (0.0, 0.0, 0.0),
+        (-1.0, 0.0, -2.0),
+    ] {
         assert!((angle(y, x) - quarters * std::f64::consts::FRAC_PI_4).abs() <= 0.0);
     }
 }
@@ -132,7 +156,10 @@ fn gauss_rules_are_exact_for_their_powers() {
             let exact = DoubleDouble::from(2.0) / DoubleDouble::from(power as f64 + 1.0);
             let error = ((sum - exact) / exact).to_f64().abs();
             // n nodes with the error of a Newton step near a root: a few ε² each, n of them
-            assert!(error <= 1000.0 * SQUARED_EPSILON, "{points} points, power {power}: {error:e}");
+            assert!(
+                error <= 1000.0 * SQUARED_EPSILON,
+                "{points} points, power {power}: {error:e}"
+            );
         }
     }
 }

@@ -22,10 +22,12 @@ mod intervals;
 mod invariance;
 mod negative_controls;
 mod optimisers;
+mod plan;
 mod reciprocity;
 mod refinement;
 mod refusals;
 mod soundness;
+mod streaming;
 #[path = "../support/mod.rs"]
 mod support;
 mod wide_numbers;

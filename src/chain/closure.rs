@@ -1,0 +1,140 @@
+//! Do the form factors of each patch sum to one?
+//!
+//! ```text
+//!   closed:  |Σ_j F_ij − 1| ≤ Σ_j bound_ij / A_i + 4 ε  for every i
+//! ```
+//!
+//! What a row of an open scene lacks escapes.
+
+use super::ChainError;
+use crate::scene::ScenePairs;
+
+/// The sum of a row of form factors.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RowSum {
+    /// The patch, from 0.
+    pub row: usize,
+    /// `Σ_j F_ij`.
+    pub sum: f64,
+    /// A bound on the error of the sum.
+    pub error_bound: f64,
+}
+
+/// The rows of a scene's form factors.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Closure {
+    rows: Vec<RowSum>,
+}
+
+impl Closure {
+    /// From the areas, the sums of the rows of exchange areas and of their error bounds.
+    #[must_use]
+    pub fn new(areas: &[f64], sums: impl IntoIterator<Item = [f64; 2]>) -> Self {
+        let rows = sums.into_iter().zip(areas).enumerate();
+        let rows = rows.map(|(row, ([exchange, bound], area))| RowSum {
+            row,
+            sum: exchange / area,
+            // the area's and the quotient's rounding
+            error_bound: bound / area + 4.0 * f64::EPSILON,
+        });
+        Self {
+            rows: rows.collect(),
+        }
+    }
+
+    /// Those of a scene.
+    ///
+    /// # Errors
+    /// [`ChainError::Scene`] if two patches are refused.
+    pub fn of(pairs: &ScenePairs) -> Result<Self, ChainError> {
+        let (sums, _) = pairs.row_sums(|_, _, exchange| [exchange.value, exchange.error_bound])?;
+        Ok(Self::new(pairs.areas(), sums))
+    }
+
+    /// All rows, in order.
+    #[must_use]
+    pub fn rows(&self) -> &[RowSum] {
+        &self.rows
+    }
+
+    /// The row farthest from one.
+    ///
+    /// # Panics
+    /// If there are no rows; a scene has one at least.
+    #[must_use]
+    pub fn worst(&self) -> RowSum {
+        let off = |row: &RowSum| (row.sum - 1.0).abs();
+        let mut worst = self.rows[0];
+        for row in &self.rows[1..] {
+            if off(row) > off(&worst) {
+                worst = *row;
+            }
+        }
+        worst
+    }
+
+    /// Does every row sum to one within its bound?
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.rows
+            .iter()
+            .all(|row| (row.sum - 1.0).abs() <= row.error_bound)
+    }
+
+    /// Refuses a scene that is not closed.
+    ///
+    /// # Errors
+    /// [`ChainError::OpenScene`] with the row farthest from one; [`ChainError::RowAboveOne`].
+    pub fn require_closed(&self) -> Result<(), ChainError> {
+        self.require_at_most_one()?;
+        if self.is_closed() {
+            return Ok(());
+        }
+        let RowSum {
+            row,
+            sum,
+            error_bound,
+        } = self.worst();
+        Err(ChainError::OpenScene {
+            row,
+            sum,
+            tolerance: error_bound,
+        })
+    }
+
+    /// Refuses a scene whose patches overlap or hide each other.
+    ///
+    /// # Errors
+    /// [`ChainError::RowAboveOne`] with the row farthest above one.
+    pub fn require_at_most_one(&self) -> Result<(), ChainError> {
+        let mut worst: Option<&RowSum> = None;
+        for row in &self.rows {
+            if row.sum - 1.0 > row.error_bound && worst.is_none_or(|worst| row.sum > worst.sum) {
+                worst = Some(row);
+            }
+        }
+        worst.map_or(Ok(()), |row| {
+            Err(ChainError::RowAboveOne {
+                row: row.row,
+                sum: row.sum,
+                tolerance: row.error_bound,
+            })
+        })
+    }
+
+    /// The part of the power of patch i that meets no patch; 0 where the row sums to one within its bound.
+    ///
+    /// # Panics
+    /// If there is no patch i.
+    #[must_use]
+    pub fn escaping(&self, i: usize) -> f64 {
+        let RowSum {
+            sum, error_bound, ..
+        } = self.rows[i];
+        if 1.0 - sum > error_bound {
+            1.0 - sum
+        } else {
+            0.0
+        }
+    }
+}

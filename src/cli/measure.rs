@@ -1,0 +1,71 @@
+//! `infoscene measure SCENE`.
+
+use super::output::Output;
+use super::scene_pairs::{ScenePairsOptions, outcome};
+use super::{Answer, Outcome};
+use crate::chain::ChainError;
+use crate::information::{Surroundings, scene_information};
+use crate::report::measure_report;
+use crate::scene::Scene;
+
+#[derive(Debug, clap::Args)]
+pub(super) struct Measure {
+    #[command(flatten)]
+    scene: ScenePairsOptions,
+    /// The chain that is measured.
+    #[arg(long, value_enum, default_value_t = Chain::Visibility)]
+    chain: Chain,
+    /// Take an open scene, too: what escapes goes to one more state, outside.
+    #[arg(long)]
+    open: bool,
+    #[command(flatten)]
+    output: Output,
+}
+
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+enum Chain {
+    Visibility,
+}
+
+/// A row of form factors that does not sum to one, with the name of its patch.
+#[derive(Debug, thiserror::Error)]
+#[error("{source}; that is patch {name}{mend}")]
+struct BadRow {
+    source: ChainError,
+    name: String,
+    mend: &'static str,
+}
+
+impl Measure {
+    pub(super) fn answer(&self) -> Answer {
+        self.output.check()?;
+        let scene = self.scene.scene()?;
+        let pairs = self.scene.pairs(&scene)?;
+        let surroundings = if self.open {
+            Surroundings::Outside
+        } else {
+            Surroundings::None
+        };
+        let measured = match self.chain {
+            Chain::Visibility => scene_information(&pairs, surroundings),
+        };
+        let measured = measured.map_err(|error| named(error, &scene))?;
+        let written = self
+            .output
+            .write(&measure_report(scene.patches(), &measured)?)?;
+        match outcome(&scene, Some(&measured.account), pairs.tolerance()) {
+            Outcome::Done => Ok(written),
+            differs @ Outcome::Differs => Ok(differs),
+        }
+    }
+}
+
+fn named(source: ChainError, scene: &Scene) -> Box<dyn std::error::Error> {
+    let (row, mend) = match &source {
+        ChainError::OpenScene { row, .. } => (*row, "; --open adds the state outside"),
+        ChainError::RowAboveOne { row, .. } => (*row, ""),
+        _ => return source.into(),
+    };
+    let name = scene.patches()[row].name().to_owned();
+    BadRow { source, name, mend }.into()
+}

@@ -1,0 +1,427 @@
+//! Congruent pairs of axis-parallel rectangles, found by counting instead of by computing.
+//!
+//! Rectangles of a regular or symmetric division lie between few lines. All differences of lines are numbered once,
+//! equal ones alike; what two rectangles look like to each other is then a few such numbers:
+//!
+//! ```text
+//!   perpendicular   depth of each over the other's plane, and how their spans on the common axis lie to each other
+//!   parallel        distance, and how the spans on either axis lie to each other
+//! ```
+//!
+//! Pairs with the same numbers, up to a reflection of an axis, an exchange of the axes and an exchange of the two, are
+//! congruent: they exchange the same. Differences equal up to a few roundings of the coordinates are numbered alike,
+//! too; [`Lattice::spread`] says how far apart such are.
+//!
+//! **Not covered**: other polygons, and scenes with so many lines that the tables would outgrow the pairs.
+
+use super::NamedPatch;
+use crate::numeric::tolerance;
+use std::collections::{BTreeMap, HashMap};
+use std::hash::Hash;
+
+/// Entries that a table of pairs of lines, or of spans, may have: so many, and so many per patch.
+const TABLE: [usize; 2] = [1 << 16, 64];
+
+/// Classes there may be at most.
+const MOST_CLASSES: usize = 1 << 23;
+
+/// Numbers in the order in which they first come.
+#[derive(Debug)]
+struct Numbering<K>(HashMap<K, u32>);
+
+impl<K: Hash + Eq> Numbering<K> {
+    fn new() -> Self {
+        Self(HashMap::new())
+    }
+
+    fn number(&mut self, key: K) -> u32 {
+        let next = u32::try_from(self.0.len()).unwrap_or(u32::MAX);
+        *self.0.entry(key).or_insert(next)
+    }
+
+    fn count(&self) -> usize {
+        self.0.len()
+    }
+}
+
+/// An axis-parallel rectangle, in numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Cell {
+    /// The axis along its normal.
+    axis: usize,
+    /// Its plane and the side it faces.
+    plane: usize,
+    /// Its spans along the three axes; the one along the normal means nothing.
+    spans: [usize; 3],
+}
+
+/// What of a scene's axis-parallel rectangles lies alike.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Lattice {
+    cells: Vec<Option<Cell>>,
+    spans: usize,
+    /// How two spans of one axis lie to each other, up to reflection: `[first · spans + second]`.
+    relations: Vec<u32>,
+    relation_count: usize,
+    planes: usize,
+    /// Where a span lies above a plane of its axis: `[plane · spans + span]`.
+    depths: Vec<u32>,
+    depth_count: usize,
+    /// How two planes of one axis lie to each other: `[first · planes + second]`.
+    distances: Vec<u32>,
+    distance_count: usize,
+    spread: f64,
+}
+
+/// One axis of a rectangle while tables are made: numbers of its lower and upper line.
+type Lines = [usize; 2];
+
+impl Lattice {
+    /// The lattice of a scene, if its tables are small beside its pairs.
+    pub(super) fn of(patches: &[NamedPatch]) -> Option<Self> {
+        let boxes: Vec<Option<FlatBox>> = patches.iter().map(FlatBox::of).collect();
+        let mut lines: [Vec<f64>; 3] = [Vec::new(), Vec::new(), Vec::new()];
+        for flat in boxes.iter().flatten() {
+            for (axis, lines) in lines.iter_mut().enumerate() {
+                lines.extend([flat.lower[axis], flat.upper[axis]]);
+            }
+        }
+        for lines in &mut lines {
+            lines.sort_by(f64::total_cmp);
+            lines.dedup();
+        }
+        let most = TABLE[0].max(TABLE[1] * patches.len());
+        let pairs_of_lines: usize = lines.iter().map(|lines| lines.len().pow(2)).sum();
+        if pairs_of_lines == 0 || pairs_of_lines > most {
+            return None;
+        }
+        let differences = Differences::of(&lines);
+        Tables::default().fill(patches, &boxes, &lines, &differences, most)
+    }
+
+    /// How much farther apart than exactly equal two coordinates of congruent pairs may be; 0 if all differences of
+    /// lines are exact.
+    pub(super) const fn spread(&self) -> f64 {
+        self.spread
+    }
+
+    /// One more than the largest class.
+    pub(super) const fn classes(&self) -> usize {
+        self.relation_count * self.depth_count * self.depth_count
+            + self.distance_count * self.relation_count * self.relation_count
+    }
+
+    /// The class of a pair: pairs of one class are congruent. It does not depend on the order of the two.
+    pub(super) fn class(&self, first: usize, second: usize) -> Option<usize> {
+        let (first, second) = (self.cells[first].as_ref()?, self.cells[second].as_ref()?);
+        let relation = |axis: usize| {
+            let (one, other) = (first.spans[axis], second.spans[axis]);
+            [
+                self.relations[one * self.spans + other],
+                self.relations[other * self.spans + one],
+            ]
+        };
+        let numbers = |[a, b, c]: [u32; 3], counts: [usize; 2]| {
+            (a as usize * counts[0] + b as usize) * counts[1] + c as usize
+        };
+        if first.axis == second.axis {
+            let [u, v] = others(first.axis).map(relation);
+            // either axis may come first, and either rectangle
+            let distances = [
+                self.distances[first.plane * self.planes + second.plane],
+                self.distances[second.plane * self.planes + first.plane],
+            ];
+            let key = |way: usize| [distances[way], u[way].min(v[way]), u[way].max(v[way])];
+            let offset = self.relation_count * self.depth_count * self.depth_count;
+            let counts = [self.relation_count; 2];
+            return Some(offset + numbers(key(0).min(key(1)), counts));
+        }
+        let depth =
+            |of: &Cell, over: &Cell| self.depths[over.plane * self.spans + of.spans[over.axis]];
+        let depths = [depth(first, second), depth(second, first)];
+        let [there, back] = relation(3 - first.axis - second.axis);
+        let key = [there, depths[0], depths[1]].min([back, depths[1], depths[0]]);
+        Some(numbers(key, [self.depth_count; 2]))
+    }
+}
+
+const fn others(axis: usize) -> [usize; 2] {
+    [(axis + 1) % 3, (axis + 2) % 3]
+}
+
+/// A rectangle with edges exactly along the axes.
+#[derive(Debug, Clone, Copy)]
+struct FlatBox {
+    axis: usize,
+    faces_up: bool,
+    lower: [f64; 3],
+    upper: [f64; 3],
+}
+
+impl FlatBox {
+    fn of(patch: &NamedPatch) -> Option<Self> {
+        let corners: [[f64; 3]; 4] = patch
+            .shape
+            .corners()
+            .iter()
+            .map(glam::DVec3::to_array)
+            .collect::<Vec<_>>()
+            .try_into()
+            .ok()?;
+        let ends = |axis: usize, best: fn(f64, f64) -> f64| {
+            // −0 and 0 are one line
+            corners
+                .iter()
+                .map(|c| c[axis])
+                .reduce(best)
+                .map(|x| x + 0.0)
+        };
+        let mut lower = [0.0; 3];
+        let mut upper = [0.0; 3];
+        for axis in 0..3 {
+            lower[axis] = ends(axis, f64::min)?;
+            upper[axis] = ends(axis, f64::max)?;
+        }
+        let is_flat = |axis: &usize| lower[*axis].total_cmp(&upper[*axis]).is_eq();
+        let axis = (0..3).find(is_flat)?;
+        // neighbouring corners differ along one axis only, and end where the rectangle ends
+        let same = |a: f64, b: f64| (a - b).abs() <= 0.0;
+        for (corner, next) in (0..4).map(|k| (corners[k], corners[(k + 1) % 4])) {
+            let moves = others(axis).map(|k| !same(corner[k], next[k]));
+            let ends = others(axis).map(|k| same(corner[k], lower[k]) || same(corner[k], upper[k]));
+            if moves[0] == moves[1] || ends != [true; 2] {
+                return None;
+            }
+        }
+        Some(Self {
+            axis,
+            faces_up: patch.shape.normal()[axis] > 0.0,
+            lower,
+            upper,
+        })
+    }
+}
+
+/// The differences between the lines of each axis, numbered: equal ones alike, with a sign.
+#[derive(Debug)]
+struct Differences {
+    /// `[axis][first · lines + second]`: the number of second − first, negative if second lies below.
+    numbers: [Vec<i32>; 3],
+    lines: [usize; 3],
+    spread: f64,
+}
+
+impl Differences {
+    fn of(lines: &[Vec<f64>; 3]) -> Self {
+        let extent = lines
+            .iter()
+            .flatten()
+            .fold(0.0, |most: f64, x| most.max(x.abs()));
+        // each with what rounding took from it
+        let mut sizes = vec![(0.0, 0.0)];
+        for lines in lines {
+            for (k, line) in lines.iter().enumerate() {
+                sizes.extend(
+                    lines[..k]
+                        .iter()
+                        .map(|below| exact_difference(*line, *below)),
+                );
+            }
+        }
+        sizes.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+        let mut starts: Vec<f64> = Vec::new();
+        let (mut least, mut most) = (0.0_f64, 0.0_f64);
+        let mut spread: f64 = 0.0;
+        for (size, lost) in sizes {
+            match starts.last() {
+                Some(start) if size - start <= tolerance::ALIGNMENT * extent => {
+                    let offset = (size - start) + lost;
+                    (least, most) = (least.min(offset), most.max(offset));
+                }
+                _ => {
+                    starts.push(size);
+                    (least, most) = (lost, lost);
+                }
+            }
+            spread = spread.max(most - least);
+        }
+        let number = |size: f64| starts.partition_point(|start| *start <= size) - 1;
+        let signed = |from: f64, to: f64| {
+            let number = i32::try_from(number((to - from).abs())).unwrap_or(i32::MAX);
+            if to < from { -number } else { number }
+        };
+        let table = |axis: usize| {
+            let lines: &Vec<f64> = &lines[axis];
+            let row = |from: &f64| {
+                lines
+                    .iter()
+                    .map(|to| signed(*from, *to))
+                    .collect::<Vec<_>>()
+            };
+            lines.iter().flat_map(row).collect()
+        };
+        Self {
+            numbers: [0, 1, 2].map(table),
+            lines: [0, 1, 2].map(|axis| lines[axis].len()),
+            spread,
+        }
+    }
+
+    fn number(&self, axis: usize, from: usize, to: usize) -> i32 {
+        self.numbers[axis][from * self.lines[axis] + to]
+    }
+}
+
+/// `upper − lower`, rounded, and what rounding took from it (Knuth).
+fn exact_difference(upper: f64, lower: f64) -> (f64, f64) {
+    let size = upper - lower;
+    let taken = upper - size;
+    (size, (upper - (size + taken)) + (taken - lower))
+}
+
+/// What the tables are made from.
+#[derive(Debug, Default)]
+struct Tables {
+    spans: Vec<(usize, Lines)>,
+    planes: Vec<(usize, usize, bool)>,
+}
+
+impl Tables {
+    fn fill(
+        mut self,
+        patches: &[NamedPatch],
+        boxes: &[Option<FlatBox>],
+        lines: &[Vec<f64>; 3],
+        differences: &Differences,
+        most: usize,
+    ) -> Option<Lattice> {
+        let line = |axis: usize, at: f64| lines[axis].partition_point(|line| *line < at);
+        let (mut span_numbers, mut plane_numbers) = (BTreeMap::new(), BTreeMap::new());
+        let mut cells = Vec::with_capacity(patches.len());
+        for flat in boxes {
+            cells.push(flat.map(|flat| {
+                let mut spans = [0; 3];
+                for axis in others(flat.axis) {
+                    let span = (
+                        axis,
+                        [flat.lower, flat.upper].map(|ends| line(axis, ends[axis])),
+                    );
+                    let next = self.spans.len();
+                    spans[axis] = *span_numbers.entry(span).or_insert(next);
+                    if spans[axis] == next {
+                        self.spans.push(span);
+                    }
+                }
+                let plane = (
+                    flat.axis,
+                    line(flat.axis, flat.lower[flat.axis]),
+                    flat.faces_up,
+                );
+                let next = self.planes.len();
+                let number = *plane_numbers.entry(plane).or_insert(next);
+                if number == next {
+                    self.planes.push(plane);
+                }
+                Cell {
+                    axis: flat.axis,
+                    plane: number,
+                    spans,
+                }
+            }));
+        }
+        let (spans, planes) = (self.spans.len(), self.planes.len());
+        if spans.max(planes).pow(2) > most {
+            return None;
+        }
+        let (relations, relation_count) = table(&self.spans, &self.spans, |one, other| {
+            relation(differences, one, other)
+        });
+        let (depths, depth_count) = table(&self.planes, &self.spans, |plane, span| {
+            depth(differences, plane, span)
+        });
+        let (distances, distance_count) = table(&self.planes, &self.planes, |one, other| {
+            distance(differences, one, other)
+        });
+        let lattice = Lattice {
+            cells,
+            spans,
+            relations,
+            relation_count,
+            planes,
+            depths,
+            depth_count,
+            distances,
+            distance_count,
+            spread: differences.spread,
+        };
+        let pairs = patches.len() * patches.len() / 2;
+        (lattice.classes() <= MOST_CLASSES.min(pairs.max(TABLE[0]))).then_some(lattice)
+    }
+}
+
+/// A number for each combination that has a key, equal keys alike; 0 for those without.
+fn table<A, B, K: Hash + Eq>(
+    rows: &[A],
+    columns: &[B],
+    key: impl Fn(&A, &B) -> Option<K>,
+) -> (Vec<u32>, usize) {
+    let mut numbering = Numbering::new();
+    let mut numbers = Vec::with_capacity(rows.len() * columns.len());
+    for row in rows {
+        for column in columns {
+            numbers.push(key(row, column).map_or(0, |key| numbering.number(key)));
+        }
+    }
+    (numbers, numbering.count().max(1))
+}
+
+/// Both lengths and the differences of the ends, the smaller of the two reflections.
+fn relation(
+    differences: &Differences,
+    (axis, [low, high]): &(usize, Lines),
+    (other_axis, [other_low, other_high]): &(usize, Lines),
+) -> Option<[i32; 4]> {
+    if axis != other_axis {
+        return None;
+    }
+    let number = |from: &usize, to: &usize| differences.number(*axis, *from, *to);
+    let [low_ends, high_ends] = [number(low, other_low), number(high, other_high)];
+    let ends = [low_ends, high_ends].min([-high_ends, -low_ends]);
+    Some([
+        number(low, high),
+        number(other_low, other_high),
+        ends[0],
+        ends[1],
+    ])
+}
+
+/// Heights of a span's ends over a plane, the lower first.
+fn depth(
+    differences: &Differences,
+    (axis, line, faces_up): &(usize, usize, bool),
+    (span_axis, [low, high]): &(usize, Lines),
+) -> Option<[i32; 2]> {
+    if axis != span_axis {
+        return None;
+    }
+    let [low, high] = [low, high].map(|end| differences.number(*axis, *line, *end));
+    Some(if *faces_up {
+        [low, high]
+    } else {
+        [-high, -low]
+    })
+}
+
+/// The height of either plane over the other.
+fn distance(
+    differences: &Differences,
+    (axis, line, faces_up): &(usize, usize, bool),
+    (other_axis, other_line, other_faces_up): &(usize, usize, bool),
+) -> Option<[i32; 2]> {
+    if axis != other_axis {
+        return None;
+    }
+    let height = differences.number(*axis, *line, *other_line);
+    let signed = |height: i32, up: bool| if up { height } else { -height };
+    Some([signed(height, *faces_up), signed(-height, *other_faces_up)])
+}
