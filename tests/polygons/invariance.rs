@@ -159,8 +159,13 @@ fn turned_by_quarters(case: &Case) -> Result<(), String> {
         [2, 1, 0],
     ];
     let chosen = (number % 6) as usize;
-    let signs: [f64; 3] =
-        std::array::from_fn(|k| if number / 6 >> k & 1 == 1 { -1.0 } else { 1.0 });
+    let signs: [f64; 3] = std::array::from_fn(|k| {
+        if ((number / 6) >> k) & 1 == 1 {
+            -1.0
+        } else {
+            1.0
+        }
+    });
     let turn =
         |c: DVec3| DVec3::from_array(std::array::from_fn(|k| signs[k] * c[order[chosen][k]]));
     let is_mirror = (chosen >= 3) != (signs.iter().product::<f64>() < 0.0);
@@ -389,7 +394,10 @@ fn exact_shifts_change_nothing() {
         .par_iter()
         .filter(|(_, case)| can_shift(case))
         .count();
-    assert!(exact as u64 > 2 * PAIRS, "only {exact} pairs can be shifted exactly");
+    assert!(
+        exact as u64 > 2 * PAIRS,
+        "only {exact} pairs can be shifted exactly"
+    );
     assert_law(|case| shifted(case).unwrap_or(Ok(())));
 }
 

@@ -189,10 +189,11 @@ impl<const N: usize> Wide<N> {
     fn shifted_down(&self, shift: u32) -> [u64; N] {
         let (whole, bits) = ((shift / WORD) as usize, shift % WORD);
         let mut words = [0; N];
-        for k in 0..N - whole {
-            words[k] = self.words[k + whole] >> bits;
-            if bits > 0 && k + whole + 1 < N {
-                words[k] |= self.words[k + whole + 1] << (WORD - bits);
+        let above = self.words[whole..].iter().skip(1).chain([&0]);
+        for ((word, from), above) in words.iter_mut().zip(&self.words[whole..]).zip(above) {
+            *word = from >> bits;
+            if bits > 0 {
+                *word |= above << (WORD - bits);
             }
         }
         words
