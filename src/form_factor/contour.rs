@@ -143,7 +143,7 @@ pub(super) fn contour(
             }
             let near = relation([a, b], f64::EPSILON);
             if matches!(near, Relation::Skew) {
-                for panel in panels(a, b, per_length)? {
+                for panel in panels(a, b, per_length, f64::EPSILON)? {
                     run(i, Some(j), (panel.middle, panel.half), panel.points);
                     error += a.length * b.length * panel.error;
                 }

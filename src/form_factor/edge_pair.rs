@@ -16,6 +16,11 @@
 //! Lines that miss each other by δ count as meeting if δ is lost in rounding: with true and computed r² apart by δ² at
 //! most, `∫ ½ ln(1 + δ²/t²) dt = π δ` bounds what each potential is off by. Skew edges near to each other are cut into
 //! panels, graded towards the other one, until a [Gauss rule](gauss_error) is certain on each.
+//!
+//! Edges that run beside each other need fewer panels than their distance suggests: as a function of a complex t along the
+//! outer line, the potential of the inner edge is singular only at its ends (r = 0 there), and where the distance of the
+//! lines' points h² = miss² + sin²θ (t − t*)² vanishes, `t* ± i miss/sin θ`. On an ellipse inside all of them its terms are bounded
+//! by 60 times the largest distance, in units of it.
 
 #![allow(
     clippy::inline_always,
@@ -319,37 +324,67 @@ pub(super) fn panels<S: Scalar + Copy>(
     outer: &Edge<S>,
     inner: &Edge<S>,
     wanted: f64,
+    epsilon: f64,
 ) -> Option<SmallVec<[Panel; 16]>> {
-    const MOST_PANELS: usize = 200;
+    const MOST_PANELS: usize = 600;
     /// All points of the other edge are outside the ellipse with this sum of half-axes.
     const SUM: f64 = 1.7;
     let length = outer.length.to_f64();
+    let [along, aside, unsure] = pinch(outer, inner, epsilon);
+    let number = |x: f64| outer.length.constant(x);
     let mut open: SmallVec<[(f64, f64); 64]> = SmallVec::new();
     open.push((0.0, 1.0));
     let mut panels = SmallVec::new();
     while let Some((from, to)) = open.pop() {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let sum = inner.distance(outer.at(outer.length.constant(middle))) / (half * length);
-        if sum < SUM {
-            if panels.len() + open.len() > MOST_PANELS || half < 1e-18 {
-                return None;
-            }
-            open.push((from, middle));
-            open.push((middle, to));
+        // short panels may have a larger share of what is wanted than their length is of the whole
+        let share = wanted / half.max(1e-3).sqrt();
+        let sum = inner.distance(outer.at(number(middle))) / (half * length);
+        if sum >= SUM {
+            let rho = ellipse(sum);
+            let points = points_for(share, rho).min(MOST_POINTS);
+            let error = gauss_error(points, rho) * half;
+            panels.push(Panel { middle, half, points, error });
             continue;
         }
-        let rho = ellipse(sum);
-        // short panels may have a larger share of what is wanted than their length is of the whole
-        let points = points_for(wanted / half.max(1e-3).sqrt(), rho).min(MOST_POINTS);
-        let error = gauss_error(points, rho) * half;
-        panels.push(Panel {
-            middle,
-            half,
-            points,
-            error,
-        });
+        // beside the other edge, but apart from what is singular
+        let ends = [from, to].map(|t| outer.at(number(t)));
+        let to_ends = inner.ends.map(|end| ends.map(|x| end.minus(x).length().to_f64()).iter().sum::<f64>());
+        let to_pinch = [from, to].map(|t| (along - t * length).hypot(aside) - unsure).iter().sum::<f64>();
+        let sum = to_ends[0].min(to_ends[1]).min(to_pinch) / (2.0 * half * length);
+        if sum >= SUM {
+            let rho = 1.0 + 0.85 * (ellipse(sum) - 1.0);
+            let reach = (to_ends[0].max(to_ends[1]) + 2.0 * inner.length.to_f64()) / inner.length.to_f64();
+            let largest = 64.0 / 15.0 * 60.0 * reach / (1.0 - rho.powi(-2));
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small")]
+            let points = ((largest / share).ln() / (2.0 * rho.ln())).ceil().clamp(2.0, MOST_POINTS as f64) as usize;
+            let error = half * largest * rho.powi(-2 * i32::try_from(points).unwrap_or(i32::MAX));
+            panels.push(Panel { middle, half, points, error });
+            continue;
+        }
+        if panels.len() + open.len() > MOST_PANELS || half < 1e-34 {
+            return None;
+        }
+        open.push((from, middle));
+        open.push((middle, to));
     }
     Some(panels)
+}
+
+/// Where the lines' distance vanishes: how far along the outer line from its start, how far beside it, and how uncertain both
+/// are.
+#[inline(always)]
+fn pinch<S: Scalar + Copy>(outer: &Edge<S>, inner: &Edge<S>, epsilon: f64) -> [f64; 3] {
+    let across = outer.direction.cross(inner.direction);
+    let square = across.dot(across);
+    let w = outer.ends[0].minus(inner.ends[0]);
+    let along = -w.cross(inner.direction).dot(across) / square;
+    let aside = w.dot(across) / square;
+    let (along, aside) = (along.to_f64(), aside.to_f64().abs());
+    let sine = square.to_f64().sqrt();
+    let unsure = 8.0 * epsilon * (w.length().to_f64() + along.abs() + aside) / sine;
+    // lines too nearly parallel for these numbers: nothing is certain
+    if unsure.is_finite() { [along, aside, unsure] } else { [0.0, 0.0, f64::INFINITY] }
 }
 
 /// Skew edges: Gauss rules on the panels of the shorter one; `None` if they do not settle.
@@ -362,7 +397,7 @@ pub(super) fn skew<S: Scalar + Copy>(
     let (outer, inner) = if a.length <= b.length { (a, b) } else { (b, a) };
     let number = |x: f64| a.length.constant(x);
     let (mut value, mut error) = (number(0.0), 0.0);
-    for panel in panels(outer, inner, wanted)? {
+    for panel in panels(outer, inner, wanted, precision.epsilon)? {
         let half = number(panel.half);
         let mut sum = number(0.0);
         for [x, weight] in &GaussLegendre::with(panel.points).precise {

@@ -39,8 +39,8 @@ pub enum FormFactorError {
     },
     /// The closed form cancels down to its rounding error.
     #[error(
-        "the closed form leaves {value:e} with an error up to {error_bound:e}: the rectangles are too \
-         small for their distance; cut the distance or merge the rectangles"
+        "what is computed is {value:e} with an error up to {error_bound:e}, so no digit is certain: the \
+         patches are too small for their distance, or too thin; merge them with neighbours"
     )]
     NotResolved {
         /// What came out.

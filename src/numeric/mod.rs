@@ -25,6 +25,7 @@ mod scalar;
 mod scaled;
 pub mod tolerance;
 mod vectorised;
+pub mod wide;
 
 pub use certified::{
     Certificate, CertifiedMaximum, CertifiedRoot, CertifiedRoots, End, Function, Objective,

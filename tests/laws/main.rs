@@ -34,3 +34,4 @@ mod soundness;
 mod streaming;
 #[path = "../support/mod.rs"]
 mod support;
+mod wide_numbers;
