@@ -17,7 +17,7 @@
 
 use super::ExchangeArea;
 use super::edge_pair::{
-    Edge, Precision, Relation, coplanar, ellipse, gauss_error, panels, points_for, relation, skew,
+    Edge, Precision, Relation, Rounding, coplanar, ellipse, gauss_error, panels, points_for, relation, skew,
 };
 use super::potential::{Points, padded, potentials};
 use super::shape::Shape;
@@ -98,6 +98,7 @@ pub(super) fn contour(
     let (a_edges, b_edges) = (edges(&lift(&p)), edges(&lift(&q)));
     let precision = Precision::new(gap, reach, 1.0, f64::EPSILON);
     let per_length = wanted * TAU / (outer.perimeter * inner.perimeter);
+    let rounding = Rounding::new(f64::EPSILON, 16.0, reach + (farthest - shift.abs().max_element()).max(0.0));
 
     let Scratch {
         points,
@@ -141,7 +142,7 @@ pub(super) fn contour(
                 relations.push(None);
                 continue;
             }
-            let near = relation([a, b], f64::EPSILON);
+            let near = relation([a, b], rounding);
             if matches!(near, Relation::Skew) {
                 for panel in panels(a, b, per_length, f64::EPSILON)? {
                     run(i, Some(j), (panel.middle, panel.half), panel.points);
@@ -239,12 +240,15 @@ fn precise_sum([p, q]: [&[Vector<DoubleDouble>]; 2], wanted: f64) -> Option<Exch
     let perimeter =
         |edges: &Edges<DoubleDouble>| edges.iter().map(|e| e.length.to_f64()).sum::<f64>();
     let per_length = wanted * TAU / (perimeter(&a_edges) * perimeter(&b_edges));
+    // corners may come from a clip, and edges be short beside their coordinates
+    let coordinates = [p, q].into_iter().flatten().flat_map(|corner| corner.0.map(|x| x.to_f64().abs()));
+    let rounding = Rounding::new(SQUARED_EPSILON, 1e6, coordinates.fold(reach, f64::max));
     let (mut sum, mut error) = (DoubleDouble::from(0.0), 0.0);
     for a in &a_edges {
         for b in &b_edges {
             let cosine = a.direction.dot(b.direction);
             let potential = |edge: &Edge<_>, point| edge.potential(point, precision.inverse_square);
-            let pair = match relation([a, b], SQUARED_EPSILON) {
+            let pair = match relation([a, b], rounding) {
                 Relation::Skew => skew([a, b], per_length, precision)?,
                 Relation::Coplanar(relation) => {
                     let at_a = a.ends.map(|end| potential(b, end));

@@ -154,9 +154,29 @@ pub(super) enum Coplanar<S> {
     Parallel { apart: S, sine: f64 },
 }
 
+/// What is lost in rounding: the sine of an angle, and the distance of two lines. Edges within both are taken as coplanar, and
+/// the error of that is bounded.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rounding {
+    pub epsilon: f64,
+    pub sine: f64,
+    pub miss: f64,
+}
+
+impl Rounding {
+    /// Of coordinates up to `largest`, `factor` roundings of `epsilon` each.
+    pub(super) const fn new(epsilon: f64, factor: f64, largest: f64) -> Self {
+        let sine = factor * epsilon;
+        Self { epsilon, sine, miss: sine * largest }
+    }
+}
+
 /// How two edges lie to each other.
 #[inline(always)]
-pub(super) fn relation<S: Scalar + Copy>([a, b]: [&Edge<S>; 2], epsilon: f64) -> Relation<S> {
+pub(super) fn relation<S: Scalar + Copy>(
+    [a, b]: [&Edge<S>; 2],
+    Rounding { epsilon, sine: straight, miss: touching }: Rounding,
+) -> Relation<S> {
     let across = a.direction.cross(b.direction);
     let square = across.dot(across);
     let sine = square.sqrt().to_f64();
@@ -174,7 +194,7 @@ pub(super) fn relation<S: Scalar + Copy>([a, b]: [&Edge<S>; 2], epsilon: f64) ->
         }
     }
     let (w, near) = (between(i, j), distances[i][j]);
-    if sine <= 16.0 * epsilon {
+    if sine <= straight {
         let apart = if near > 0.0 {
             w.cross(a.direction).length()
         } else {
@@ -183,7 +203,7 @@ pub(super) fn relation<S: Scalar + Copy>([a, b]: [&Edge<S>; 2], epsilon: f64) ->
         return Relation::Coplanar(Coplanar::Parallel { apart, sine });
     }
     let miss = w.dot(across).to_f64().abs() / sine;
-    if miss > 16.0 * epsilon * reach {
+    if miss > touching {
         return Relation::Skew;
     }
     let s = w.cross(b.direction).dot(across) / square;
