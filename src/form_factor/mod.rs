@@ -30,6 +30,7 @@ mod potential;
 mod rectangle_pair;
 mod route;
 mod shape;
+mod strip_exchange;
 
 pub use choice::DEFAULT_TOLERANCE;
 pub use error::FormFactorError;

@@ -6,6 +6,7 @@
 //!
 //! **Not here**: anything radiometric.
 
+mod cut_lines;
 mod error;
 mod offsets;
 mod patch;
@@ -15,6 +16,7 @@ mod span;
 mod triangulation;
 mod vector;
 
+pub use cut_lines::CutLines;
 pub use error::GeometryError;
 pub use offsets::Offsets;
 pub use patch::Patch;
