@@ -226,7 +226,10 @@ impl PatchSplit {
             };
             maximum_of_many(gradient, scaled)
         })?;
-        Ok(found.into_iter().map(|share| lower + width * share).collect())
+        Ok(found
+            .into_iter()
+            .map(|share| lower + width * share)
+            .collect())
     }
 
     /// The cut of `range` and the kink between its neighbours that are nearest to each other.

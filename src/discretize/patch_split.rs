@@ -10,14 +10,12 @@
 //!
 //! **Not covered**: cuts in other directions; occlusion.
 
-use super::{DiscretizeError, stationarity};
 use super::cut_pair::CutPair;
+use super::{DiscretizeError, stationarity};
 use crate::geometry::{CutLines, Rectangle, SplitAxis};
 use crate::information::relative_entropy;
-use crate::numeric::{
-    CertifiedMaximum, Dual, End, Interval, Objective, Scalar, certified_maximum,
-};
-use crate::scene::Scene;
+use crate::numeric::{CertifiedMaximum, Dual, End, Interval, Objective, Scalar, certified_maximum};
+use crate::scene::{Scene, SceneError};
 
 /// A patch of a scene, to be cut across one of its axes; over intervals its gains are enclosures.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,8 +50,8 @@ impl PatchSplit {
     /// patches `against`.
     ///
     /// # Errors
-    /// [`DiscretizeError::Scene`] if a patch does not exist, has others lying in it, or has no axes;
-    /// [`DiscretizeError::FormFactor`] if what a pair exchanges leaves `f64`'s range;
+    /// [`DiscretizeError::Scene`] if a patch does not exist, has others lying in it, has no axes, or if what a pair
+    /// exchanges leaves `f64`'s range;
     /// [`DiscretizeError::AgainstItself`]; [`DiscretizeError::NamedTwice`];
     /// [`DiscretizeError::NothingToGain`].
     pub fn try_new(
@@ -75,7 +73,12 @@ impl PatchSplit {
                 return Err(DiscretizeError::NamedTwice { patch: *other });
             }
             let shape = scene.whole_patch(*other)?.shape();
-            let (pair, exchange) = CutPair::try_new(&lines, [surface, shape])?;
+            let pair = CutPair::try_new(&lines, [surface, shape]);
+            let (pair, exchange) = pair.map_err(|source| SceneError::Pair {
+                first: patch,
+                second: *other,
+                source,
+            })?;
             if exchange > 0.0 {
                 pairs.push(pair);
                 kinks.extend(lines.in_plane(shape.corners()[0], shape.normal()));
@@ -113,6 +116,12 @@ impl PatchSplit {
         }
     }
 
+    /// Are all pairs rectangles with edges along common axes, so that their exchange areas are closed forms?
+    #[must_use]
+    pub fn is_closed_form(&self) -> bool {
+        self.pairs.iter().all(CutPair::is_aligned)
+    }
+
     /// The cut into two parts that gains the most, enclosed to about `bits` bits, with what is proved about it.
     ///
     /// The scene is the one in `f64`: its pairs as placed (coordinates in the frame of the patch, rounded to ε of
@@ -124,7 +133,7 @@ impl PatchSplit {
     /// [`DiscretizeError::NotEnclosed`] unless all are rectangles with edges along common axes;
     /// [`DiscretizeError::Numeric`] if no interior maximum is found.
     pub fn certified_best(&self, bits: u32) -> Result<CertifiedMaximum, DiscretizeError> {
-        if !self.pairs.iter().all(CutPair::is_aligned) {
+        if !self.is_closed_form() {
             return Err(DiscretizeError::NotEnclosed);
         }
         Ok(certified_maximum(self, (0.0, 1.0), bits)?)
@@ -268,9 +277,7 @@ impl Objective for PatchSplit {
             let wide = wide
                 .strip(self.axis, &Dual::variable(Dual::variable(*domain)))
                 .ok()?;
-            let point = point
-                .strip(self.axis, &Dual::variable(middle))
-                .ok()?;
+            let point = point.strip(self.axis, &Dual::variable(middle)).ok()?;
             let slope = point.slope + wide.slope.slope * aside;
             let value = point.value + slope * aside;
             let rate = Dual { value, slope };

@@ -105,12 +105,11 @@ impl CutLines {
         self.breadth
     }
 
-    /// Convex polygons that make up the part between two positions.
+    /// Refuses what is not a part.
     ///
     /// # Errors
-    /// [`GeometryError::PositionOutOfRange`] unless `0 ≤ from < to ≤ 1`; [`GeometryError::NoArea`] if rounding leaves
-    /// nothing of it.
-    pub fn part(&self, from: f64, to: f64) -> Result<Vec<Patch>, GeometryError> {
+    /// [`GeometryError::PositionOutOfRange`] unless `0 ≤ from < to ≤ 1`.
+    pub fn check(from: f64, to: f64) -> Result<(), GeometryError> {
         for (position, lower, upper) in [(from, 0.0, 1.0), (to, from, 1.0)] {
             if !(lower..=upper).contains(&position) || to <= from {
                 return Err(GeometryError::PositionOutOfRange {
@@ -120,6 +119,16 @@ impl CutLines {
                 });
             }
         }
+        Ok(())
+    }
+
+    /// Convex polygons that make up the part between two positions.
+    ///
+    /// # Errors
+    /// [`GeometryError::PositionOutOfRange`] unless `0 ≤ from < to ≤ 1`; [`GeometryError::NoArea`] or
+    /// [`GeometryError::NotPlanar`] if it is too thin for the rounding of its corners.
+    pub fn part(&self, from: f64, to: f64) -> Result<Vec<Patch>, GeometryError> {
+        Self::check(from, to)?;
         let mut parts = Vec::new();
         let mut nothing = None;
         for piece in &self.pieces {

@@ -23,6 +23,7 @@ mod invariance;
 mod negative_controls;
 mod optimisers;
 mod plan;
+mod polygon_cuts;
 mod reciprocity;
 mod refinement;
 mod refusals;
