@@ -25,8 +25,9 @@ use glam::DVec3;
 /// Gauss points per piece.
 const POINTS: usize = 20;
 
-/// Pieces shorter than this share of the line are not halved again: F ≤ 1, so that they count less than ε.
-const SHORTEST: f64 = 1.0 / (1_u64 << 54) as f64;
+/// Pieces shorter than this share of the line are not halved again: what Gauss misses of them counts less than ε, and their
+/// middles are still apart from their ends.
+const SHORTEST: f64 = 1.0 / (1_u64 << 46) as f64;
 
 impl Polygon {
     /// `∫ F_x ds`: what the points of a segment in the plane of `self` send to `other`, per width of the segment.
