@@ -20,13 +20,14 @@ pub(super) struct Split {
     /// The patches it is judged against; all others if none is named.
     #[arg(long, value_name = "J,K,…", value_delimiter = ',')]
     against: Vec<usize>,
-    /// The axis across which it is cut; the better one if none is named.
+    /// The axis across which it is cut, u towards the second corner, v towards the last: cuts run parallel to the other
+    /// one. The better one if none is named.
     #[arg(long, value_enum)]
     axis: Option<AxisName>,
     /// How many parts it is cut into.
     #[arg(long, value_name = "M", default_value_t = 2, value_parser = clap::value_parser!(u32).range(2..=64))]
     parts: u32,
-    /// Enclose the best cut and its gain, too, with ends of this many bits, and prove it the best of all; for two parts.
+    /// Enclose the best cut and its gain, too, with ends of this many bits, and prove it the best of all; for two parts of rectangles along common axes.
     #[arg(long, value_name = "BITS", value_parser = precision())]
     precision: Option<u32>,
     #[command(flatten)]
@@ -79,26 +80,31 @@ impl Split {
             Some(AxisName::U) => vec![SplitAxis::U],
             Some(AxisName::V) => vec![SplitAxis::V],
         };
-        let mut best: Option<Record> = None;
+        let mut best: Option<(Record, bool)> = None;
         for axis in axes {
             let found = self.along(&scene, &against, axis)?;
             // of equal axes the first
             let margin = 1.0 + tolerance::EQUAL_MAXIMA;
             if best
                 .as_ref()
-                .is_none_or(|best| found.gain > best.gain * margin)
+                .is_none_or(|(best, _)| found.0.gain > best.gain * margin)
             {
                 best = Some(found);
             }
         }
-        let Some(record) = best else {
+        let Some((record, is_closed_form)) = best else {
             return Err("no axis to cut across".into());
         };
-        let bits = |value: f64| certain_digits(value, tolerance::GAIN * value.abs());
+        let (position_error, gain_error) = if is_closed_form {
+            (tolerance::POSITION, tolerance::GAIN)
+        } else {
+            (tolerance::POLYGON_POSITION, tolerance::POLYGON_GAIN)
+        };
+        let bits = |value: f64| certain_digits(value, gain_error * value.abs());
         let positions: Vec<String> = record
             .positions
             .iter()
-            .map(|t| certain_digits(*t, tolerance::POSITION))
+            .map(|t| certain_digits(*t, position_error))
             .collect();
         let rows = [
             ("patch", record.patch.to_string()),
@@ -106,7 +112,10 @@ impl Split {
             ("position", positions.join(", ")),
             ("gain, bits", bits(record.gain)),
             ("gain of equal parts, bits", bits(record.gain_at_middle)),
-            ("largest gain possible, bits", bits(record.maximum_gain)),
+            (
+                "most that equal parts can gain, bits",
+                bits(record.maximum_gain),
+            ),
             ("derivative left, bits", scientific(record.residual)),
         ];
         let rows = rows
@@ -130,12 +139,13 @@ impl Split {
         self.output.write(&Report::one(table, &record)?)
     }
 
+    /// The best cuts across an axis, and whether they come from closed forms.
     fn along(
         &self,
         scene: &Scene,
         against: &[usize],
         axis: SplitAxis,
-    ) -> Result<Record, crate::discretize::DiscretizeError> {
+    ) -> Result<(Record, bool), crate::discretize::DiscretizeError> {
         let split = PatchSplit::try_new(scene, self.patch, against, axis)?;
         let best = split.best(self.parts)?;
         let enclosures = match self.precision {
@@ -151,7 +161,7 @@ impl Split {
             }
             None => None,
         };
-        Ok(Record {
+        let record = Record {
             patch: self.patch,
             axis: axis.name(),
             position: best.positions[0],
@@ -161,6 +171,7 @@ impl Split {
             residual: best.residual,
             positions: best.positions,
             enclosures,
-        })
+        };
+        Ok((record, split.is_closed_form()))
     }
 }

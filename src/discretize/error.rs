@@ -40,6 +40,12 @@ pub enum DiscretizeError {
         /// The patch.
         patch: usize,
     },
+    /// An enclosure of what has no closed form.
+    #[error(
+        "enclosures are for rectangles with edges along three common axes, and here is another pair: \
+         do without --precision, or name only rectangles that are aligned"
+    )]
+    NotEnclosed,
     /// An optimiser refused.
     #[error(transparent)]
     Numeric(#[from] NumericError),

@@ -18,6 +18,8 @@ mod cell_pair;
 mod certified_grid;
 mod contact_shadow;
 mod cube_grid;
+mod cut_pair;
+mod cut_search;
 mod error;
 mod gradient_cut;
 mod patch_split;

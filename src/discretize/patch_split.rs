@@ -5,26 +5,28 @@
 //! ```
 //!
 //! over the patches j named, parts k between the cuts `t`. No outside state enters: a scene
-//! need not be closed.
+//! need not be closed. The patch is any polygon and so are the others, at any angle; lines run as [`CutLines`] says, in a
+//! parallelogram parallel to an edge. Enclosures and proofs are for rectangles with edges along common axes.
 //!
-//! **Not covered**: cuts that are not parallel to an edge; occlusion.
+//! **Not covered**: cuts in other directions; occlusion.
 
+use super::cut_pair::CutPair;
 use super::{DiscretizeError, stationarity};
-use crate::form_factor::RectanglePair;
-use crate::geometry::SplitAxis;
+use crate::geometry::{CutLines, Rectangle, SplitAxis};
 use crate::information::relative_entropy;
-use crate::numeric::{
-    CertifiedMaximum, Dual, End, Interval, NumericError, Objective, Scalar, certified_maximum,
-    maximum, maximum_of_many, x_log2_ratio,
-};
-use crate::scene::Scene;
-use std::cell::RefCell;
+use crate::numeric::{CertifiedMaximum, Dual, End, Interval, Objective, Scalar, certified_maximum};
+use crate::scene::{Scene, SceneError};
 
 /// A patch of a scene, to be cut across one of its axes; over intervals its gains are enclosures.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PatchSplit<S = f64> {
-    pairs: Vec<RectanglePair<S>>,
-    axis: SplitAxis,
+    pub(super) pairs: Vec<CutPair<S>>,
+    pub(super) axis: SplitAxis,
+    pub(super) lines: CutLines,
+    /// Increasing positions inside `(0, 1)` at which the derivative of the gain jumps.
+    pub(super) kinks: Vec<f64>,
+    /// Is the share of a part its length? Of other shapes it is known in `f64` only.
+    is_rectangle: bool,
     area: S,
     total_area: S,
 }
@@ -40,16 +42,16 @@ pub struct SplitOptimum {
     pub residual: f64,
 }
 
-/// Equally spaced points at which the derivative is scanned for maxima.
-const SCANNED_INTERVALS: u32 = 64;
+/// Positions nearer than this are one kink: planes that meet in a line, up to rounding.
+const SAME_KINK: f64 = 1e-12;
 
 impl PatchSplit {
     /// Patch `patch` of `scene`, cut across `axis`, judged by what it exchanges with the
     /// patches `against`.
     ///
     /// # Errors
-    /// [`DiscretizeError::Scene`] if a patch does not exist or is not a rectangle;
-    /// [`DiscretizeError::FormFactor`] if a pair is not aligned;
+    /// [`DiscretizeError::Scene`] if a patch does not exist, has others lying in it, has no axes, or if what a pair
+    /// exchanges leaves `f64`'s range;
     /// [`DiscretizeError::AgainstItself`]; [`DiscretizeError::NamedTwice`];
     /// [`DiscretizeError::NothingToGain`].
     pub fn try_new(
@@ -58,9 +60,11 @@ impl PatchSplit {
         against: &[usize],
         axis: SplitAxis,
     ) -> Result<Self, DiscretizeError> {
-        let rectangle = scene.rectangle(patch)?;
+        let surface = scene.whole_patch(patch)?.shape();
+        let lines = CutLines::try_new(surface, axis);
+        let lines = lines.map_err(|source| scene.refused(patch, source))?;
         let mut pairs = Vec::new();
-        let mut exchanged = 0.0;
+        let mut kinks = lines.steps();
         for other in against {
             if *other == patch {
                 return Err(DiscretizeError::AgainstItself { patch });
@@ -68,85 +72,54 @@ impl PatchSplit {
             if against.iter().filter(|index| *index == other).count() > 1 {
                 return Err(DiscretizeError::NamedTwice { patch: *other });
             }
-            let pair = RectanglePair::try_new(&rectangle, &scene.rectangle(*other)?)?;
-            let exchange = pair.exchange_area()?.value;
+            let shape = scene.whole_patch(*other)?.shape();
+            let pair = CutPair::try_new(&lines, [surface, shape]);
+            let (pair, exchange) = pair.map_err(|source| SceneError::Pair {
+                first: patch,
+                second: *other,
+                source,
+            })?;
             if exchange > 0.0 {
-                exchanged += exchange;
                 pairs.push(pair);
+                kinks.extend(lines.in_plane(shape.corners()[0], shape.normal()));
             }
         }
-        if exchanged <= 0.0 {
+        if pairs.is_empty() {
             return Err(DiscretizeError::NothingToGain { patch });
         }
+        kinks.sort_by(f64::total_cmp);
+        kinks.dedup_by(|a, b| *a - *b < SAME_KINK);
         Ok(Self {
             pairs,
             axis,
-            area: rectangle.area(),
+            kinks,
+            is_rectangle: Rectangle::try_from(surface).is_ok(),
+            area: surface.area(),
             total_area: scene.total_area(),
+            lines,
         })
     }
 
     /// The same split in numbers of the type and precision of `like`: its form factors become enclosures over
-    /// intervals.
+    /// intervals, if all are rectangles with edges along common axes; others are refused as
+    /// [`DiscretizeError::NotEnclosed`] when they are asked for.
     #[must_use]
     pub fn lifted<S: Scalar>(&self, like: &S) -> PatchSplit<S> {
         PatchSplit {
             pairs: self.pairs.iter().map(|pair| pair.lifted(like)).collect(),
             axis: self.axis,
+            lines: self.lines.clone(),
+            kinks: self.kinks.clone(),
+            is_rectangle: self.is_rectangle,
             area: like.constant(self.area),
             total_area: like.constant(self.total_area),
         }
     }
 
-    /// The cuts into `parts` parts that gain the most.
-    ///
-    /// Two parts: the highest of the maxima that a scan of the derivative shows, each
-    /// refined as its root (of equal ones, the nearest to `v0`). More: the best
-    /// cuts on a fine lattice, all of them compared by dynamic programming, refined as the root of the
-    /// gradient.
-    ///
-    /// # Errors
-    /// [`DiscretizeError::OutOfRange`] below two parts; [`DiscretizeError::Numeric`] if no
-    /// interior maximum is found.
-    pub fn best(&self, parts: u32) -> Result<SplitOptimum, DiscretizeError> {
-        if parts < 2 {
-            let (parameter, condition) = ("the number of parts", "at least 2");
-            return Err(DiscretizeError::OutOfRange {
-                parameter,
-                value: parts.into(),
-                condition,
-            });
-        }
-        let positions = if parts == 2 {
-            let found = self.searching(|gain, derivative| {
-                maximum(
-                    |t| gain(&[t]),
-                    |t| derivative(&[t], 0),
-                    (0.0, 1.0),
-                    SCANNED_INTERVALS,
-                )
-            })?;
-            vec![found.position]
-        } else {
-            let start = self.best_on_lattice(parts as usize)?;
-            self.searching(|_, derivative| {
-                let gradient = |positions: &[f64]| {
-                    (0..positions.len())
-                        .map(|k| derivative(positions, k))
-                        .collect()
-                };
-                maximum_of_many(gradient, start)
-            })?
-        };
-        let mut residual: f64 = 0.0;
-        for k in 0..positions.len() {
-            residual = residual.max(self.gain_derivative(&positions, k)?.abs());
-        }
-        Ok(SplitOptimum {
-            gain: self.gain(&positions)?,
-            residual,
-            positions,
-        })
+    /// Are all pairs rectangles with edges along common axes, so that their exchange areas are closed forms?
+    #[must_use]
+    pub fn is_closed_form(&self) -> bool {
+        self.pairs.iter().all(CutPair::is_aligned)
     }
 
     /// The cut into two parts that gains the most, enclosed to about `bits` bits, with what is proved about it.
@@ -157,71 +130,13 @@ impl PatchSplit {
     /// position and gain may miss the enclosures by what this rounding does. The total area does not enter the position.
     ///
     /// # Errors
+    /// [`DiscretizeError::NotEnclosed`] unless all are rectangles with edges along common axes;
     /// [`DiscretizeError::Numeric`] if no interior maximum is found.
     pub fn certified_best(&self, bits: u32) -> Result<CertifiedMaximum, DiscretizeError> {
+        if !self.is_closed_form() {
+            return Err(DiscretizeError::NotEnclosed);
+        }
         Ok(certified_maximum(self, (0.0, 1.0), bits)?)
-    }
-
-    /// The best cuts whose positions are multiples of a step of an eighth part or less: the gain is a sum over
-    /// the parts, so the best last part extends the best cuts before it.
-    fn best_on_lattice(&self, parts: usize) -> Result<Vec<f64>, DiscretizeError> {
-        let count = (8 * parts).max(64);
-        #[allow(clippy::cast_precision_loss, reason = "a few hundred points")]
-        let at = |k: usize| k as f64 / count as f64;
-        // value[from][to]: Σ_j G log2(G/W) of one part
-        let mut value = vec![vec![0.0; count + 1]; count];
-        for (from, row) in value.iter_mut().enumerate() {
-            for (to, value) in row.iter_mut().enumerate().skip(from + 1) {
-                for pair in &self.pairs {
-                    let flux = self.exchange(pair, &[at(from), at(to)])?;
-                    *value += x_log2_ratio(flux, at(to) - at(from));
-                }
-            }
-        }
-        // best[m][to]: the most that m + 1 parts of [0, to] bring, and where the last one starts
-        let mut best: Vec<Vec<(f64, usize)>> = vec![value[0].iter().map(|v| (*v, 0)).collect()];
-        for m in 1..parts {
-            let before = &best[m - 1];
-            let extended = (0..=count).map(|to| {
-                (m..to).fold((f64::NEG_INFINITY, 0), |most, from| {
-                    let sum = before[from].0 + value[from][to];
-                    if sum > most.0 { (sum, from) } else { most }
-                })
-            });
-            let extended = extended.collect();
-            best.push(extended);
-        }
-        let mut positions = Vec::with_capacity(parts - 1);
-        let mut to = count;
-        for m in (1..parts).rev() {
-            to = best[m][to].1;
-            positions.push(at(to));
-        }
-        positions.reverse();
-        Ok(positions)
-    }
-
-    /// Runs an optimiser that knows only numbers; where it fails, the first refusal inside is the reason.
-    fn searching<T>(
-        &self,
-        search: impl FnOnce(
-            &dyn Fn(&[f64]) -> f64,
-            &dyn Fn(&[f64], usize) -> f64,
-        ) -> Result<T, NumericError>,
-    ) -> Result<T, DiscretizeError> {
-        let refusal = RefCell::new(None);
-        let number = |result: Result<f64, DiscretizeError>| {
-            result.unwrap_or_else(|error| {
-                refusal.borrow_mut().get_or_insert(error);
-                f64::NAN
-            })
-        };
-        let found = search(
-            &|positions| number(self.gain(positions)),
-            &|positions, k| number(self.gain_derivative(positions, k)),
-        );
-        // a refusal matters only if the optimiser could not do without that point
-        found.map_err(|error| refusal.into_inner().unwrap_or(error.into()))
     }
 }
 
@@ -237,7 +152,7 @@ impl<S: Scalar> PatchSplit<S> {
         for pair in &self.pairs {
             let parts = parts
                 .iter()
-                .map(|part| Ok([self.exchange(pair, part)?, part[1].clone() - &part[0]]))
+                .map(|part| Ok([self.exchange(pair, part)?, self.share(part)]))
                 .collect::<Result<Vec<[S; 2]>, DiscretizeError>>()?;
             let flux = parts.iter().fold(zero.clone(), |sum, part| sum + &part[0]);
             gain = gain + &relative_entropy(&flux, &one, &parts);
@@ -261,15 +176,16 @@ impl<S: Scalar> PatchSplit<S> {
                 condition,
             });
         };
-        let ratio = |pair: &RectanglePair<S>, part: &[S; 2]| {
-            let area = (part[1].clone() - &part[0]) * &self.area;
+        let weight_rate = self.share_rate(&before[1]) * &self.area;
+        let ratio = |pair: &CutPair<S>, part: &[S; 2]| {
+            let area = self.share(part) * &self.area;
             self.exchange(pair, part).map(|flux| flux / &area)
         };
         let mut derivative = self.area.zero();
         for pair in &self.pairs {
-            let rate = pair.strip_exchange(self.axis, &before[1])?;
+            let rate = pair.strip(self.axis, &before[1])?;
             let [before, after] = [ratio(pair, before)?, ratio(pair, after)?];
-            derivative = derivative + &stationarity(&rate, &self.area, &before, &after);
+            derivative = derivative + &stationarity(&rate, &weight_rate, &before, &after);
         }
         Ok(derivative * &self.bits_per_nat())
     }
@@ -281,7 +197,7 @@ impl<S: Scalar> PatchSplit<S> {
     pub fn maximum_gain(&self, parts: u32) -> Result<S, DiscretizeError> {
         let mut exchanged = self.area.zero();
         for pair in &self.pairs {
-            exchanged = exchanged + &pair.exchange_value()?;
+            exchanged = exchanged + &pair.whole(&self.area)?;
         }
         let log = self.area.constant(f64::from(parts)).ln() / &self.area.constant(2.0).ln();
         Ok(exchanged * &self.area.constant(2.0) * &log / &self.total_area)
@@ -293,8 +209,27 @@ impl<S: Scalar> PatchSplit<S> {
         two.clone() / &(two.ln() * &self.total_area)
     }
 
-    fn exchange(&self, pair: &RectanglePair<S>, [from, to]: &[S; 2]) -> Result<S, DiscretizeError> {
-        Ok(pair.part(self.axis, from, to)?.exchange_value()?)
+    fn exchange(&self, pair: &CutPair<S>, part: &[S; 2]) -> Result<S, DiscretizeError> {
+        pair.part(self.axis, part)
+    }
+
+    /// The share of a part in the area.
+    pub(super) fn share(&self, part: &[S; 2]) -> S {
+        let [from, to] = part;
+        if self.is_rectangle {
+            to.clone() - from
+        } else {
+            from.constant(self.lines.share(from.to_f64(), to.to_f64()))
+        }
+    }
+
+    /// Its derivative by the position of the part's end.
+    fn share_rate(&self, position: &S) -> S {
+        position.constant(if self.is_rectangle {
+            1.0
+        } else {
+            self.lines.share_rate(position.to_f64())
+        })
     }
 
     /// The parts between cuts, as relative positions from and to.
@@ -340,11 +275,9 @@ impl Objective for PatchSplit {
         let mut derivative = Dual::constant_like(&zero);
         for ((pair, wide), point) in split.pairs.iter().zip(&on_box.pairs).zip(&at_middle.pairs) {
             let wide = wide
-                .strip_exchange(self.axis, &Dual::variable(Dual::variable(*domain)))
+                .strip(self.axis, &Dual::variable(Dual::variable(*domain)))
                 .ok()?;
-            let point = point
-                .strip_exchange(self.axis, &Dual::variable(middle))
-                .ok()?;
+            let point = point.strip(self.axis, &Dual::variable(middle)).ok()?;
             let slope = point.slope + wide.slope.slope * aside;
             let value = point.value + slope * aside;
             let rate = Dual { value, slope };
@@ -370,8 +303,8 @@ impl Objective for PatchSplit {
         };
         let mut derivative = distance.zero();
         for pair in &split.pairs {
-            let rate = pair.strip_exchange(self.axis, position).ok()?;
-            let whole = pair.exchange_value().ok()?;
+            let rate = pair.strip(self.axis, position).ok()?;
+            let whole = pair.whole(&split.area).ok()?;
             let small = rate.clone() / &split.area;
             let large = (whole - &(rate.clone() * distance)) / &(rest.clone() * &split.area);
             let (before, after) = match end {

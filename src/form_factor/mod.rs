@@ -31,6 +31,7 @@ mod rectangle_pair;
 pub mod reference;
 mod route;
 mod shape;
+mod strip_exchange;
 
 pub use choice::DEFAULT_TOLERANCE;
 pub use error::FormFactorError;

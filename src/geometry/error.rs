@@ -70,6 +70,15 @@ pub enum GeometryError {
         /// What would be accepted.
         allowed: f64,
     },
+    /// The edges at the first corner span no plane, so no axes are defined.
+    #[error(
+        "corner 0 is straight (the sine of its angle is {sine:e}), so that no axes start there: \
+         begin the polygon at another corner"
+    )]
+    StraightCorner {
+        /// Sine of the angle at the corner.
+        sine: f64,
+    },
     /// The ends of a span are not finite and increasing.
     #[error("[{lower}, {upper}] is not a span of positive finite length")]
     EmptySpan {

@@ -7,6 +7,7 @@
 //! **Not here**: anything radiometric.
 
 mod convex_pieces;
+mod cut_lines;
 mod error;
 mod offsets;
 mod patch;
@@ -18,6 +19,7 @@ mod span;
 mod triangulation;
 mod vector;
 
+pub use cut_lines::CutLines;
 pub use error::GeometryError;
 pub use offsets::Offsets;
 pub use patch::Patch;

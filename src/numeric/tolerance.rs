@@ -52,6 +52,13 @@ pub const POSITION: f64 = 1e-14;
 /// splits and of §4.2.
 pub const GAIN: f64 = 1e-13;
 
+/// Absolute error of an optimal position where parts are computed as polygons, on a scale of 1, if the gain is well
+/// curved: (b) held by `turned_scenes_of_the_paper_have_the_papers_cuts`.
+pub const POLYGON_POSITION: f64 = 1e-12;
+
+/// Relative error of a gain there, at well separated form factors: (b) held by the same test.
+pub const POLYGON_GAIN: f64 = 1e-12;
+
 /// Relative error of the mutual information of a grid on a cube: (b) held by
 /// `regular_grids_agree_with_29_digits`.
 pub const GRID_INFORMATION: f64 = 1e-13;

@@ -148,6 +148,30 @@ impl Scene {
         })
     }
 
+    /// The patch with this index, of which nothing is left out: no other patch lies in it.
+    ///
+    /// # Errors
+    /// [`SceneError::NoSuchPatch`]; [`SceneError::NotAPatchOfItsOwn`].
+    pub fn whole_patch(&self, index: usize) -> Result<&NamedPatch, SceneError> {
+        self.check(index)?;
+        match self.parts_of(index).next() {
+            None => Ok(&self.patches[index]),
+            Some(_) => Err(SceneError::NotAPatchOfItsOwn {
+                index,
+                what: "has others lying in it",
+            }),
+        }
+    }
+
+    /// What is wrong with a patch's shape, by its name.
+    pub(crate) fn refused(&self, index: usize, source: GeometryError) -> SceneError {
+        SceneError::Patch {
+            index,
+            name: self.patches[index].name.clone(),
+            source,
+        }
+    }
+
     fn check(&self, index: usize) -> Result<(), SceneError> {
         if index < self.patches.len() {
             Ok(())

@@ -25,6 +25,7 @@ mod negative_controls;
 mod optimisers;
 mod overlap;
 mod plan;
+mod polygon_cuts;
 mod reciprocity;
 mod refinement;
 mod refusals;

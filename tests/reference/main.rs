@@ -8,6 +8,7 @@
 mod cube_grids;
 mod enclosures;
 mod form_factors;
+mod polygon_splits;
 mod section_4_2;
 mod splits;
 #[path = "../support/mod.rs"]
