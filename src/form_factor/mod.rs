@@ -28,6 +28,7 @@ mod point_to_polygon;
 mod polygon;
 mod potential;
 mod rectangle_pair;
+pub mod reference;
 mod route;
 mod shape;
 

@@ -9,7 +9,8 @@
 //! **Not covered**: holes; curved surfaces.
 
 use super::GeometryError;
-use crate::numeric::tolerance;
+use crate::geometry::Vector;
+use crate::numeric::{DoubleDouble, Scalar, tolerance};
 use glam::{DVec2, DVec3};
 
 /// A planar simple polygon with its area and unit normal.
@@ -54,10 +55,17 @@ impl Patch {
             .fold(0.0, f64::max);
         // in units of a power of two near the diameter, so that products stay in range
         let unit = diameter.log2().round().exp2();
-        let doubled: DVec3 = corners
+        // to 106 bits: in doubles the normal of a sliver is off by ε over its thinness
+        let like = DoubleDouble::from(0.0);
+        let lifted = |point: DVec3| Vector::lifted(point / unit, like);
+        let from_origin = |point: DVec3| lifted(point).minus(lifted(origin));
+        let precise = corners
             .windows(2)
-            .map(|pair| ((pair[0] - origin) / unit).cross((pair[1] - origin) / unit))
-            .sum();
+            .map(|pair| from_origin(pair[0]).cross(from_origin(pair[1])))
+            .fold(Vector([like; 3]), |sum, next| {
+                sum.plus(next, DoubleDouble::from(1.0))
+            });
+        let doubled = precise.to_doubles();
         let area = 0.5 * doubled.length() * unit * unit;
         // a cross product of edges near 1 is uncertain by ε
         let encloses = doubled.length() > 8.0 * f64::EPSILON;
@@ -65,7 +73,10 @@ impl Patch {
             return Err(GeometryError::NoArea { area, diameter });
         }
         let normal = doubled.normalize();
-        let heights = corners.iter().map(|c| (*c - origin).dot(normal).abs());
+        let precise = precise.times(DoubleDouble::from(1.0) / precise.length());
+        let heights = corners
+            .iter()
+            .map(|c| from_origin(*c).dot(precise).to_f64().abs() * unit);
         let (corner, deviation) =
             heights.enumerate().fold(
                 (0, 0.0),
@@ -129,16 +140,16 @@ impl Patch {
 }
 
 fn segments_meet((a, b): (DVec2, DVec2), (c, d): (DVec2, DVec2)) -> bool {
+    // seen along the first, the second may lie beside it: rounding leaves collinear edges on either side of each other
+    let along = b - a;
+    let [s, e] = [(c - a).dot(along), (d - a).dot(along)];
+    if s.max(e) < 0.0 || s.min(e) > along.length_squared() {
+        return false;
+    }
     let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
     let (ac, ad) = (side(a, b, c), side(a, b, d));
     let (ca, cb) = (side(c, d, a), side(c, d, b));
     let same_side = |p: f64, q: f64| (p > 0.0 && q > 0.0) || (p < 0.0 && q < 0.0);
     let apart = same_side(ac, ad) || same_side(ca, cb);
-    let collinear = [ac, ad, ca, cb].iter().all(|s| s.abs() <= 0.0);
-    if collinear {
-        let along = b - a;
-        let [s, e] = [(c - a).dot(along), (d - a).dot(along)];
-        return s.max(e) >= 0.0 && s.min(e) <= along.length_squared();
-    }
     !apart
 }

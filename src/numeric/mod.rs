@@ -24,6 +24,7 @@ mod root;
 mod scalar;
 mod scaled;
 pub mod tolerance;
+pub mod wide;
 
 pub use certified::{
     Certificate, CertifiedMaximum, CertifiedRoot, CertifiedRoots, End, Function, Objective,

@@ -30,3 +30,4 @@ mod soundness;
 mod streaming;
 #[path = "../support/mod.rs"]
 mod support;
+mod wide_numbers;

@@ -26,20 +26,24 @@ impl Row {
             .unwrap_or_else(|error| panic!("{} {column}: {error}", self.id))
     }
 
-    /// The polygons in the column `inputs`: `P=[[x, y, z], …];Q=…`.
+    /// The polygons in the column `inputs`.
     pub fn polygons(&self) -> Vec<Patch> {
-        let parse = |text: &str| {
-            let corners: Vec<[String; 3]> = serde_json::from_str(text).unwrap();
-            corners
-                .iter()
-                .map(|c| DVec3::from_array(c.each_ref().map(|x| x.parse().unwrap())))
-                .collect()
-        };
-        let texts = self.text("inputs").split(';');
-        texts
-            .map(|text| Patch::try_new(parse(&text[2..])).unwrap())
-            .collect()
+        polygons(self.text("inputs"))
     }
+}
+
+/// The polygons in a text `P=[["x", "y", "z"], …];Q=…`.
+pub fn polygons(text: &str) -> Vec<Patch> {
+    let parse = |text: &str| {
+        let corners: Vec<[String; 3]> = serde_json::from_str(text).unwrap();
+        corners
+            .iter()
+            .map(|c| DVec3::from_array(c.each_ref().map(|x| x.parse().unwrap())))
+            .collect()
+    };
+    text.split(';')
+        .map(|text| Patch::try_new(parse(&text[2..])).unwrap())
+        .collect()
 }
 
 /// All rows of a file in `data/reference`.
