@@ -30,6 +30,7 @@ mod potential;
 mod rectangle_pair;
 pub mod reference;
 mod route;
+pub mod sampling;
 mod shape;
 
 pub use choice::DEFAULT_TOLERANCE;

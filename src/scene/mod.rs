@@ -29,9 +29,9 @@ pub use plan::Congruence;
 pub use rows::Entry;
 pub use tally::{PlanSummary, Unreached};
 
+use crate::geometry::{GeometryError, Patch, Rectangle};
 use planes::Sight;
 use tally::Tally;
-use crate::geometry::{GeometryError, Patch, Rectangle};
 
 /// A patch, its name and its material.
 #[derive(Debug, Clone, PartialEq)]

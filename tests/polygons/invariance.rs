@@ -389,7 +389,10 @@ fn exact_shifts_change_nothing() {
         .par_iter()
         .filter(|(_, case)| can_shift(case))
         .count();
-    assert!(exact as u64 > 2 * PAIRS, "only {exact} pairs can be shifted exactly");
+    assert!(
+        exact as u64 > 2 * PAIRS,
+        "only {exact} pairs can be shifted exactly"
+    );
     assert_law(|case| shifted(case).unwrap_or(Ok(())));
 }
 

@@ -4,6 +4,6 @@
 pub mod high_precision;
 pub mod intervals;
 pub mod misrounded;
-pub mod polygon_pairs;
+pub use infoscene::study::polygon_pairs;
 pub mod references;
 pub mod strategies;
