@@ -41,7 +41,7 @@ impl Study {
                 let [gains, routes] = if self.quick { [1, 1] } else { [10_000, 10] };
                 let gains = gain_stability(gains)?;
                 let mut rows: Vec<_> = gains.into_iter().map(StabilityRow::from).collect();
-                rows.extend(route_stability(routes)?);
+                rows.extend(route_stability(routes, self.quick)?);
                 self.output.write(&stability_report(&rows)?)
             }
             Subject::Precision => {

@@ -26,6 +26,7 @@ mod plan;
 mod reciprocity;
 mod refinement;
 mod refusals;
+mod sampling;
 mod soundness;
 mod streaming;
 #[path = "../support/mod.rs"]
