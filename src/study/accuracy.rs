@@ -211,7 +211,7 @@ pub fn accuracy(is_quick: bool) -> Result<Vec<AccuracyRow>, StudyError> {
     let (count, most_lines, least) = if is_quick {
         (2, 1000, Duration::ZERO)
     } else {
-        (10, 1_000_000, Duration::from_millis(2))
+        (8, 1_000_000, Duration::from_millis(2))
     };
     let mut cases = known_cases()?;
     for family in Family::ALL {
