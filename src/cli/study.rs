@@ -1,8 +1,10 @@
-//! `infoscene study stability|precision`.
+//! `infoscene study accuracy|stability|precision`.
 
 use super::Answer;
 use super::output::Output;
-use crate::report::study_report;
+use crate::report::{accuracy_report, stability_report, study_report};
+use crate::study::accuracy::accuracy;
+use crate::study::extreme_pairs::{StabilityRow, route_stability};
 use crate::study::precision::work_precision;
 use crate::study::stability::gain_stability;
 
@@ -11,7 +13,7 @@ pub(super) struct Study {
     /// What is studied.
     #[arg(value_enum)]
     subject: Subject,
-    /// Fewer repetitions for the timings.
+    /// Fewer cases and repetitions for the timings.
     #[arg(long)]
     quick: bool,
     #[command(flatten)]
@@ -20,7 +22,9 @@ pub(super) struct Study {
 
 #[derive(Debug, Clone, Copy, clap::ValueEnum)]
 enum Subject {
-    /// What naive forms lose in stiff and extreme cases.
+    /// Error against run time of every route to a form factor.
+    Accuracy,
+    /// What naive forms of the gain, and routes to a form factor, lose in stiff and extreme cases.
     Stability,
     /// Width of enclosures against run time.
     Precision,
@@ -28,11 +32,17 @@ enum Subject {
 
 impl Study {
     pub(super) fn answer(&self) -> Answer {
-        let repetitions = if self.quick { 1 } else { 10_000 };
         match self.subject {
+            Subject::Accuracy => {
+                let rows = accuracy(self.quick)?;
+                self.output.write(&accuracy_report(&rows)?)
+            }
             Subject::Stability => {
-                let rows = gain_stability(repetitions)?;
-                self.output.write(&study_report("stability", &rows)?)
+                let [gains, routes] = if self.quick { [1, 1] } else { [10_000, 10] };
+                let gains = gain_stability(gains)?;
+                let mut rows: Vec<_> = gains.into_iter().map(StabilityRow::from).collect();
+                rows.extend(route_stability(routes, self.quick)?);
+                self.output.write(&stability_report(&rows)?)
             }
             Subject::Precision => {
                 let rows = work_precision(self.quick)?;

@@ -30,6 +30,7 @@ mod potential;
 mod rectangle_pair;
 pub mod reference;
 mod route;
+pub mod sampling;
 mod shape;
 mod strip_exchange;
 

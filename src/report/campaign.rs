@@ -1,4 +1,4 @@
-//! Tables of a fuzzing campaign and of a stability study.
+//! Tables of a fuzzing campaign and of a study of one number per row.
 
 use super::{Report, ReportError, Table, scientific};
 use crate::study::Row;

@@ -13,6 +13,7 @@ mod npy;
 mod number;
 mod records;
 mod reproduction;
+mod studies;
 mod table;
 
 #[cfg(feature = "proptest")]
@@ -24,4 +25,5 @@ pub use npy::{write_npy_head, write_npy_row};
 pub use number::{certain_digits, enclosed_digits, power_of_ten, scientific};
 pub use records::{Format, Report, ReportError};
 pub use reproduction::{curve_report, reproduction_report};
+pub use studies::{accuracy_report, stability_report};
 pub use table::Table;

@@ -1,17 +1,27 @@
 //! Campaigns: Theorem 1 fuzzed, what happens to numbers in stiff and extreme cases, error against run time.
 //!
 //! [`fuzz`] (feature `proptest`) throws random refinements at Theorem 1 and at the gain's promised accuracy.
-//! [`stability`] measures what the naive forms lose, [`precision`] what an enclosure costs.
+//! [`accuracy`] sets the error of every route to a form factor against its run time, on the [families](polygon_pairs) of
+//! pairs too; [`stability`] measures what naive forms of the gain lose, [`extreme_pairs`] what the routes
+//! keep of stiff and extreme pairs, [`precision`] what an enclosure costs. [`Truth`] judges.
 //!
 //! **Not here**: printing.
 
+pub mod accuracy;
+mod error;
 mod exact_gain;
+pub mod extreme_pairs;
 #[cfg(feature = "proptest")]
 pub mod fuzz;
+mod gauss_order;
+pub mod polygon_pairs;
 pub mod precision;
 pub mod stability;
+mod truth;
 
+pub use error::StudyError;
 pub use exact_gain::exact_gain;
+pub use truth::Truth;
 
 /// One measurement of a study.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]

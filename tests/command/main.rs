@@ -10,6 +10,7 @@ mod keys;
 mod refusals;
 mod scene_files;
 mod scenes;
+mod studies;
 
 use assert_cmd::Command;
 

@@ -31,6 +31,7 @@ mod refinement;
 mod refusals;
 mod shafts;
 mod sides;
+mod sampling;
 mod soundness;
 mod streaming;
 #[path = "../support/mod.rs"]

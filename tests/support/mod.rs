@@ -4,7 +4,7 @@
 pub mod high_precision;
 pub mod intervals;
 pub mod misrounded;
-pub mod polygon_pairs;
+pub use infoscene::study::polygon_pairs;
 pub mod references;
 pub mod rooms;
 pub mod strategies;

@@ -5,8 +5,8 @@
 //! input carries all digits of the answer. Each polygon is turned so that its front faces the farthest corner of the
 //! other, so that every pair exchanges something.
 
+use crate::geometry::Patch;
 use glam::DVec3;
-use infoscene::geometry::Patch;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -32,6 +32,7 @@ pub enum Family {
 }
 
 impl Family {
+    /// All, in the order of the tables.
     pub const ALL: [Self; 8] = [
         Self::Free,
         Self::SharedVertex,
@@ -43,7 +44,26 @@ impl Family {
         Self::Near,
     ];
 
+    /// The name that tables and JSON use.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Free => "free",
+            Self::SharedVertex => "shared vertex",
+            Self::SharedEdge => "shared edge",
+            Self::Parallel => "parallel planes",
+            Self::Horizon => "horizon",
+            Self::Far => "far",
+            Self::Sliver => "sliver",
+            Self::Near => "near",
+        }
+    }
+
     /// One of its pairs, always the same for a number.
+    ///
+    /// # Panics
+    /// If a polygon drawn is not planar and simple, which it is by construction.
+    #[must_use]
     pub fn pair(self, number: u64) -> [Patch; 2] {
         let mut draw = Draw(ChaCha8Rng::seed_from_u64(
             1_000_003 * (self as u64 + 1) + number,
@@ -67,7 +87,7 @@ impl Family {
 }
 
 /// The corners in the order that has the farthest corner of `other` in front.
-fn facing(corners: &[DVec3], other: &[DVec3]) -> Vec<DVec3> {
+pub(super) fn facing(corners: &[DVec3], other: &[DVec3]) -> Vec<DVec3> {
     let arms = corners.windows(2);
     let doubled: DVec3 = arms
         .map(|pair| (pair[0] - corners[0]).cross(pair[1] - corners[0]))

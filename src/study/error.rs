@@ -1,0 +1,39 @@
+//! What a study cannot measure.
+
+use crate::chain::ChainError;
+use crate::form_factor::FormFactorError;
+use crate::geometry::GeometryError;
+
+/// A case of a study was refused.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum StudyError {
+    /// A gain's chain.
+    #[error(transparent)]
+    Chain(#[from] ChainError),
+    /// A pair's polygons.
+    #[error(transparent)]
+    Geometry(#[from] GeometryError),
+    /// A pair's exact value.
+    #[error("{case}: {source}")]
+    FormFactor {
+        /// The pair.
+        case: String,
+        /// Why it has none.
+        source: FormFactorError,
+    },
+    /// The file of independent values cannot be read.
+    #[error("form_factors.csv: {0}")]
+    Table(#[from] csv::Error),
+    /// Corners in it cannot be read.
+    #[error("form_factors.csv: {0}")]
+    Corners(#[from] serde_json::Error),
+    /// A number in it cannot be read.
+    #[error("form_factors.csv, {id}: {text:?} is not a number")]
+    Number {
+        /// The row.
+        id: String,
+        /// As given.
+        text: String,
+    },
+}
