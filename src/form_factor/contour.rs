@@ -17,15 +17,17 @@
 
 use super::ExchangeArea;
 use super::edge_pair::{
-    Edge, Precision, Relation, Rounding, coplanar, ellipse, gauss_error, panels, points_for, relation, skew,
+    Edge, Precision, Relation, Rounding, coplanar, ellipse, gauss_error, panels, points_for,
+    relation, skew,
 };
 use super::potential::{Points, padded, potentials};
 use super::shape::Shape;
+use super::view::widening;
 use crate::geometry::Vector;
 use crate::numeric::{DoubleDouble, GaussLegendre, SQUARED_EPSILON, Scalar, vectorised};
 use glam::DVec3;
 use smallvec::SmallVec;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 use std::ops::Range;
 
 /// Edges at least this far from each other, as a sum of half-axes, take a Gauss rule in one piece.
@@ -98,7 +100,11 @@ pub(super) fn contour(
     let (a_edges, b_edges) = (edges(&lift(&p)), edges(&lift(&q)));
     let precision = Precision::new(gap, reach, 1.0, f64::EPSILON);
     let per_length = wanted * TAU / (outer.perimeter * inner.perimeter);
-    let rounding = Rounding::new(f64::EPSILON, 16.0, reach + (farthest - shift.abs().max_element()).max(0.0));
+    let rounding = Rounding::new(
+        f64::EPSILON,
+        16.0,
+        reach + (farthest - shift.abs().max_element()).max(0.0),
+    );
 
     let Scratch {
         points,
@@ -178,8 +184,7 @@ pub(super) fn contour(
         let row = &seen[j * stride..(j + 1) * stride];
         let projected = b.ends.map(|end| end.minus(middle).dot(b.direction).abs());
         let projected = projected[0].max(projected[1]) + outer.radius;
-        // an edge no longer than its distance subtends at most 2 atan ½
-        let widening = if b.length <= gap { 1.16 } else { PI };
+        let widening = widening(b.length, gap);
         let of_potential = precision.of_potential(projected, b.length, widening);
         for (i, a) in a_edges.iter().enumerate() {
             let cosine = a.direction.dot(b.direction);
@@ -241,7 +246,10 @@ fn precise_sum([p, q]: [&[Vector<DoubleDouble>]; 2], wanted: f64) -> Option<Exch
         |edges: &Edges<DoubleDouble>| edges.iter().map(|e| e.length.to_f64()).sum::<f64>();
     let per_length = wanted * TAU / (perimeter(&a_edges) * perimeter(&b_edges));
     // corners may come from a clip, and edges be short beside their coordinates
-    let coordinates = [p, q].into_iter().flatten().flat_map(|corner| corner.0.map(|x| x.to_f64().abs()));
+    let coordinates = [p, q]
+        .into_iter()
+        .flatten()
+        .flat_map(|corner| corner.0.map(|x| x.to_f64().abs()));
     let rounding = Rounding::new(SQUARED_EPSILON, 1e6, coordinates.fold(reach, f64::max));
     let (mut sum, mut error) = (DoubleDouble::from(0.0), 0.0);
     for a in &a_edges {

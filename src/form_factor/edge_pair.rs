@@ -167,7 +167,11 @@ impl Rounding {
     /// Of coordinates up to `largest`, `factor` roundings of `epsilon` each.
     pub(super) const fn new(epsilon: f64, factor: f64, largest: f64) -> Self {
         let sine = factor * epsilon;
-        Self { epsilon, sine, miss: sine * largest }
+        Self {
+            epsilon,
+            sine,
+            miss: sine * largest,
+        }
     }
 }
 
@@ -175,7 +179,11 @@ impl Rounding {
 #[inline(always)]
 pub(super) fn relation<S: Scalar + Copy>(
     [a, b]: [&Edge<S>; 2],
-    Rounding { epsilon, sine: straight, miss: touching }: Rounding,
+    Rounding {
+        epsilon,
+        sine: straight,
+        miss: touching,
+    }: Rounding,
 ) -> Relation<S> {
     let across = a.direction.cross(b.direction);
     let square = across.dot(across);
@@ -364,22 +372,46 @@ pub(super) fn panels<S: Scalar + Copy>(
             let rho = ellipse(sum);
             let points = points_for(share, rho).min(MOST_POINTS);
             let error = gauss_error(points, rho) * half;
-            panels.push(Panel { middle, half, points, error });
+            panels.push(Panel {
+                middle,
+                half,
+                points,
+                error,
+            });
             continue;
         }
         // beside the other edge, but apart from what is singular
         let ends = [from, to].map(|t| outer.at(number(t)));
-        let to_ends = inner.ends.map(|end| ends.map(|x| end.minus(x).length().to_f64()).iter().sum::<f64>());
-        let to_pinch = [from, to].map(|t| (along - t * length).hypot(aside) - unsure).iter().sum::<f64>();
+        let to_ends = inner.ends.map(|end| {
+            ends.map(|x| end.minus(x).length().to_f64())
+                .iter()
+                .sum::<f64>()
+        });
+        let to_pinch = [from, to]
+            .map(|t| (along - t * length).hypot(aside) - unsure)
+            .iter()
+            .sum::<f64>();
         let sum = to_ends[0].min(to_ends[1]).min(to_pinch) / (2.0 * half * length);
         if sum >= SUM {
             let rho = 1.0 + 0.85 * (ellipse(sum) - 1.0);
-            let reach = (to_ends[0].max(to_ends[1]) + 2.0 * inner.length.to_f64()) / inner.length.to_f64();
+            let reach =
+                (to_ends[0].max(to_ends[1]) + 2.0 * inner.length.to_f64()) / inner.length.to_f64();
             let largest = 64.0 / 15.0 * 60.0 * reach / (1.0 - rho.powi(-2));
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small")]
-            let points = ((largest / share).ln() / (2.0 * rho.ln())).ceil().clamp(2.0, MOST_POINTS as f64) as usize;
+            #[allow(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "small"
+            )]
+            let points = ((largest / share).ln() / (2.0 * rho.ln()))
+                .ceil()
+                .clamp(2.0, MOST_POINTS as f64) as usize;
             let error = half * largest * rho.powi(-2 * i32::try_from(points).unwrap_or(i32::MAX));
-            panels.push(Panel { middle, half, points, error });
+            panels.push(Panel {
+                middle,
+                half,
+                points,
+                error,
+            });
             continue;
         }
         if panels.len() + open.len() > MOST_PANELS || half < 1e-34 {
@@ -404,7 +436,11 @@ fn pinch<S: Scalar + Copy>(outer: &Edge<S>, inner: &Edge<S>, epsilon: f64) -> [f
     let sine = square.to_f64().sqrt();
     let unsure = 8.0 * epsilon * (w.length().to_f64() + along.abs() + aside) / sine;
     // lines too nearly parallel for these numbers: nothing is certain
-    if unsure.is_finite() { [along, aside, unsure] } else { [0.0, 0.0, f64::INFINITY] }
+    if unsure.is_finite() {
+        [along, aside, unsure]
+    } else {
+        [0.0, 0.0, f64::INFINITY]
+    }
 }
 
 /// Skew edges: Gauss rules on the panels of the shorter one; `None` if they do not settle.

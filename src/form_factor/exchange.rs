@@ -16,7 +16,10 @@
 //! The first is perfectly conditioned: with M² = (p²+a²)(p²+b²) the argument's rounding is at most
 //! ε M, which moves the angle by ε sin(angle).
 
-#![allow(clippy::inline_always, reason = "vector code is made where it is called")]
+#![allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 
 use super::FormFactorError;
 use crate::numeric::{Scalar, tolerance};
@@ -95,8 +98,12 @@ impl<S: Scalar> Exchange<S> {
             },
         );
         let mut sum = Self::new(&corners[0].0[0]);
-        let Some([values, magnitudes]) = terms else { return sum };
-        for ((corner, sign), (value, magnitude)) in corners.iter().zip(values.into_iter().zip(magnitudes)) {
+        let Some([values, magnitudes]) = terms else {
+            return sum;
+        };
+        for ((corner, sign), (value, magnitude)) in
+            corners.iter().zip(values.into_iter().zip(magnitudes))
+        {
             let term = special(corner).unwrap_or(Self { value, magnitude });
             sum.add_signed(*sign, &term);
         }
@@ -188,7 +195,11 @@ pub(super) enum Sign {
 impl Sign {
     /// The product of two.
     pub(super) fn times(self, other: Self) -> Self {
-        if self == other { Self::Plus } else { Self::Minus }
+        if self == other {
+            Self::Plus
+        } else {
+            Self::Minus
+        }
     }
 }
 

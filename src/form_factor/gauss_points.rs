@@ -20,7 +20,7 @@
 
 use super::potential::{Points, padded};
 use super::shape::Shape;
-use crate::numeric::{GaussLegendre, MOST_POINTS};
+use crate::numeric::{GaussLegendre, MOST_POINTS, vectorised};
 use glam::DVec3;
 use std::sync::OnceLock;
 
@@ -72,6 +72,11 @@ impl Square {
     }
 
     /// A bilinear function with these values at the corners, at all points.
+    #[inline(always)]
+    #[allow(
+        clippy::inline_always,
+        reason = "vector code is made where it is called"
+    )]
     fn interpolate(&self, values: [f64; 4], out: &mut [f64]) {
         let [a, b, c, d] = &self.shares;
         for (out, (((a, b), c), d)) in out.iter_mut().zip(a.iter().zip(b).zip(c).zip(d)) {
@@ -106,18 +111,24 @@ impl Rule {
             column.clear();
             column.resize(all, value);
         }
-        for (i, (cell, [j, js, jt])) in shape.cells.iter().zip(&shape.jacobians).enumerate() {
-            let part = i * each..(i + 1) * each;
-            let corners = cell.map(|i| shape.corners[i] - origin);
-            square.interpolate(corners.map(|c| c.x), &mut x[part.clone()]);
-            square.interpolate(corners.map(|c| c.y), &mut y[part.clone()]);
-            square.interpolate(corners.map(|c| c.z), &mut z[part.clone()]);
-            square.interpolate(cell.map(|i| corner_heights[i]), &mut heights[part.clone()]);
-            let at = square.s.iter().zip(&square.t).zip(&square.weights);
-            for (out, ((s, t), weight)) in weights[part].iter_mut().zip(at) {
-                *out = weight * (j + js * s + jt * t);
-            }
-        }
+        let cells = shape.cells.iter().zip(&shape.jacobians).enumerate();
+        vectorised(
+            #[inline(always)]
+            || {
+                for (i, (cell, [j, js, jt])) in cells {
+                    let part = i * each..(i + 1) * each;
+                    let corners = cell.map(|i| shape.corners[i] - origin);
+                    square.interpolate(corners.map(|c| c.x), &mut x[part.clone()]);
+                    square.interpolate(corners.map(|c| c.y), &mut y[part.clone()]);
+                    square.interpolate(corners.map(|c| c.z), &mut z[part.clone()]);
+                    square.interpolate(cell.map(|i| corner_heights[i]), &mut heights[part.clone()]);
+                    let at = square.s.iter().zip(&square.t).zip(&square.weights);
+                    for (out, ((s, t), weight)) in weights[part].iter_mut().zip(at) {
+                        *out = weight * (j + js * s + jt * t);
+                    }
+                }
+            },
+        );
     }
 }
 

@@ -6,15 +6,40 @@
 //!
 //! All terms are positive, and heights are interpolated between the corners', so nothing cancels.
 
+use super::ExchangeArea;
+use super::choice::Work;
 use super::gauss_points::Rule;
+use super::horizon::HEIGHT_ERROR;
+use super::view::View;
 use crate::numeric::vectorised;
 use std::f64::consts::PI;
+
+impl View<'_> {
+    /// Gauss rules with `points` each way over both shapes.
+    #[allow(clippy::cast_precision_loss, reason = "some points")]
+    pub(super) fn kernel(&self, points: [usize; 2], work: &mut Work) -> ExchangeArea {
+        let origin = self.shapes[0].centre;
+        for (k, rule) in work.rules.iter_mut().enumerate() {
+            rule.fill(self.shapes[k], self.heights[k], origin, points[k]);
+        }
+        let [first, second] = &work.rules;
+        let value = sum(first, second, self.reach, &mut work.sums);
+        let largest = self.largest();
+        let truncation: f64 = (0..2).map(|k| self.truncation(k, points[k], largest)).sum();
+        let terms = 0.5 * (first.weights.len() + second.weights.len()) as f64;
+        let relative = (24.0 + terms) * f64::EPSILON + 2.0 * HEIGHT_ERROR;
+        ExchangeArea {
+            value,
+            error_bound: relative * value + truncation,
+        }
+    }
+}
 
 /// The sum over all pairs of points; `unit` is a length near the distances.
 ///
 /// Four points of the first rule share one division: `f1/q1 + f2/q2 = (f1 q2 + f2 q1)/(q1 q2)`, twice over, with q = r⁴ in
 /// units in which four of them stay in range.
-pub(super) fn kernel(first: &Rule, second: &Rule, unit: f64, sums: &mut Vec<f64>) -> f64 {
+fn sum(first: &Rule, second: &Rule, unit: f64, sums: &mut Vec<f64>) -> f64 {
     let inverse_square = 1.0 / (unit * unit);
     sums.clear();
     sums.resize(second.weights.len(), 0.0);

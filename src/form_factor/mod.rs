@@ -33,6 +33,7 @@ mod route;
 pub mod sampling;
 mod shape;
 mod strip_exchange;
+mod view;
 
 pub use choice::DEFAULT_TOLERANCE;
 pub use error::FormFactorError;

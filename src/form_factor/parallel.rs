@@ -135,7 +135,10 @@ pub(super) fn second_difference<S: Scalar>(offsets: &Offsets<S>) -> [(&S, Sign);
 
 /// `G(u, v1) − G(u, v0)`, Δ apart, each term to its own relative precision.
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 fn difference_in_v<S: Scalar>(u: &S, delta: &S, v: [&S; 2], z: &S) -> Exchange<S> {
     let (delta, [v0, v1]) = (delta.clone(), v.map(Clone::clone));
     let z2 = z.square();

@@ -138,9 +138,7 @@ pub fn exchange_area_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -
             &corners,
             [delta.clone()],
             #[inline(always)]
-            |[delta], [x, z, v0, v1], i| {
-                difference_in_width(&x[i], &z[i], delta, [&v0[i], &v1[i]])
-            },
+            |[delta], [x, z, v0, v1], i| difference_in_width(&x[i], &z[i], delta, [&v0[i], &v1[i]]),
             |[x, z, v0, v1]| at_the_line_in_width(x, z, delta, [v0, v1]),
         )
     };
@@ -226,14 +224,20 @@ fn ends<S: Scalar>(span: &Span<S>) -> [(&S, Sign); 2] {
 /// What the rounding of `coefficient · ln r²` is relative to: near r² = 1 the logarithm is small
 /// but its error is not.
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 fn log_size<S: Scalar>(term: &S, coefficient: &S) -> S {
     term.abs() + &coefficient.abs()
 }
 
 /// `G(x1, z, v) − G(x0, z, v)`, each term to its own relative precision; not for a corner on the common line.
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 fn difference_in_depth<S: Scalar>([x0, x1, delta]: &[S; 3], z: &S, v: &S) -> Exchange<S> {
     let delta = delta.clone();
     let (z2, v2) = (z.square(), v.square());
@@ -254,7 +258,10 @@ fn difference_in_depth<S: Scalar>([x0, x1, delta]: &[S; 3], z: &S, v: &S) -> Exc
 
 /// `−¼ (s² − v²) ln r²`, as a difference.
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 fn add_logs_in_depth<S: Scalar>(
     sum: &mut Exchange<S>,
     [s2_1, v2]: [S; 2],
@@ -294,7 +301,10 @@ fn at_the_line_in_depth<S: Scalar>(x: &Span<S>, z: &S, v: &S) -> Option<Exchange
 
 /// `G(x, z, y1 − η) − G(x, z, y0 − η)`, each term to its own relative precision; not for a corner on the common line.
 #[inline(always)]
-#[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 fn difference_in_width<S: Scalar>(x: &S, z: &S, delta: &S, [v0, v1]: [&S; 2]) -> Exchange<S> {
     let quarter = x.constant(0.25);
     let s2 = x.square() + &z.square();

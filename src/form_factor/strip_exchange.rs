@@ -18,7 +18,7 @@
 
 use super::Polygon;
 use super::gauss_points::Rule;
-use super::point_to_polygon::point_to_polygon;
+use super::point_to_polygon::integral;
 use crate::numeric::{GaussLegendre, Scalar};
 use glam::DVec3;
 
@@ -68,7 +68,7 @@ impl Polygon {
         }
         rule.points.pad();
         rule.weights.resize(rule.points.len(), 0.0);
-        point_to_polygon(&rule, self.normal, &corners, &mut Vec::new()).max(0.0)
+        integral(&rule, self.normal, &corners, &mut Vec::new()).max(0.0)
     }
 
     /// The corners of what of `other` lies in front of this plane.

@@ -84,8 +84,8 @@ fn log_of(x: f64, small: f64) -> f64 {
     let odd = w * (LN[1] + w * (LN[3] + w * LN[5]));
     let even = z * (LN[0] + w * (LN[2] + w * (LN[4] + w * LN[6])));
     let half_square = 0.5 * f * f;
-    let log =
-        k * LN_2_HIGH - ((half_square - (s * (half_square + (odd + even)) + (k * LN_2_LOW + small))) - f);
+    let log = k * LN_2_HIGH
+        - ((half_square - (s * (half_square + (odd + even)) + (k * LN_2_LOW + small))) - f);
     let below = if x < 0.0 { f64::NAN } else { f64::NEG_INFINITY };
     let log = if x > 0.0 { log } else { below };
     // infinity and NaN stay as they are
@@ -103,8 +103,19 @@ fn log_of(x: f64, small: f64) -> f64 {
 )]
 pub fn ln_1p(x: f64) -> f64 {
     let sum = 1.0 + x;
-    let lost = if x < 1.0 { x - (sum - 1.0) } else { 1.0 - (sum - x) };
-    log_of(sum, if sum > 0.0 && sum < f64::INFINITY { lost / sum } else { 0.0 })
+    let lost = if x < 1.0 {
+        x - (sum - 1.0)
+    } else {
+        1.0 - (sum - x)
+    };
+    log_of(
+        sum,
+        if sum > 0.0 && sum < f64::INFINITY {
+            lost / sum
+        } else {
+            0.0
+        },
+    )
 }
 
 /// The angle of the point `(x, y)` from the positive x axis, in `[−π, π]`.

@@ -69,7 +69,10 @@ pub trait Scalar:
 
     /// Does some work; if numbers of this type fit a processor's vectors, compiled for those that it has.
     #[inline(always)]
-    #[allow(clippy::inline_always, reason = "vector code is made where it is called")]
+    #[allow(
+        clippy::inline_always,
+        reason = "vector code is made where it is called"
+    )]
     fn vectorised(work: impl FnOnce()) {
         work();
     }

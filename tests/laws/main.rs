@@ -29,9 +29,9 @@ mod polygon_cuts;
 mod reciprocity;
 mod refinement;
 mod refusals;
+mod sampling;
 mod shafts;
 mod sides;
-mod sampling;
 mod soundness;
 mod streaming;
 #[path = "../support/mod.rs"]
