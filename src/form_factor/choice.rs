@@ -13,6 +13,7 @@
 use super::contour::{Scratch, contour, precise_contour};
 use super::gauss_points::Rule;
 use super::horizon::{Off, precise_outline};
+use super::potential::padded;
 use super::view::{MOST, View, seen};
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, RectanglePair, Route};
 use crate::numeric::{DoubleDouble, SQUARED_EPSILON};
@@ -270,14 +271,14 @@ impl View<'_> {
     fn plans_apart(&self) -> SmallVec<[(f64, Plan); 2]> {
         let mut plans = SmallVec::new();
         let points = [0, 1].map(|k| self.points(k));
-        let on = |k: usize| (points[k] * points[k] * self.shapes[k].cells.len()) as f64;
+        let on = |k: usize| padded(points[k] * points[k] * self.shapes[k].cells.len()) as f64;
         let k = usize::from(
             on(1) * (self.shapes[0].corners.len() as f64)
                 < on(0) * (self.shapes[1].corners.len() as f64),
         );
         let corners = self.shapes[1 - k].corners.len() as f64;
         if points[k] < MOST {
-            let work = 150.0 + on(k) * corners * 3.0;
+            let work = 150.0 + on(k) * corners * 3.7;
             let is_hopeless = self.lambert_rounding(k) > 0.7 * self.tolerance * self.estimate;
             let work = if is_hopeless { f64::INFINITY } else { work };
             plans.push((
@@ -290,7 +291,7 @@ impl View<'_> {
         }
         if points[0].max(points[1]) < MOST {
             plans.push((
-                150.0 + 4.0 * (on(0) + on(1)) + on(0) * on(1) * 0.25,
+                150.0 + 2.0 * (on(0) + on(1)) + on(0) * on(1) * 0.2,
                 Plan::Kernel { points },
             ));
         }

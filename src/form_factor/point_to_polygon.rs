@@ -49,10 +49,10 @@ impl View<'_> {
     pub(super) fn lambert_rounding(&self, k: usize) -> f64 {
         let (over, seen) = (self.shapes[k], self.shapes[1 - k]);
         let n = seen.corners.len();
+        let widening = widening(seen.longest_edge, self.gap);
         let edge = |b: usize| {
             let (start, end) = (seen.corners[b], seen.corners[(b + 1) % n]);
             let length = start.distance(end);
-            let widening = widening(length, self.gap);
             let away = (end.distance(over.centre) - over.radius).max(self.gap);
             (14.0 * widening + 12.0) * length / away
         };
