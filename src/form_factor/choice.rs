@@ -14,11 +14,13 @@ use super::contour::{Scratch, contour, precise_contour};
 use super::gauss_points::Rule;
 use super::horizon::{Off, precise_outline};
 use super::potential::padded;
+use super::shape::Shape;
 use super::view::{MOST, View, seen};
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, RectanglePair, Route};
 use crate::numeric::{DoubleDouble, SQUARED_EPSILON};
 use smallvec::SmallVec;
 use std::cell::RefCell;
+use std::f64::consts::PI;
 
 /// Relative error that is asked for unless something else is.
 pub const DEFAULT_TOLERANCE: f64 = 1e-12;
@@ -60,8 +62,7 @@ impl Polygon {
     /// ```
     pub fn exchange_area(&self, other: &Self, tolerance: f64) -> Result<Answer, FormFactorError> {
         let tolerance = tolerance.max(0.0);
-        if !self.is_far_from(other)
-            && let Some(answer) = self.rectangles(other)
+        if let Some(answer) = self.rectangles(other, tolerance)
             && answer.exchange.error_bound <= tolerance * answer.exchange.value
         {
             return Ok(answer);
@@ -87,7 +88,7 @@ impl Polygon {
             error_bound: f64::INFINITY,
         };
         if let Some(answer) = self
-            .rectangles(other)
+            .rectangles(other, 0.0)
             .filter(|answer| answer.route == route)
         {
             return Ok(answer);
@@ -100,11 +101,11 @@ impl Polygon {
         })
     }
 
-    /// So many sizes apart that closed forms of rectangles, which lose the fourth power of that, are in vain.
+    /// So many sizes apart that closed forms of rectangles lose more than rules do: the fourth power of that.
     fn is_far_from(&self, other: &Self) -> bool {
         let (first, second) = (&self.shape, &other.shape);
         let size = first.longest_edge.max(second.longest_edge);
-        first.centre.distance_squared(second.centre) > 36.0 * size * size
+        first.centre.distance_squared(second.centre) > 12.0 * size * size
     }
 
     /// A pair very small or very large is taken in units of a power of two near its size, so that squares stay in range.
@@ -136,21 +137,30 @@ impl Polygon {
         }
     }
 
-    /// The closed form of aligned rectangles, with what the rounding of their places adds to its bound; `None` for others, and
-    /// where they exchange nothing.
-    fn rectangles(&self, other: &Self) -> Option<Answer> {
+    /// Aligned rectangles, with what the rounding of their places adds to the bound: closed forms, or rules along the sides
+    /// where they meet the tolerance; `None` for other polygons, and where nothing is exchanged.
+    fn rectangles(&self, other: &Self, tolerance: f64) -> Option<Answer> {
         let (first, second) = (self.rectangle.as_ref()?, other.rectangle.as_ref()?);
         let pair = RectanglePair::try_new(first, second).ok()?;
-        let mut exchange = pair.exchange_area().ok()?;
+        let by_rules = if self.is_far_from(other) {
+            pair.exchange_by_rules(tolerance)
+        } else {
+            None
+        };
+        let (mut exchange, route) = if let Some(exchange) = by_rules {
+            (exchange, Route::Kernel)
+        } else {
+            let [axes, others] = [first.axes()?, second.axes()?];
+            let route = if axes[0] + axes[1] == others[0] + others[1] {
+                Route::ParallelRectangles
+            } else {
+                Route::PerpendicularRectangles
+            };
+            (pair.exchange_area().ok()?, route)
+        };
         if exchange.value <= 0.0 {
             return None;
         }
-        let [axes, others] = [first.axes()?, second.axes()?];
-        let route = if axes[0] + axes[1] == others[0] + others[1] {
-            Route::ParallelRectangles
-        } else {
-            Route::PerpendicularRectangles
-        };
         // the second one's coordinates in the frame of the first are rounded once, unless they are exact there
         let origin = first.origin().to_array();
         let exact = [second.origin(), second.corners()[2]]
@@ -161,8 +171,12 @@ impl Polygon {
             });
         if !exact {
             let (first, second) = (&self.shape, &other.shape);
-            let reach = first.centre.distance(second.centre) + first.radius + second.radius;
-            exchange.error_bound += f64::EPSILON * reach * (first.perimeter + second.perimeter);
+            let distance = first.centre.distance(second.centre);
+            let radii = first.radius + second.radius;
+            let gap = (distance - radii).max(0.0);
+            let received = |shape: &Shape| (shape.area / (PI * gap * gap)).min(1.0);
+            let ribbons = first.perimeter * received(second) + second.perimeter * received(first);
+            exchange.error_bound += f64::EPSILON * (distance + radii) * ribbons;
         }
         Some(Answer { exchange, route })
     }

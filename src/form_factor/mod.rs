@@ -27,6 +27,7 @@ pub mod perpendicular;
 mod point_to_polygon;
 mod polygon;
 mod potential;
+mod rectangle_kernel;
 mod rectangle_pair;
 pub mod reference;
 mod route;

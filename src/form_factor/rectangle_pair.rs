@@ -7,6 +7,7 @@
 
 use super::parallel::{self, strip_exchange};
 use super::perpendicular::{self, Plate, strip_exchange_at_depth, strip_exchange_at_width};
+use super::rectangle_kernel::{self, Sides};
 use super::{Exchange, ExchangeArea, FormFactorError};
 use crate::geometry::{Extent, GeometryError, Offsets, Placement, Rectangle, Span, SplitAxis};
 use crate::numeric::Scalar;
@@ -63,6 +64,42 @@ impl RectanglePair {
                 error_bound: 0.0,
             }),
         }
+    }
+
+    /// The same by Gauss rules along the sides, if few points are certain to leave a relative error below `tolerance`: for
+    /// rectangles far from each other.
+    pub(super) fn exchange_by_rules(&self, tolerance: f64) -> Option<ExchangeArea> {
+        let exchange = match &self.second {
+            Second::Dark => return None,
+            Second::Parallel {
+                spans: [xi, eta],
+                distance,
+            } => {
+                let [x, y] = &self.first;
+                let sides = Sides::Parallel {
+                    sides: [[x, xi], [y, eta]],
+                    distance: *distance,
+                };
+                rectangle_kernel::exchange_area(&sides, tolerance)?
+            }
+            Second::Perpendicular {
+                across,
+                plane,
+                faces_along,
+                plate,
+            } => {
+                let depth = self.depth(*across, plane, *faces_along).ok()??;
+                let sides = Sides::Perpendicular {
+                    depths: [&depth, plate.depth()],
+                    widths: [&self.first[other(*across) as usize], plate.width()],
+                };
+                rectangle_kernel::exchange_area(&sides, tolerance)?
+            }
+        };
+        let unit_area = self.unit * self.unit;
+        let [value, error_bound] = [exchange.value, exchange.error_bound].map(|x| x * unit_area);
+        (value.is_normal() && error_bound.is_finite())
+            .then_some(ExchangeArea { value, error_bound })
     }
 
     /// The same pair, as placed, in numbers of the type and precision of `like`.

@@ -103,7 +103,7 @@ fn every_patch_of_the_cornell_box_can_be_cut() {
 fn what_is_ignored_is_said_on_standard_error() {
     let folder = tempfile::tempdir().unwrap();
     let text = "C encl=1 maxU=9\nF 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 1 0\nV 4 0 1 0\nV 5 0 0 1\nV 6 0 1 1\n\
-        S 1 1 2 3 4 0 0 .5 floor\nS 2 1 4 6 5 0 0 .5 wall\nO 3 1 2 5 0\nEnd of data\n";
+        S 1 1 2 3 4 0 0 .5 floor\nS 2 1 4 6 5 0 0 .5 wall\nO 3 1 3 5 0\nEnd of data\n";
     let path = written(&folder, "squares.vs3", text);
     let path = path.to_str().unwrap();
     let arguments = ["split", path, "--patch", "0", "--format", "json"];

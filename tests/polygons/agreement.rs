@@ -5,9 +5,9 @@
 //!   |value − A F| ≤ 1e-12 A F          as asked for
 //! ```
 
-use crate::support::polygon_pairs::Family;
 use crate::support::references::rows;
 use infoscene::form_factor::{Answer, DEFAULT_TOLERANCE, Polygon, reference};
+use infoscene::study::polygon_pairs::Family;
 use rayon::prelude::*;
 
 /// What one pair came to, relative to the exact value.

@@ -18,10 +18,10 @@
 //! at distance d. Where one polygon cuts or touches the plane of the other, what lies in front changes as well: Φ is 0 in the
 //! plane outside Q, and inside it the cut, no longer than the perimeter, moves by δ/sin θ for planes at an angle θ.
 
-use crate::support::polygon_pairs::Family;
 use glam::{DMat3, DVec3};
 use infoscene::form_factor::{Answer, DEFAULT_TOLERANCE, Polygon};
 use infoscene::geometry::Patch;
+use infoscene::study::polygon_pairs::Family;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::sync::OnceLock;

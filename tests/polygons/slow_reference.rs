@@ -1,11 +1,11 @@
 //! The slow reference against values from outside, and against enclosures of rectangles.
 
-use crate::support::polygon_pairs::Family;
 use crate::support::references::rows;
 use glam::DVec3;
 use infoscene::form_factor::{RectanglePair, reference};
 use infoscene::geometry::{Patch, Rectangle};
 use infoscene::numeric::{Interval, Scalar};
+use infoscene::study::polygon_pairs::Family;
 
 /// Every corner of the families is planar exactly: the sixfold volume of a corner and the first three is 0 in 512 bits.
 #[test]

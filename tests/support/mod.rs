@@ -4,7 +4,6 @@
 pub mod high_precision;
 pub mod intervals;
 pub mod misrounded;
-pub use infoscene::study::polygon_pairs;
 pub mod references;
 pub mod rooms;
 pub mod strategies;
