@@ -49,7 +49,8 @@ impl Polygon {
     ///
     /// # Examples
     /// ```
-    ///     /// use infoscene::form_factor::{DEFAULT_TOLERANCE, Polygon};
+    /// use glam::DVec3;
+    /// use infoscene::form_factor::{DEFAULT_TOLERANCE, Polygon};
     /// use infoscene::geometry::Patch;
     /// // the corner of a cube cut off: from one leg to another, (1 − 1/√3)/2
     /// let (o, x, y, z) = (DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z);

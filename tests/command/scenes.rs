@@ -156,7 +156,7 @@ fn threads_do_not_change_a_byte() {
 /// cube_grids.csv, row cube_regular_3.
 #[test]
 fn measure_finds_the_mutual_information_of_a_cube() {
-    let answer = json(&["measure", "cube:3", "--tolerance", "1e-6"]);
+    let answer = json(&["measure", "cube:3"]);
     let information = number(&answer["mutual_information"]);
     assert!((information - 0.994_346_184_970_692_6).abs() <= 1e-13);
     assert!(number(&answer["mutual_information_error"]) < 1e-10);

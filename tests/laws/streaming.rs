@@ -2,6 +2,7 @@
 
 use crate::support::references::value;
 use infoscene::chain::{ChainError, ReversibleChain, open_visibility_chain, visibility_chain};
+use infoscene::form_factor::DEFAULT_TOLERANCE;
 use infoscene::information::{
     ErrorGrade, SceneInformation, Surroundings, entropy_rate, mutual_information,
     positional_entropy, scene_information,
@@ -10,7 +11,7 @@ use infoscene::numeric::{tolerance, x_log2_ratio};
 use infoscene::scene::{Congruence, NamedPatch, Scene, ScenePairs};
 
 fn measured(scene: &Scene, surroundings: Surroundings) -> Result<SceneInformation, ChainError> {
-    let pairs = ScenePairs::try_new(scene, 1e-6, Congruence::Shared).unwrap();
+    let pairs = ScenePairs::try_new(scene, DEFAULT_TOLERANCE, Congruence::Shared).unwrap();
     scene_information(&pairs, surroundings)
 }
 
