@@ -5,11 +5,22 @@
 //! ```
 //!
 //! Everything is computed as an exchange area, once per pair, so reciprocity
-//! `A_i F_ij = A_j F_ji` holds exactly. One file per route: [`parallel`] and [`perpendicular`]
-//! rectangles in closed form, at any offset; [`RectanglePair`] recognises which of them a pair is,
-//! clips what lies behind either plane, and reports a value with its error bound.
+//! `A_i F_ij = A_j F_ji` holds exactly. A [`Polygon`] is any planar simple one, made ready; a pair of them takes the
+//! cheapest [`Route`] whose error bound meets the tolerance, and the answer names it. One file per route:
 //!
-//! **Not covered**: other polygons, and occlusion: every value is the unoccluded one.
+//! ```text
+//!   parallel, perpendicular    aligned rectangles in closed form, at any offset
+//!   rectangle_kernel           aligned rectangles far apart: Gauss rules along their sides
+//!   contour                    both outlines: closed forms of edge pairs, Gauss rules for skew ones; also in double-double
+//!   point_to_polygon           Lambert's formula, with a Gauss rule over one polygon
+//!   kernel                     Gauss rules over both
+//! ```
+//!
+//! `horizon` clips what lies behind the other's plane, `view` measures what is left, `choice` chooses. [`reference`] is a slow road
+//! of its own to judge them by, [`sampling`] another. A bound holds for corners as given: what their rounding does
+//! to a polygon that is not quite planar is in it.
+//!
+//! **Not covered**: occlusion: every value is the unoccluded one.
 //!
 //! References: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-11 to C-15;
 //! Cohen and Wallace, *Radiosity and Realistic Image Synthesis*, 1993, ch. 4.
