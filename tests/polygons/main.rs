@@ -6,6 +6,7 @@
 )]
 
 mod agreement;
+mod far_rectangles;
 mod invariance;
 mod outlines;
 mod slow_reference;
