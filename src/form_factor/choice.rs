@@ -39,7 +39,7 @@ pub(super) struct Work {
 
 impl Polygon {
     /// What the two exchange, by the cheapest route whose error bound is within `tolerance` of the value; if none is,
-    /// the value with the smallest bound.
+    /// the value with the smallest bound, which may be larger than the value where the corners' own rounding is.
     ///
     /// **Arguments** `tolerance`: relative, 0 or more; anything else counts as 0.
     ///
@@ -250,9 +250,12 @@ impl View<'_> {
         if error_bound <= self.tolerance * value {
             return Some(answer);
         }
-        // of values that are not good enough, the one known best
-        if value > error_bound && best.is_none_or(|best| error_bound < best.exchange.error_bound) {
-            *best = Some(answer);
+        // of values that are not good enough, the one known best; what rounding left below zero is not
+        let value = value.max(0.0);
+        let error_bound = error_bound + (value - exchange.value);
+        if best.is_none_or(|best| error_bound < best.exchange.error_bound) {
+            let exchange = ExchangeArea { value, error_bound };
+            *best = Some(Answer { exchange, route });
         }
         None
     }

@@ -338,8 +338,8 @@ pub(super) fn points_for(error: f64, rho: f64) -> usize {
 
 /// A piece of an edge, relative to it, with a rule that is certain there.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Panel {
-    pub middle: f64,
+pub(super) struct Panel<S> {
+    pub middle: S,
     pub half: f64,
     pub points: usize,
     /// The truncation error, per length of both edges.
@@ -353,21 +353,22 @@ pub(super) fn panels<S: Scalar + Copy>(
     inner: &Edge<S>,
     wanted: f64,
     epsilon: f64,
-) -> Option<SmallVec<[Panel; 16]>> {
+) -> Option<SmallVec<[Panel<S>; 16]>> {
     const MOST_PANELS: usize = 600;
     /// All points of the other edge are outside the ellipse with this sum of half-axes.
     const SUM: f64 = 1.7;
     let length = outer.length.to_f64();
-    let [along, aside, unsure] = pinch(outer, inner, epsilon);
+    let (along, aside, unsure) = pinch(outer, inner, epsilon);
     let number = |x: f64| outer.length.constant(x);
-    let mut open: SmallVec<[(f64, f64); 64]> = SmallVec::new();
-    open.push((0.0, 1.0));
+    let mut open: SmallVec<[(S, S); 64]> = SmallVec::new();
+    open.push((number(0.0), number(1.0)));
     let mut panels = SmallVec::new();
     while let Some((from, to)) = open.pop() {
-        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        let middle = (from + to) * number(0.5);
+        let half = 0.5 * (to - from).to_f64();
         // short panels may have a larger share of what is wanted than their length is of the whole
         let share = wanted / half.max(1e-3).sqrt();
-        let sum = inner.distance(outer.at(number(middle))) / (half * length);
+        let sum = inner.distance(outer.at(middle)) / (half * length);
         if sum >= SUM {
             let rho = ellipse(sum);
             let points = points_for(share, rho).min(MOST_POINTS);
@@ -381,14 +382,14 @@ pub(super) fn panels<S: Scalar + Copy>(
             continue;
         }
         // beside the other edge, but apart from what is singular
-        let ends = [from, to].map(|t| outer.at(number(t)));
+        let ends = [from, to].map(|t| outer.at(t));
         let to_ends = inner.ends.map(|end| {
             ends.map(|x| end.minus(x).length().to_f64())
                 .iter()
                 .sum::<f64>()
         });
         let to_pinch = [from, to]
-            .map(|t| (along - t * length).hypot(aside) - unsure)
+            .map(|t| (along - t * outer.length).to_f64().hypot(aside) - unsure)
             .iter()
             .sum::<f64>();
         let sum = to_ends[0].min(to_ends[1]).min(to_pinch) / (2.0 * half * length);
@@ -426,20 +427,20 @@ pub(super) fn panels<S: Scalar + Copy>(
 /// Where the lines' distance vanishes: how far along the outer line from its start, how far beside it, and how uncertain both
 /// are.
 #[inline(always)]
-fn pinch<S: Scalar + Copy>(outer: &Edge<S>, inner: &Edge<S>, epsilon: f64) -> [f64; 3] {
+fn pinch<S: Scalar + Copy>(outer: &Edge<S>, inner: &Edge<S>, epsilon: f64) -> (S, f64, f64) {
     let across = outer.direction.cross(inner.direction);
     let square = across.dot(across);
     let w = outer.ends[0].minus(inner.ends[0]);
     let along = -w.cross(inner.direction).dot(across) / square;
     let aside = w.dot(across) / square;
-    let (along, aside) = (along.to_f64(), aside.to_f64().abs());
+    let aside = aside.to_f64().abs();
     let sine = square.to_f64().sqrt();
-    let unsure = 8.0 * epsilon * (w.length().to_f64() + along.abs() + aside) / sine;
+    let unsure = 8.0 * epsilon * (w.length().to_f64() + along.to_f64().abs() + aside) / sine;
     // lines too nearly parallel for these numbers: nothing is certain
     if unsure.is_finite() {
-        [along, aside, unsure]
+        (along, aside, unsure)
     } else {
-        [0.0, 0.0, f64::INFINITY]
+        (outer.length.zero(), 0.0, f64::INFINITY)
     }
 }
 
@@ -458,7 +459,7 @@ pub(super) fn skew<S: Scalar + Copy>(
         let mut sum = number(0.0);
         for [x, weight] in &GaussLegendre::with(panel.points).precise {
             let [t, weight] = [x, weight].map(|x| number(x.high()) + number(x.low()));
-            let point = outer.at(number(panel.middle) + half * t);
+            let point = outer.at(panel.middle + half * t);
             sum = sum + weight * inner.potential(point, precision.inverse_square);
         }
         value = value + sum * half * outer.length;
