@@ -253,7 +253,8 @@ impl View<'_> {
         // of values that are not good enough, the one known best; what rounding left below zero is not
         let value = value.max(0.0);
         let error_bound = error_bound + (value - exchange.value);
-        if best.is_none_or(|best| error_bound < best.exchange.error_bound) {
+        let known = best.map_or(f64::INFINITY, |best| best.exchange.error_bound);
+        if error_bound < known {
             let exchange = ExchangeArea { value, error_bound };
             *best = Some(Answer { exchange, route });
         }
