@@ -19,12 +19,8 @@ use crate::numeric::{DoubleDouble, Scalar};
 use glam::DVec3;
 use smallvec::SmallVec;
 
-/// Heights of corners above the other polygon's plane, all ≥ 0, each within [`HEIGHT_ERROR`] of itself.
+/// Heights of corners above the other polygon's plane, all ≥ 0, each within 3 ε of the distance.
 pub(super) type Heights = SmallVec<[f64; 4]>;
-
-/// The relative error of a height: a product of three terms is within 3 ε of the distance, and taken again to 106 bits where
-/// it is smaller than that by 16.
-pub(super) const HEIGHT_ERROR: f64 = 48.0 * f64::EPSILON;
 
 /// How a polygon lies to another one's plane.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,8 +85,8 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
     let tilted = plane.tilt * distance;
     let mut slack = tilted;
     let mut refined = |corner: &DVec3, height: f64| -> f64 {
-        // a height that is not small beside the distance is known well enough
-        if height.abs() > distance / 16.0 + 64.0 * noise {
+        // the product is within 3 ε of the distance: on which side it is, is known
+        if height.abs() > 4.0 * f64::EPSILON * distance + 64.0 * noise {
             return height;
         }
         if plane.shape.corners.contains(corner) {
