@@ -6,8 +6,8 @@
 //! ```
 //!
 //! Only `+ − × ÷ √` and bit shifts, in a fixed order: the same bits on every machine, and a loop over them
-//! is compiled to vector instructions. The error bounds are derived in the comments and held by
-//! `elementary_functions_keep_their_bound`.
+//! is compiled to vector instructions. The error bounds are measured:
+//! `elementary_functions_keep_their_bound` sees 0.6 of them at most against 192 bits.
 //!
 //! **Not covered**: correct rounding; two infinite coordinates.
 //!
