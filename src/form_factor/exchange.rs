@@ -129,9 +129,9 @@ impl<S: Scalar> Exchange<S> {
 pub struct ExchangeArea {
     /// `A_1 F_12 = A_2 F_21`, in squared units of length, ≥ 0.
     pub value: f64,
-    /// Bound on the absolute error for the rectangles as placed (the second one's coordinates in the frame of
-    /// the first are rounded, to ε of themselves), if the standard library's `ln` and `atan2` are within one
-    /// unit in the last place.
+    /// Bound on the absolute error, in the same unit: for corners as given ([`Polygon`](super::Polygon)), or for rectangles as
+    /// placed in the frame of the first ([`RectanglePair`](super::RectanglePair)). It rests on the error bounds of
+    /// [`elementary`](crate::numeric::elementary).
     pub error_bound: f64,
 }
 

@@ -34,7 +34,7 @@ pub const PLANARITY: f64 = 1e-12;
 pub const ALIGNMENT: f64 = 16.0 * f64::EPSILON;
 
 /// The factor of ε in the running bound of the rectangle closed forms: (a) each term takes at most
-/// eight roundings of ε/2 and two function values within one ulp, conditions ≤ 1 by the forms
+/// eight roundings of ε/2 and two function values within 2 ε, conditions ≤ 1 by the forms
 /// chosen (`form_factor::exchange`), and the sum at most twenty additions. Held by
 /// `parallel_bound_is_never_below_the_error` and `perpendicular_bound_is_never_below_the_error`.
 pub const RECTANGLE_TERMS: f64 = 16.0;
