@@ -16,7 +16,7 @@
 //!   kernel                     Gauss rules over both
 //! ```
 //!
-//! `horizon` clips what lies behind the other's plane, `view` measures what is left, `choice` chooses. [`reference`] is a slow road
+//! `horizon` clips what lies behind the other's plane, `view` measures what is left, `choice` chooses. [`mod@reference`] is a slow road
 //! of its own to judge them by, [`sampling`] another. A bound holds for corners as given: what their rounding does
 //! to a polygon that is not quite planar is in it.
 //!
