@@ -125,7 +125,11 @@ impl Polygon {
             return Err(FormFactorError::OutOfRange { value: reach });
         }
         let scale = |polygon: &Self| polygon.scaled((-power).exp2());
-        let mut answer = answer(&scale(self), &scale(other))?;
+        // one so small beside the other that nothing is left of it
+        let (Some(first), Some(second)) = (scale(self), scale(other)) else {
+            return Err(FormFactorError::OutOfRange { value: 0.0 });
+        };
+        let mut answer = answer(&first, &second)?;
         let exact = answer.exchange.value <= 0.0;
         for number in [&mut answer.exchange.value, &mut answer.exchange.error_bound] {
             *number = *number * power.exp2() * power.exp2();

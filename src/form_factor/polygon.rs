@@ -22,15 +22,26 @@ impl Polygon {
     #[must_use]
     pub fn new(patch: &Patch) -> Self {
         Self::of(patch.corners(), Rectangle::try_from(patch).ok())
+            .unwrap_or_else(|| unreachable!("a patch has an area, so three corners apart"))
     }
 
-    fn of(corners: &[DVec3], rectangle: Option<Rectangle>) -> Self {
+    /// `None` if no three corners are apart, or nothing is left of the area.
+    fn of(corners: &[DVec3], rectangle: Option<Rectangle>) -> Option<Self> {
         let like = DoubleDouble::from(0.0);
         let points: Vec<Vector<DoubleDouble>> = corners
             .iter()
             .map(|corner| Vector::lifted(*corner, like))
             .collect();
-        let along = |i: usize| points[i].minus(points[0]);
+        // in units of a power of two near its size, so that squares of areas stay in range
+        let size = corners
+            .iter()
+            .map(|c| (*c - corners[0]).abs().max_element());
+        let inverse_unit = (-size.fold(0.0, f64::max).log2().floor()).exp2();
+        let along = |i: usize| {
+            points[i]
+                .minus(points[0])
+                .times(like.constant(inverse_unit))
+        };
         let doubled = (1..points.len() - 1)
             .map(|i| along(i).cross(along(i + 1)))
             .fold(Vector([like; 3]), |sum, next| {
@@ -45,19 +56,19 @@ impl Polygon {
             .fold(0.0, f64::max);
         // the polygon is at least 2 A/diameter wide: a deviation there turns the plane by so much at most
         let tilt = 2.0 * deviation * diameter / length.to_f64();
-        let shape = Shape::new(corners, precise_normal)
-            .unwrap_or_else(|| unreachable!("a patch has three corners apart"));
-        Self {
+        let shape = Shape::new(corners, precise_normal)?;
+        let has_normal = precise_normal.to_doubles().is_finite();
+        has_normal.then(|| Self {
             shape,
             normal: precise_normal.to_doubles(),
             precise_normal,
             tilt,
             rectangle: rectangle.filter(|rectangle| rectangle.axes().is_some()),
-        }
+        })
     }
 
-    /// Times a power of two.
-    pub(super) fn scaled(&self, factor: f64) -> Self {
+    /// Times a power of two; `None` if it is lost below the range of `f64`.
+    pub(super) fn scaled(&self, factor: f64) -> Option<Self> {
         let corners: Vec<DVec3> = self.shape.corners.iter().map(|c| *c * factor).collect();
         Self::of(&corners, None)
     }

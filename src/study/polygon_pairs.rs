@@ -80,6 +80,7 @@ impl Family {
         };
         let turned = [facing(&first, &second), facing(&second, &first)];
         turned.map(|corners| {
+            // a family whose corners make no patch is a defect of this module
             Patch::try_new(corners.clone())
                 .unwrap_or_else(|error| panic!("{self:?} {number}: {error} {corners:?}"))
         })

@@ -1,6 +1,7 @@
 //! Polygons that were once refused for the rounding of their own checks.
 
 use glam::DVec3;
+use infoscene::form_factor::Polygon;
 use infoscene::geometry::{GeometryError, Patch};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -69,4 +70,24 @@ fn edges_that_meet_are_refused() {
         matches!(folded, Err(GeometryError::NotSimple { .. })),
         "{folded:?}"
     );
+}
+
+/// A patch lost beside a huge one is no panic: an error, or an answer in range.
+#[test]
+fn sizes_far_apart_do_not_panic() {
+    let square = |side: f64, z: f64| {
+        let corners = [[0.0, 0.0], [side, 0.0], [side, side], [0.0, side]];
+        let corners = corners.map(|[x, y]| DVec3::new(x, y + 0.1 * x, z));
+        Polygon::new(&Patch::try_new(corners.to_vec()).unwrap())
+    };
+    for (first, second) in [
+        (square(1e-150, 0.0), square(1e150, -1e150)),
+        (square(1e150, 1e150), square(1e-152, 0.0)),
+    ] {
+        if let Ok(answer) = first.exchange_area(&second, 1e-12) {
+            let range = 0.0..f64::MAX;
+            assert!(range.contains(&answer.exchange.value), "{answer:?}");
+            assert!(range.contains(&answer.exchange.error_bound), "{answer:?}");
+        }
+    }
 }
