@@ -9,7 +9,6 @@
 //!
 //! **Not here**: form-factor formulas; information measures.
 
-mod closure;
 mod error;
 pub mod random;
 pub mod recipe;
@@ -19,7 +18,6 @@ mod reversible;
 pub mod strategies;
 mod visibility;
 
-pub use closure::{Closure, RowSum};
 pub use error::ChainError;
 pub use refinement::Refinement;
 pub use reversible::ReversibleChain;

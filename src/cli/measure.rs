@@ -6,7 +6,7 @@ use super::{Answer, Outcome};
 use crate::chain::ChainError;
 use crate::information::{Surroundings, scene_information};
 use crate::report::measure_report;
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneError};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Measure {
@@ -62,8 +62,10 @@ impl Measure {
 
 fn named(source: ChainError, scene: &Scene) -> Box<dyn std::error::Error> {
     let (row, mend) = match &source {
-        ChainError::OpenScene { row, .. } => (*row, "; --open adds the state outside"),
-        ChainError::RowAboveOne { row, .. } => (*row, ""),
+        ChainError::Scene(SceneError::OpenScene { row, .. }) => {
+            (*row, "; --open adds the state outside")
+        }
+        ChainError::Scene(SceneError::RowAboveOne { row, .. }) => (*row, ""),
         _ => return source.into(),
     };
     let name = scene.patches()[row].name().to_owned();

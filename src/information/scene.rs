@@ -22,9 +22,9 @@
 //! **Not covered**: what is below 1e-308 of the total.
 
 use super::measures::{Unit, pair_divergence};
-use crate::chain::{ChainError, Closure};
+use crate::chain::ChainError;
 use crate::numeric::{compensated_sum, tolerance, x_log2_x};
-use crate::scene::{Account, ScenePairs};
+use crate::scene::{Account, Closure, ScenePairs};
 use std::f64::consts::LN_2;
 
 /// What becomes of power that meets no patch.
@@ -90,8 +90,8 @@ const DIVERGENCE_ERROR: usize = 3;
 /// The information of a scene's visibility chain, each pair taken once and none held.
 ///
 /// # Errors
-/// [`ChainError::OpenScene`] for an open scene without [`Surroundings::Outside`]; [`ChainError::RowAboveOne`];
-/// [`ChainError::Scene`] if two patches are refused.
+/// [`ChainError::Scene`] for an open scene without [`Surroundings::Outside`], for rows above one, and if two patches are
+/// refused.
 ///
 /// # Examples
 /// ```

@@ -10,7 +10,7 @@ use rayon::prelude::*;
 /// A symmetric matrix of exchange areas, zero on the diagonal, with a bound on the error of each.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExchangeAreas {
-    patches: usize,
+    areas: Vec<f64>,
     /// Entry (i, j), i < j, at `j(j − 1)/2 + i`.
     values: Vec<f64>,
     error_bounds: Vec<f64>,
@@ -29,7 +29,25 @@ impl ExchangeAreas {
     /// Number of patches.
     #[must_use]
     pub const fn patches(&self) -> usize {
-        self.patches
+        self.areas.len()
+    }
+
+    /// The patches' areas.
+    #[must_use]
+    pub fn areas(&self) -> &[f64] {
+        &self.areas
+    }
+
+    /// The entries (i, j), i < j, packed: at `j(j − 1)/2 + i`.
+    #[must_use]
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// The bounds on the errors of [`values`](Self::values).
+    #[must_use]
+    pub fn error_bounds(&self) -> &[f64] {
+        &self.error_bounds
     }
 
     /// `A_i F_ij` with its bound and route; a patch with itself exchanges nothing.
@@ -38,7 +56,7 @@ impl ExchangeAreas {
     /// If there is no patch i or j.
     #[must_use]
     pub fn get(&self, i: usize, j: usize) -> Answer {
-        assert!(i.max(j) < self.patches, "there is no patch {}", i.max(j));
+        assert!(i.max(j) < self.patches(), "there is no patch {}", i.max(j));
         if i == j {
             let exchange = ExchangeArea {
                 value: 0.0,
@@ -68,9 +86,8 @@ impl ExchangeAreas {
     /// The full matrix `A_i F_ij`, for which the bounds are given up.
     #[must_use]
     pub fn into_values(self) -> DMatrix<f64> {
-        let Self {
-            patches, values, ..
-        } = self;
+        let patches = self.patches();
+        let values = self.values;
         DMatrix::from_fn(patches, patches, |i, j| {
             if i == j {
                 0.0
@@ -120,7 +137,7 @@ impl ScenePairs {
             tally.merge(&column?);
         }
         Ok(ExchangeAreas {
-            patches,
+            areas: self.areas().to_vec(),
             values,
             error_bounds,
             routes,

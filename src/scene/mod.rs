@@ -10,6 +10,7 @@
 mod arrangement;
 mod blockers;
 mod built_in;
+mod closure;
 mod congruence;
 mod error;
 mod exchange_areas;
@@ -26,6 +27,7 @@ mod rows;
 mod tally;
 
 pub use blockers::{Blocker, Blockers, Obstacle};
+pub use closure::{Closure, RowSum};
 pub use error::SceneError;
 pub use exchange_areas::ExchangeAreas;
 pub use material::{Material, MaterialError};

@@ -153,7 +153,10 @@ fn a_row_above_one_is_refused() {
     patches.extend(Scene::facing_squares(0.5).unwrap().patches()[1..].to_vec());
     let refusal = measured(&Scene::try_new(patches).unwrap(), Surroundings::Outside).unwrap_err();
     assert!(
-        matches!(refusal, ChainError::RowAboveOne { row: 0, .. }),
+        matches!(
+            refusal,
+            ChainError::Scene(SceneError::RowAboveOne { row: 0, .. })
+        ),
         "{refusal}"
     );
 }
