@@ -9,6 +9,7 @@
 //!
 //! **Not here**: form-factor formulas; information measures.
 
+mod brightness;
 mod error;
 pub mod random;
 pub mod recipe;
@@ -18,6 +19,7 @@ mod reversible;
 pub mod strategies;
 mod visibility;
 
+pub use brightness::brightness_chain;
 pub use error::ChainError;
 pub use refinement::Refinement;
 pub use reversible::ReversibleChain;

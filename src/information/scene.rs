@@ -56,7 +56,7 @@ impl ErrorGrade {
     }
 }
 
-/// The information of a scene's visibility chain, in bits.
+/// The information of a scene's chain, in bits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneInformation {
     /// Positional entropy, eq. (1).
@@ -73,6 +73,8 @@ pub struct SceneInformation {
     pub contributions: Vec<f64>,
     /// The same of the state `outside`, if there is one.
     pub outside_contribution: Option<f64>,
+    /// Stationary probabilities of the patches: areas, or generalised areas, over their sum.
+    pub weights: Vec<f64>,
     /// Sum of the areas.
     pub total_area: f64,
     /// The sums of the rows of form factors.
@@ -180,6 +182,7 @@ pub fn scene_information(
         },
         contributions,
         outside_contribution,
+        weights: areas.iter().map(|area| area / outside.total).collect(),
         total_area,
         closure,
         account,
@@ -229,7 +232,7 @@ impl Outside {
 }
 
 /// What an error of the exchange area may change `J ln(J/q) − J + q` by, in nats.
-fn divergence_error(value: f64, bound: f64, product: f64) -> f64 {
+pub(super) fn divergence_error(value: f64, bound: f64, product: f64) -> f64 {
     if bound <= 0.0 {
         return 0.0;
     }
