@@ -45,13 +45,22 @@ pub enum TransportError {
         value: f64,
     },
     /// Every source is 0.
-    #[error("no patch has a positive {what}: {mend}")]
+    #[error("no patch has a positive {what}: give one to a patch at least")]
     NoSource {
         /// Emittance or importance.
         what: &'static str,
-        /// What to do.
-        mend: &'static str,
     },
+    /// A patch index is out of range.
+    #[error("there is no patch {patch}: the scene has patches 0 to {last}")]
+    NoSuchPatch {
+        /// As given.
+        patch: usize,
+        /// Largest index.
+        last: usize,
+    },
+    /// An estimate was asked of no walks at all.
+    #[error("no walks give no estimate: ask for one at least")]
+    NoWalks,
     /// An exchange matrix was refused.
     #[error(
         "entry ({row}, {column}) of the exchange areas is {value}: it must be finite, ≥ 0 and equal to its mirror image"

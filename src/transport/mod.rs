@@ -6,6 +6,7 @@
 //!
 //! With the reflected importance `U = R I` the second is the first with the source `R V`: one solver serves both
 //! ([`Interreflection`]), to the last digit and with a bound on its own error apart from that of the form factors.
+//! [`walks`] estimate the same by random walks, without variance where the paper's probabilities steer them (§3.4, §3.5).
 //!
 //! **Not covered**: occlusion beyond what the form factors know; reflection that is not diffuse.
 
@@ -14,6 +15,7 @@ mod error;
 mod flows;
 mod interreflection;
 mod solve;
+pub mod walks;
 
 pub use error::TransportError;
 pub use interreflection::{Brightness, Importance, Interreflection};

@@ -49,8 +49,7 @@ impl Interreflection<'_> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn radiosity(&self, emittances: &[f64]) -> Result<Brightness, TransportError> {
-        let mend = "give one a material that emits";
-        self.check("emittance", "emittances", emittances, mend)?;
+        self.check("emittance", "emittances", emittances)?;
         Ok(self.brightness(emittances))
     }
 
@@ -59,8 +58,7 @@ impl Interreflection<'_> {
     /// # Errors
     /// As [`radiosity`](Self::radiosity).
     pub fn importance(&self, direct: &[f64]) -> Result<Importance, TransportError> {
-        let mend = "name a patch that is looked at";
-        self.check("direct importance", "direct importances", direct, mend)?;
+        self.check("direct importance", "direct importances", direct)?;
         let sources = self.reflectances.iter().zip(direct);
         let sources: Vec<f64> = sources.map(|(reflectance, v)| reflectance * v).collect();
         // what is looked at may reflect nothing
@@ -76,12 +74,12 @@ impl Interreflection<'_> {
         Ok(Importance { values, reflected })
     }
 
-    fn check(
+    /// Refuses what are not numbers ≥ 0, one for each patch and one of them positive.
+    pub(super) fn check(
         &self,
         what: &'static str,
         all: &'static str,
         sources: &[f64],
-        mend: &'static str,
     ) -> Result<(), TransportError> {
         let (found, expected) = (sources.len(), self.reflectances.len());
         if found != expected {
@@ -97,7 +95,7 @@ impl Interreflection<'_> {
             return Err(TransportError::SourceOutOfRange { what, patch, value });
         }
         if sources.iter().all(|value| *value <= 0.0) {
-            return Err(TransportError::NoSource { what, mend });
+            return Err(TransportError::NoSource { what });
         }
         Ok(())
     }
