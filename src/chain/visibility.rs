@@ -21,7 +21,7 @@ use nalgebra::DMatrix;
 /// its error bounds; [`ChainError::RowAboveOne`]; [`ChainError::Scene`] if a form factor is refused.
 pub fn visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
     let exchange = scene.exchange_areas()?;
-    closure(scene, &exchange).require_closed()?;
+    closure(&exchange).require_closed()?;
     ReversibleChain::try_new(exchange.into_values())
 }
 
@@ -44,10 +44,10 @@ pub fn visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
 /// ```
 pub fn open_visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
     let exchange = scene.exchange_areas()?;
-    let closure = closure(scene, &exchange);
+    let closure = closure(&exchange);
     closure.require_at_most_one()?;
     let outside = exchange.patches();
-    let escaping = |i: usize| scene.patches()[i].shape().area() * closure.escaping(i);
+    let escaping = |i: usize| exchange.areas()[i] * closure.escaping(i);
     ReversibleChain::try_new(DMatrix::from_fn(outside + 1, outside + 1, |i, j| {
         match (i == outside, j == outside) {
             (true, true) => 0.0,
@@ -58,15 +58,18 @@ pub fn open_visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainErro
     }))
 }
 
-fn closure(scene: &Scene, exchange: &ExchangeAreas) -> Closure {
-    let patches = scene.patches();
-    let areas: Vec<f64> = patches.iter().map(|patch| patch.shape().area()).collect();
+fn closure(exchange: &ExchangeAreas) -> Closure {
+    let rows = 0..exchange.patches();
     let row = |i: usize| {
-        let entries = || (0..areas.len()).map(|j| exchange.get(i, j).exchange);
+        let entries = || rows.clone().map(|j| exchange.get(i, j).exchange);
         [
             compensated_sum(entries().map(|entry| entry.value)),
             compensated_sum(entries().map(|entry| entry.error_bound)),
         ]
     };
-    Closure::new(&areas, (0..areas.len()).map(row))
+    Closure::new(
+        exchange.areas(),
+        exchange.area_bounds(),
+        rows.clone().map(row),
+    )
 }

@@ -52,7 +52,7 @@ impl Measure {
         let measured = measured.map_err(|error| named(error, &scene))?;
         let written = self
             .output
-            .write(&measure_report(scene.patches(), &measured)?)?;
+            .write(&measure_report(&scene.group_names(), &measured)?)?;
         match outcome(&scene, Some(&measured.account), pairs.tolerance()) {
             Outcome::Done => Ok(written),
             differs @ Outcome::Differs => Ok(differs),
@@ -66,6 +66,6 @@ fn named(source: ChainError, scene: &Scene) -> Box<dyn std::error::Error> {
         ChainError::RowAboveOne { row, .. } => (*row, ""),
         _ => return source.into(),
     };
-    let name = scene.patches()[row].name().to_owned();
+    let name = scene.group_names()[row].to_owned();
     BadRow { source, name, mend }.into()
 }
