@@ -69,7 +69,7 @@ impl Measure {
         };
         let written = self
             .output
-            .write(&measure_report(scene.patches(), &measured)?)?;
+            .write(&measure_report(&scene.group_names(), &measured)?)?;
         match outcome(&scene, Some(&measured.account), pairs.tolerance()) {
             Outcome::Done => Ok(written),
             differs @ Outcome::Differs => Ok(differs),
@@ -84,7 +84,7 @@ impl Measure {
         let exchange = pairs.exchange_areas()?;
         let room = Interreflection::of(&exchange, &materials)?;
         let brightness = if matches!(self.chain, Chain::Importance) {
-            room.importance(&values(&self.importance, scene.patches())?)?
+            room.importance(&values(&self.importance, scene)?)?
                 .reflected
         } else {
             let emittances: Vec<f64> = materials.iter().map(Material::emittance).collect();
@@ -102,6 +102,6 @@ fn named(source: ChainError, scene: &Scene) -> Box<dyn Error> {
         ChainError::Scene(SceneError::RowAboveOne { row, .. }) => (*row, ""),
         _ => return source.into(),
     };
-    let name = scene.patches()[row].name().to_owned();
+    let name = scene.group_names()[row].to_owned();
     BadRow { source, name, mend }.into()
 }

@@ -1,6 +1,6 @@
 //! Numbers for some patches of a scene: `floor=0.5,3=1`.
 
-use crate::scene::{Material, MaterialError, NamedPatch, Scene};
+use crate::scene::{Material, MaterialError, Scene, SceneError};
 use std::str::FromStr;
 
 /// `PATCH=VALUE`, or `PATCH` alone for 1; PATCH is an index, a name, or `all`.
@@ -19,6 +19,8 @@ pub(super) enum PatchValueError {
     NoSuchPatch(String, usize),
     #[error("patch {0} ({1}): {2}")]
     Material(usize, String, MaterialError),
+    #[error(transparent)]
+    Scene(#[from] SceneError),
 }
 
 impl FromStr for PatchValue {
@@ -41,10 +43,10 @@ impl FromStr for PatchValue {
 }
 
 impl PatchValue {
-    /// The patches meant: all of a name, as a file may use it more than once.
-    fn patches(&self, patches: &[NamedPatch]) -> Result<Vec<usize>, PatchValueError> {
-        let all = 0..patches.len();
-        let named = |index: &usize| patches[*index].name() == self.patch;
+    /// The rows meant: all of a name, as a file may use it more than once.
+    fn rows(&self, names: &[&str]) -> Result<Vec<usize>, PatchValueError> {
+        let all = 0..names.len();
+        let named = |index: &usize| names[*index] == self.patch;
         let meant: Vec<usize> = if self.patch == "all" {
             all.collect()
         } else {
@@ -54,22 +56,20 @@ impl PatchValue {
             }
         };
         if meant.is_empty() {
-            let last = patches.len() - 1;
+            let last = names.len() - 1;
             return Err(PatchValueError::NoSuchPatch(self.patch.clone(), last));
         }
         Ok(meant)
     }
 }
 
-/// A value for every patch of the scene: 0 where none is given, the last one where several are.
-pub(super) fn values(
-    given: &[PatchValue],
-    patches: &[NamedPatch],
-) -> Result<Vec<f64>, PatchValueError> {
-    let mut values = vec![0.0; patches.len()];
+/// A value for every row of the scene: 0 where none is given, the last one where several are.
+pub(super) fn values(given: &[PatchValue], scene: &Scene) -> Result<Vec<f64>, PatchValueError> {
+    let names = scene.group_names();
+    let mut values = vec![0.0; names.len()];
     for one in given {
-        for patch in one.patches(patches)? {
-            values[patch] = one.value;
+        for row in one.rows(&names)? {
+            values[row] = one.value;
         }
     }
     Ok(values)
@@ -87,26 +87,27 @@ pub(super) struct Materials {
 }
 
 impl Materials {
-    /// The scene with these materials.
+    /// The materials of the scene's rows, with these in place of its own.
     pub(super) fn of(&self, scene: &Scene) -> Result<Vec<Material>, PatchValueError> {
-        let patches = scene.patches();
-        let own = patches.iter().map(NamedPatch::material);
-        let mut numbers: Vec<[f64; 2]> = own
-            .map(|material| [material.reflectance(), material.emittance()])
-            .collect();
+        let names = scene.group_names();
+        let own = (0..names.len()).map(|row| scene.group_material(row));
+        let mut numbers = Vec::with_capacity(names.len());
+        for material in own {
+            let material = material?;
+            numbers.push([material.reflectance(), material.emittance()]);
+        }
         for (place, given) in [&self.reflectance, &self.emittance].into_iter().enumerate() {
             for one in given {
-                for patch in one.patches(patches)? {
-                    numbers[patch][place] = one.value;
+                for row in one.rows(&names)? {
+                    numbers[row][place] = one.value;
                 }
             }
         }
-        let materials = numbers.into_iter().enumerate();
+        let materials = numbers.into_iter().zip(names).enumerate();
         materials
-            .map(|(index, [reflectance, emittance])| {
-                let name = || patches[index].name().to_owned();
+            .map(|(row, ([reflectance, emittance], name))| {
                 Material::try_new(reflectance, emittance)
-                    .map_err(|error| PatchValueError::Material(index, name(), error))
+                    .map_err(|error| PatchValueError::Material(row, name.to_owned(), error))
             })
             .collect()
     }

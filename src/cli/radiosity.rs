@@ -26,7 +26,7 @@ impl Radiosity {
         self.output.check()?;
         let scene = self.scene.scene(None, None)?;
         let materials = self.materials.of(&scene)?;
-        let direct = values(&self.importance, scene.patches())?;
+        let direct = values(&self.importance, &scene)?;
         let pairs = self.scene.pairs(&scene)?;
         let exchange = pairs.exchange_areas()?;
         let room = Interreflection::of(&exchange, &materials)?;
@@ -38,7 +38,7 @@ impl Radiosity {
             Some(room.importance(&direct)?)
         };
         let report = radiosity_report(
-            scene.patches(),
+            &scene.group_names(),
             &materials,
             &exchange,
             &radiosity,

@@ -69,7 +69,7 @@ pub struct SceneInformation {
     pub error: f64,
     /// What the error is.
     pub error_grade: ErrorGrade,
-    /// The terms of eq. (3) by patch, `w_i Σ_j P_ij log2(P_ij/w_j)`.
+    /// The terms of eq. (3) by patch, or by the row that several are summed into, `w_i Σ_j P_ij log2(P_ij/w_j)`.
     pub contributions: Vec<f64>,
     /// The same of the state `outside`, if there is one.
     pub outside_contribution: Option<f64>,
@@ -120,7 +120,13 @@ pub fn scene_information(
         let error = divergence_error(value, bound, areas[i] * probability);
         [value, bound, divergence, error]
     })?;
-    let closure = Closure::new(&areas, sums.iter().map(|sum| [sum[VALUE], sum[BOUND]]));
+    let area_bounds = pairs.area_bounds().iter();
+    let area_bounds: Vec<f64> = area_bounds.map(|bound| unit.times(*bound)).collect();
+    let closure = Closure::new(
+        &areas,
+        &area_bounds,
+        sums.iter().map(|sum| [sum[VALUE], sum[BOUND]]),
+    );
     match surroundings {
         Surroundings::None => closure.require_closed()?,
         Surroundings::Outside => closure.require_at_most_one()?,
@@ -168,13 +174,19 @@ pub fn scene_information(
             mutual_information,
         )
     };
+    // Σ |q − J| ≤ 2 A_i in row and column i; where an area is one patch's, its 4 ε are in the rounding
+    let from_areas = areas.iter().zip(&area_bounds).map(|(area, bound)| {
+        let more = bound - 4.0 * f64::EPSILON * area;
+        4.0 * more / LN_2
+    });
+    let from_areas = compensated_sum(from_areas);
     let rounding = tolerance::INFORMATION * (2.0 + mutual_information);
     Ok(SceneInformation {
         positional_entropy,
         // a difference below rounding may come out on the other side of 0
         entropy_rate: (positional_entropy - mutual_information).max(0.0),
         mutual_information,
-        error: (from_pairs + from_escaping) / outside.total + rounding,
+        error: (from_pairs + from_areas + from_escaping) / outside.total + rounding,
         error_grade: if is_closed {
             ErrorGrade::Bound
         } else {

@@ -20,7 +20,7 @@ mod table;
 #[cfg(feature = "proptest")]
 pub use campaign::fuzz_report;
 pub use campaign::study_report;
-pub use form_factors::{FormFactorRecord, write_form_factors};
+pub use form_factors::{FormFactorRecord, PatchRecord, write_form_factors};
 pub use measure::{measure_report, plan_notes};
 pub use npy::{write_npy_head, write_npy_row};
 pub use number::{certain_digits, enclosed_digits, power_of_ten, scientific};

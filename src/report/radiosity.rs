@@ -2,7 +2,7 @@
 
 use super::{Report, ReportError, Table, certain_digits, plan_notes, scientific};
 use crate::numeric::compensated_sum;
-use crate::scene::{Closure, ExchangeAreas, Material, NamedPatch, PlanSummary};
+use crate::scene::{Closure, ExchangeAreas, Material, PlanSummary};
 use crate::transport::{Brightness, Importance};
 
 /// Patches that a table shows; records carry all.
@@ -55,24 +55,24 @@ impl Power {
     }
 }
 
-/// What was found of a scene with these patches.
+/// What was found of a scene whose rows have these names.
 ///
 /// # Errors
 /// [`ReportError`] if a number is not finite.
 pub fn radiosity_report(
-    patches: &[NamedPatch],
+    names: &[&str],
     materials: &[Material],
     exchange: &ExchangeAreas,
     radiosity: &Brightness,
     importance: Option<&Importance>,
 ) -> Result<Report, ReportError> {
     let form_factor_error = |i: usize| Some(radiosity.form_factor_errors.as_ref()?[i]);
-    let patches: Vec<Patch<'_>> = patches
+    let patches: Vec<Patch<'_>> = names
         .iter()
         .enumerate()
-        .map(|(index, patch)| Patch {
+        .map(|(index, name)| Patch {
             index,
-            name: patch.name(),
+            name,
             radiosity: radiosity.values[index],
             irradiance: radiosity.received[index],
             importance: importance.map(|importance| importance.values[index]),

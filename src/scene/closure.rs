@@ -4,6 +4,8 @@
 //!   closed:  |Σ_j F_ij − 1| ≤ Σ_j bound_ij / A_i + 4 ε  for every i
 //! ```
 //!
+//! The 4 ε are for the area and the quotient; where an area is a sum or a difference, of what it is made of.
+//!
 //! What a row of an open scene lacks escapes.
 
 use super::{ExchangeAreas, SceneError, ScenePairs};
@@ -12,7 +14,7 @@ use crate::numeric::compensated_sum;
 /// The sum of a row of form factors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RowSum {
-    /// The patch, from 0.
+    /// The patch, or the row that several are summed into, from 0.
     pub row: usize,
     /// `Σ_j F_ij`.
     pub sum: f64,
@@ -27,15 +29,20 @@ pub struct Closure {
 }
 
 impl Closure {
-    /// From the areas, the sums of the rows of exchange areas and of their error bounds.
+    /// From the areas and the bounds on their rounding and the quotient's, the sums of the rows of exchange areas and of their
+    /// error bounds.
     #[must_use]
-    pub fn new(areas: &[f64], sums: impl IntoIterator<Item = [f64; 2]>) -> Self {
-        let rows = sums.into_iter().zip(areas).enumerate();
-        let rows = rows.map(|(row, ([exchange, bound], area))| RowSum {
+    pub fn new(
+        areas: &[f64],
+        area_bounds: &[f64],
+        sums: impl IntoIterator<Item = [f64; 2]>,
+    ) -> Self {
+        let rows = sums.into_iter().zip(areas.iter().zip(area_bounds));
+        let rows = rows.enumerate();
+        let rows = rows.map(|(row, ([exchange, bound], (area, area_bound)))| RowSum {
             row,
             sum: exchange / area,
-            // the area's and the quotient's rounding
-            error_bound: bound / area + 4.0 * f64::EPSILON,
+            error_bound: bound / area + area_bound / area,
         });
         Self {
             rows: rows.collect(),
@@ -48,7 +55,7 @@ impl Closure {
     /// [`SceneError::Pair`] if two patches are refused.
     pub fn of(pairs: &ScenePairs) -> Result<Self, SceneError> {
         let (sums, _) = pairs.row_sums(|_, _, exchange| [exchange.value, exchange.error_bound])?;
-        Ok(Self::new(pairs.areas(), sums))
+        Ok(Self::new(pairs.areas(), pairs.area_bounds(), sums))
     }
 
     /// That of exchange areas that are held.
@@ -62,7 +69,7 @@ impl Closure {
                 compensated_sum(entries().map(|entry| entry.error_bound)),
             ]
         };
-        Self::new(exchange.areas(), (0..n).map(row))
+        Self::new(exchange.areas(), exchange.area_bounds(), (0..n).map(row))
     }
 
     /// All rows, in order.

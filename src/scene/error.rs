@@ -104,6 +104,19 @@ pub enum SceneError {
         /// Area less that of the parts.
         left: f64,
     },
+    /// The patches of a row have not the same material.
+    #[error(
+        "patches {first} ({}) and {second} ({}) are summed into one row and differ in reflectance or emittance: \
+         give both the same, or a row each", names[0], names[1]
+    )]
+    MixedRow {
+        /// Index of the first.
+        first: usize,
+        /// Index of the second.
+        second: usize,
+        /// Their names.
+        names: [String; 2],
+    },
     /// A label for each patch was needed.
     #[error("{labels} labels for {patches} patches: one for each is needed")]
     LabelCount {
@@ -122,8 +135,8 @@ pub enum SceneError {
         /// Index of one that lies in it.
         part: usize,
     },
-    /// Pairs are taken patch by patch: nothing lies in another patch, nothing is summed into one row.
-    #[error("patch {index} {what}: pairs of such patches are not computed yet, leave it out")]
+    /// What takes patches one by one has met one that counts without others.
+    #[error("patch {index} {what}, and cuts are of whole patches: leave it out")]
     NotAPatchOfItsOwn {
         /// Index of the patch.
         index: usize,

@@ -8,6 +8,7 @@
 //! unless unoccluded values are asked for.
 
 mod arrangement;
+mod aspects;
 mod blockers;
 mod built_in;
 mod closure;
@@ -17,13 +18,16 @@ mod exchange_areas;
 pub mod files;
 mod lattice;
 mod material;
+mod members;
 mod overlap;
 mod pairs;
 mod parts;
 mod plan;
 mod planes;
+mod row_pairs;
 mod row_sums;
 mod rows;
+mod shifts;
 mod tally;
 
 pub use blockers::{Blocker, Blockers, Obstacle};
