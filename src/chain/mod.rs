@@ -10,6 +10,7 @@
 //! **Not here**: form-factor formulas; information measures.
 
 mod brightness;
+mod continuous;
 mod error;
 pub mod random;
 pub mod recipe;
@@ -20,6 +21,7 @@ pub mod strategies;
 mod visibility;
 
 pub use brightness::brightness_chain;
+pub use continuous::{ContinuousChain, continuous_chain, patch_integrals};
 pub use error::ChainError;
 pub use refinement::Refinement;
 pub use reversible::ReversibleChain;

@@ -28,6 +28,7 @@ mod row_pairs;
 mod row_sums;
 mod rows;
 mod shifts;
+mod subdivision;
 mod tally;
 
 pub use blockers::{Blocker, Blockers, Obstacle};

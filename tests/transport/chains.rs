@@ -1,7 +1,10 @@
 //! The radiosity and the importance chain (§3.4, §3.5).
 
 use super::{closed_scenes, uneven};
-use infoscene::chain::{Refinement, ReversibleChain, brightness_chain, visibility_chain};
+use infoscene::chain::{
+    Refinement, ReversibleChain, brightness_chain, continuous_chain, patch_integrals,
+    visibility_chain,
+};
 use infoscene::information::{mutual_information, refinement_gain};
 use infoscene::numeric::tolerance;
 use infoscene::scene::{ExchangeAreas, Material, Scene};
@@ -194,4 +197,127 @@ fn dividing_patches_refines_the_radiosity_chain() {
         sum / other.total()
     };
     assert!((0..6).any(|j| (sum(0, j) - whole.joint()[(0, j)] / whole.total()).abs() > 1e-3));
+}
+
+/// B, E and R constant on each patch: the integral form is the discrete one (§3.4).
+#[test]
+fn constant_light_makes_the_continuous_chain_discrete() {
+    let scene = Scene::built_in("cube:1").unwrap();
+    let exchange = scene.exchange_areas().unwrap();
+    let brightness: Vec<f64> = (0..6).map(|i| 0.1 + uneven(i, 5)).collect();
+    let discrete = brightness_chain(&exchange, &brightness).unwrap();
+    let continuous = continuous_chain(&scene, |patch, _| brightness[patch], 1e-12).unwrap();
+    assert!(continuous.error < 1e-12);
+    for i in 0..6 {
+        for j in 0..6 {
+            let [a, b] =
+                [&discrete, &continuous.chain].map(|chain| chain.joint()[(i, j)] / chain.total());
+            assert!((a - b).abs() <= 1e-13, "{i}, {j}: {a} {b}");
+        }
+    }
+}
+
+/// Brightness that varies: two facing squares, against a Gauss rule over both that knows the kernel only.
+#[test]
+fn varying_light_agrees_with_gauss_rules() {
+    let scene = Scene::facing_squares(0.75).unwrap();
+    let below = |x: glam::DVec3| (1.0 + x.x * x.x) * x.y.exp();
+    let above = |x: glam::DVec3| 2.0 - x.x * x.y;
+    let found = continuous_chain(
+        &scene,
+        |patch, x| if patch == 0 { below(x) } else { above(x) },
+        1e-9,
+    )
+    .unwrap();
+    let rule = infoscene::numeric::GaussLegendre::with(20);
+    let mut exact = 0.0;
+    let onto_unit = rule.nodes.iter().zip(&rule.weights);
+    let points: Vec<[f64; 2]> = onto_unit.map(|(x, w)| [0.5 + 0.5 * x, 0.5 * w]).collect();
+    for [x, wx] in &points {
+        for [y, wy] in &points {
+            for [u, wu] in &points {
+                for [v, wv] in &points {
+                    let (from, to) = (
+                        glam::DVec3::new(*x, *y, 0.0),
+                        glam::DVec3::new(*u, *v, 0.75),
+                    );
+                    let squared = from.distance_squared(to);
+                    let kernel = 0.75 * 0.75 / (std::f64::consts::PI * squared * squared);
+                    exact += wx * wy * wu * wv * kernel * below(from) * above(to);
+                }
+            }
+        }
+    }
+    // the stated error is relative to both entries
+    let error = (found.chain.joint()[(0, 1)] / exact - 1.0).abs() / 2.0;
+    assert!(
+        error < found.error && found.error < 1e-6,
+        "{error:e}, {:e}",
+        found.error
+    );
+    // negative control: a mean brightness on each is another chain's
+    let means = patch_integrals(
+        &scene,
+        |patch, x| if patch == 0 { below(x) } else { above(x) },
+        4,
+    )
+    .unwrap();
+    let form_factor = scene.exchange_areas().unwrap().get(0, 1).exchange.value;
+    assert!((means[0] * means[1] * form_factor / exact - 1.0).abs() > 1e-3);
+}
+
+/// B(x) of a finer solution, E and R even: the paper's weight `∫ B (B − E)/R` is the row sum.
+#[test]
+fn weights_of_a_varying_solution_are_row_sums() {
+    // the light of a bright face of a cube on the others, where it is smooth: between two facing squares in the open
+    let scene = Scene::facing_squares(1.0).unwrap();
+    let (fine, parents) = scene.subdivided(5).unwrap();
+    let exchange = fine.exchange_areas().unwrap();
+    let materials: Vec<Material> = parents
+        .iter()
+        .map(|patch| Material::try_new(if *patch == 0 { 0.5 } else { 0.8 }, 0.0).unwrap())
+        .collect();
+    let sources: Vec<f64> = parents.iter().map(|patch| f64::from(*patch == 0)).collect();
+    let room = Interreflection::of(&exchange, &materials).unwrap();
+    let radiosity = room.radiosity(&sources).unwrap();
+    let mut printed = [0.0; 2];
+    for (cell, patch) in parents.iter().enumerate() {
+        let (b, e, r) = (
+            radiosity.values[cell],
+            sources[cell],
+            materials[cell].reflectance(),
+        );
+        printed[*patch] += exchange.areas()[cell] * b * (b - e) / r;
+    }
+    let cells = brightness_chain(&exchange, &radiosity.values).unwrap();
+    let whole = Refinement::coarsening(cells, parents).unwrap();
+    for (state, printed) in printed.into_iter().enumerate() {
+        let weight = whole.coarse().weights()[state] * unit(&radiosity.values).powi(2);
+        assert!((weight / printed - 1.0).abs() < 1e-12, "{weight} {printed}");
+    }
+}
+
+/// The power of two that the chain's brightness is counted in.
+fn unit(values: &[f64]) -> f64 {
+    let largest = values.iter().copied().fold(0.0, f64::max);
+    largest.log2().floor().exp2()
+}
+
+/// Negative brightness, and none, are refused.
+#[test]
+fn dark_and_negative_light_is_refused() {
+    let scene = Scene::built_in("two-squares").unwrap();
+    assert!(continuous_chain(&scene, |_, _| -1.0, 1e-6).is_err());
+    assert!(continuous_chain(&scene, |_, _| f64::NAN, 1e-6).is_err());
+    assert!(continuous_chain(&scene, |_, _| 0.0, 1e-6).is_err());
+    let exchange = scene.exchange_areas().unwrap();
+    for brightness in [&[1.0, -1.0][..], &[1.0], &[0.0, 0.0], &[1.0, f64::NAN]] {
+        assert!(brightness_chain(&exchange, brightness).is_err());
+    }
+    let area = patch_integrals(&scene, |_, x| x.x * x.y, 3).unwrap();
+    // ∫∫ x y over the floor is 1/4, over the wall x is 0
+    assert!(
+        (area[0] - 0.25).abs() < 1e-15 && area[1].abs() < 1e-15,
+        "{area:?}"
+    );
 }
