@@ -266,7 +266,10 @@ fn printed_rows_of_light(input: &Inputs) -> Result<Finding, ClaimError> {
     let off = row - &one;
     let narrow = off.constant(1e-30);
     let (is_one, is_not) = (off.abs() < narrow, off.abs() > narrow);
-    Ok(Finding::decided(is_one, is_not, off))
+    Ok(Finding::decided(is_one, is_not, off).noting(
+        "with the numerator B_i as printed, two patches that see each other have row sums 2 and 1/2; with B_j rows sum to one \
+         and reciprocity holds",
+    ))
 }
 
 /// B, E and R constant on each patch: the integral form, by quadrature, against the discrete one.
