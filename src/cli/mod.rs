@@ -9,6 +9,7 @@ mod cut;
 mod form_factor;
 #[cfg(feature = "proptest")]
 mod fuzz;
+mod light;
 mod measure;
 mod output;
 mod patch_values;

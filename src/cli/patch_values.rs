@@ -87,6 +87,11 @@ pub(super) struct Materials {
 }
 
 impl Materials {
+    /// Is none given?
+    pub(super) const fn is_empty(&self) -> bool {
+        self.reflectance.is_empty() && self.emittance.is_empty()
+    }
+
     /// The materials of the scene's rows, with these in place of its own.
     pub(super) fn of(&self, scene: &Scene) -> Result<Vec<Material>, PatchValueError> {
         let names = scene.group_names();
