@@ -63,20 +63,32 @@ pub(super) const fn start(j: usize) -> usize {
 impl<'e> Flows<'e> {
     /// `Σ_j J_ij (x_i − x_j)`.
     pub(super) fn differences<T: Number>(&self, x: &[T]) -> Vec<T> {
-        self.pass(x, |flow, at, x| {
-            let difference = flow * (at - x);
-            [difference, -difference]
-        })
+        self.pass(
+            x,
+            #[inline(always)]
+            |flow, at, x| {
+                let difference = flow * (at - x);
+                [difference, -difference]
+            },
+        )
     }
 
     /// `Σ_{j≠i} J_ij x_j`.
     pub(super) fn gathered<T: Number>(&self, x: &[T]) -> Vec<T> {
-        self.pass(x, |flow, at, x| [flow * x, flow * at])
+        self.pass(
+            x,
+            #[inline(always)]
+            |flow, at, x| [flow * x, flow * at],
+        )
     }
 
     /// `Σ_{j≠i} J_ij |x_i − x_j|`.
     pub(super) fn absolute_differences(&self, x: &[f64]) -> Vec<f64> {
-        self.pass(x, |flow: f64, at, x| [flow * (at - x).abs(); 2])
+        self.pass(
+            x,
+            #[inline(always)]
+            |flow: f64, at, x| [flow * (at - x).abs(); 2],
+        )
     }
 
     /// Sums over the rows of what `term(J_ij, x_j, x_i)` gives to j and to i.
@@ -88,10 +100,13 @@ impl<'e> Flows<'e> {
                 let mut sums = vec![T::from(0.0); columns.end];
                 for j in columns {
                     let column = &self.values[start(j)..start(j + 1)];
-                    let mut own = T::from(0.0);
-                    let (x, others) = (&x[..=j], &mut sums[..j]);
-                    vectorised(|| own = along(column, x, others, term));
-                    sums[j] = sums[j] + own;
+                    let (others, own) = sums.split_at_mut(j);
+                    let (x, own) = (&x[..=j], &mut own[0]);
+                    // what is moved in is local to the loop, which the compiler wants to see for vectors
+                    vectorised(
+                        #[inline(always)]
+                        move || *own = *own + along(column, x, others, term),
+                    );
                 }
                 sums
             })
