@@ -81,6 +81,7 @@ impl Members {
     }
 
     /// The two polygons of two rows that are one polygon each.
+    #[inline]
     pub(super) fn single(&self, first: usize, second: usize) -> Option<[usize; 2]> {
         match (self.of_row(first), self.of_row(second)) {
             ([one], [other]) if first != second => Some([one.polygon, other.polygon]),

@@ -147,6 +147,7 @@ impl ScenePairs {
     }
 
     /// What a pair of polygons exchanges whose planes see each other.
+    #[inline]
     pub(super) fn look(
         &self,
         first: usize,

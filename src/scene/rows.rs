@@ -91,7 +91,7 @@ impl ScenePairs {
                 let counts = if is_new { &mut tally } else { &mut again };
                 let answer = self.between(from, to, counts)?;
                 let polygons = self.members.pairs(from, to);
-                let counted = polygons.filter(|pair| is_new && pair.iter().all(|m| m.sign > 0.0));
+                let counted = polygons.filter(|pair| is_part && pair.iter().all(|m| m.sign > 0.0));
                 for [one, other] in counted.map(|pair| pair.map(|member| member.polygon)) {
                     pairs += 1;
                     match self.plan.sight(one, other) {
@@ -103,9 +103,11 @@ impl ScenePairs {
                 entries.push(Entry { from, to, answer });
             }
         }
-        Ok((
-            entries,
-            self.account_of(pairs, left_out, classes.len(), tally),
-        ))
+        let account = if is_part {
+            self.account_of(pairs, left_out, classes.len(), tally)
+        } else {
+            self.account(tally)
+        };
+        Ok((entries, account))
     }
 }
