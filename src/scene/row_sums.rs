@@ -67,7 +67,14 @@ impl ScenePairs {
                 .into_par_iter()
                 .zip(&chunks[index..])
                 .enumerate()
-                .filter(|(_, (_, columns))| self.may_see(rows, columns))
+                .filter(|(_, (_, columns))| {
+                    let may_see = self.may_see(rows, columns);
+                    if !may_see {
+                        let skipped = rows.places.clone().map(|row| after(row, columns).len());
+                        self.progress.done(skipped.sum());
+                    }
+                    may_see
+                })
                 .map(|(at, (sums, columns))| (at, self.tile(&order, rows, columns, sums, &term)))
                 .collect();
             for (_, tile) in tiles {
@@ -135,8 +142,7 @@ impl ScenePairs {
         let is_mixed = rows.aspect.is_none() || columns.aspect.is_none();
         for (row, row_sums) in rows.places.clone().zip(&mut row_sums) {
             let first = order[row];
-            let from = columns.places.start.max(row)..columns.places.end;
-            for column in from {
+            for column in columns.places.start.max(row)..columns.places.end {
                 let second = order[column];
                 if is_mixed && self.sight(first, second) != Sight::Open {
                     continue;
@@ -151,9 +157,16 @@ impl ScenePairs {
                     }
                 }
             }
+            self.progress.done(after(row, columns).len());
         }
         Ok((row_sums, tally))
     }
+}
+
+/// The columns of a chunk that come after a row.
+fn after(row: usize, columns: &Chunk) -> Range<usize> {
+    let end = columns.places.end;
+    columns.places.start.max(row + 1).min(end)..end
 }
 
 /// The sums of each chunk, the first of which starts where `sums` does.

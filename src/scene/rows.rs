@@ -44,6 +44,9 @@ impl ScenePairs {
                 tally.merge(&counts);
             }
             visit(from, &row)?;
+            // all rows take the same time, n/2 pairs of the n²/2
+            self.progress
+                .done((from + 1) * (n - 1) / 2 - from * (n - 1) / 2);
         }
         Ok(self.account(tally))
     }

@@ -10,6 +10,8 @@ use infoscene::scene::{
     Congruence, ExchangeAreas, Material, NamedPatch, Scene, SceneError, ScenePairs,
 };
 use nalgebra::DMatrix;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 const TOLERANCE: f64 = 1e-12;
 
@@ -211,4 +213,26 @@ fn a_row_has_a_material_if_its_patches_agree() {
         refusal.contains("(ceiling 0,0)") && refusal.contains("(right 0,0)"),
         "{refusal}"
     );
+}
+
+/// Every pass tells of each pair once, whether it is left out or not.
+#[test]
+fn progress_ends_with_all_pairs() {
+    for scene in [furnished(true), Scene::built_in("cube:6").unwrap()] {
+        let done = Arc::new(AtomicUsize::new(0));
+        let so_far = Arc::clone(&done);
+        let pairs = pairs(&scene).with_progress(move |more| {
+            so_far.fetch_add(more, Ordering::Relaxed);
+        });
+        let n = pairs.patches();
+        assert_eq!(pairs.pairs(), n * (n - 1) / 2);
+        let all = || assert_eq!(done.swap(0, Ordering::Relaxed), pairs.pairs());
+        pairs.exchange_areas().unwrap();
+        all();
+        pairs.row_sums(|_, _, exchange| [exchange.value]).unwrap();
+        all();
+        let visited = pairs.for_each_row(|_, _| Ok::<(), SceneError>(()));
+        visited.unwrap();
+        all();
+    }
 }
