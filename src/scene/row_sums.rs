@@ -142,7 +142,16 @@ impl ScenePairs {
         let is_mixed = rows.aspect.is_none() || columns.aspect.is_none();
         for (row, row_sums) in rows.places.clone().zip(&mut row_sums) {
             let first = order[row];
-            for column in columns.places.start.max(row)..columns.places.end {
+            if columns.places.contains(&row) && self.sight(first, first) == Sight::Open {
+                let answer = self.open(first, first, &mut tally)?;
+                let terms = term(first, first, &answer.exchange);
+                for (sum, term) in row_sums.iter_mut().zip(terms) {
+                    sum.add(term);
+                }
+            }
+            let after = after(row, columns);
+            let pairs = after.len();
+            for column in after {
                 let second = order[column];
                 if is_mixed && self.sight(first, second) != Sight::Open {
                     continue;
@@ -152,12 +161,10 @@ impl ScenePairs {
                 let column_sums = &mut column_sums[column - columns.places.start];
                 for ((row, column), term) in row_sums.iter_mut().zip(column_sums).zip(terms) {
                     row.add(term);
-                    if first != second {
-                        column.add(term);
-                    }
+                    column.add(term);
                 }
             }
-            self.progress.done(after(row, columns).len());
+            self.progress.done(pairs);
         }
         Ok((row_sums, tally))
     }
