@@ -7,6 +7,7 @@ use crate::study::accuracy::accuracy;
 use crate::study::extreme_pairs::{StabilityRow, route_stability};
 use crate::study::precision::work_precision;
 use crate::study::stability::gain_stability;
+use crate::study::transport_stability::transport_stability;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Study {
@@ -41,6 +42,7 @@ impl Study {
                 let [gains, routes] = if self.quick { [1, 1] } else { [10_000, 10] };
                 let gains = gain_stability(gains)?;
                 let mut rows: Vec<_> = gains.into_iter().map(StabilityRow::from).collect();
+                rows.extend(transport_stability(routes)?);
                 rows.extend(route_stability(routes, self.quick)?);
                 self.output.write(&stability_report(&rows)?)
             }

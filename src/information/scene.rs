@@ -22,9 +22,9 @@
 //! **Not covered**: what is below 1e-308 of the total.
 
 use super::measures::{Unit, pair_divergence};
-use crate::chain::{ChainError, Closure};
+use crate::chain::ChainError;
 use crate::numeric::{compensated_sum, tolerance, x_log2_x};
-use crate::scene::{Account, ScenePairs};
+use crate::scene::{Account, Closure, ScenePairs};
 use std::f64::consts::LN_2;
 
 /// What becomes of power that meets no patch.
@@ -56,7 +56,7 @@ impl ErrorGrade {
     }
 }
 
-/// The information of a scene's visibility chain, in bits.
+/// The information of a scene's chain, in bits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneInformation {
     /// Positional entropy, eq. (1).
@@ -73,6 +73,8 @@ pub struct SceneInformation {
     pub contributions: Vec<f64>,
     /// The same of the state `outside`, if there is one.
     pub outside_contribution: Option<f64>,
+    /// Stationary probabilities of the patches: areas, or generalised areas, over their sum.
+    pub weights: Vec<f64>,
     /// Sum of the areas.
     pub total_area: f64,
     /// The sums of the rows of form factors.
@@ -90,8 +92,8 @@ const DIVERGENCE_ERROR: usize = 3;
 /// The information of a scene's visibility chain, each pair taken once and none held.
 ///
 /// # Errors
-/// [`ChainError::OpenScene`] for an open scene without [`Surroundings::Outside`]; [`ChainError::RowAboveOne`];
-/// [`ChainError::Scene`] if two patches are refused.
+/// [`ChainError::Scene`] for an open scene without [`Surroundings::Outside`], for rows above one, and if two patches are
+/// refused.
 ///
 /// # Examples
 /// ```
@@ -192,6 +194,7 @@ pub fn scene_information(
         },
         contributions,
         outside_contribution,
+        weights: areas.iter().map(|area| area / outside.total).collect(),
         total_area,
         closure,
         account,
@@ -241,7 +244,7 @@ impl Outside {
 }
 
 /// What an error of the exchange area may change `J ln(J/q) − J + q` by, in nats.
-fn divergence_error(value: f64, bound: f64, product: f64) -> f64 {
+pub(super) fn divergence_error(value: f64, bound: f64, product: f64) -> f64 {
     if bound <= 0.0 {
         return 0.0;
     }

@@ -40,6 +40,8 @@ struct WorstRow<'r> {
 struct Contribution<'r> {
     patch: usize,
     name: &'r str,
+    /// Its stationary probability.
+    weight: f64,
     mutual_information: f64,
     row_sum: f64,
 }
@@ -73,6 +75,7 @@ pub fn measure_report(names: &[&str], measured: &SceneInformation) -> Result<Rep
         .map(|(information, row)| Contribution {
             patch: row.row,
             name: names[row.row],
+            weight: measured.weights[row.row],
             mutual_information: *information,
             row_sum: row.sum,
         })
@@ -93,10 +96,10 @@ pub fn measure_report(names: &[&str], measured: &SceneInformation) -> Result<Rep
         ),
         (
             "closed",
-            if closed {
-                "yes"
-            } else {
-                "no: one more state, outside"
+            match (closed, measured.outside_contribution) {
+                (true, _) => "yes",
+                (false, Some(_)) => "no: one more state, outside",
+                (false, None) => "no: light that escapes has no state",
             }
             .to_owned(),
         ),
@@ -130,6 +133,14 @@ pub fn measure_report(names: &[&str], measured: &SceneInformation) -> Result<Rep
         scientific(worst.error_bound)
     );
     lines.push(("row sum farthest from 1", row));
+    let mut largest = 0;
+    for (patch, weight) in measured.weights.iter().enumerate() {
+        if *weight > measured.weights[largest] {
+            largest = patch;
+        }
+    }
+    let weight = format!("{}: {:.6}", name(largest), measured.weights[largest]);
+    lines.push(("largest weight", weight));
     let mut rows: Vec<Vec<String>> = lines
         .into_iter()
         .map(|(quantity, value)| vec![quantity.to_owned(), value])

@@ -143,6 +143,31 @@ pub enum SceneError {
         /// What it is instead.
         what: &'static str,
     },
+    /// The patches do not enclose their surroundings.
+    #[error(
+        "the scene is open: row {row} of the form factors sums to {sum}, 1 ± {tolerance:e} is closed"
+    )]
+    OpenScene {
+        /// The row farthest from 1.
+        row: usize,
+        /// Its sum.
+        sum: f64,
+        /// What would count as closed.
+        tolerance: f64,
+    },
+    /// The form factors of a patch sum to more than one.
+    #[error(
+        "row {row} of the form factors sums to {sum}, 1 + {tolerance:e} at most is possible: patches overlap, or \
+         hide each other"
+    )]
+    RowAboveOne {
+        /// The row farthest above 1.
+        row: usize,
+        /// Its sum.
+        sum: f64,
+        /// The bound on the error of the sum.
+        tolerance: f64,
+    },
     /// The format has no place for something that the scene has.
     #[error("{format} cannot say that {what}: {mend}")]
     NotExpressible {

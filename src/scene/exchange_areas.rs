@@ -41,6 +41,18 @@ impl ExchangeAreas {
         self.areas.len()
     }
 
+    /// The entries (i, j), i < j, packed: at `j(j − 1)/2 + i`.
+    #[must_use]
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// The bounds on the errors of [`values`](Self::values).
+    #[must_use]
+    pub fn error_bounds(&self) -> &[f64] {
+        &self.error_bounds
+    }
+
     /// The rows' areas, without what lies in them.
     #[must_use]
     pub fn areas(&self) -> &[f64] {

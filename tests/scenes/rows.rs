@@ -2,12 +2,12 @@
 
 use super::bases::square;
 use glam::DVec3;
-use infoscene::chain::{Closure, ReversibleChain, open_visibility_chain, visibility_chain};
+use infoscene::chain::{ReversibleChain, open_visibility_chain, visibility_chain};
 use infoscene::geometry::Patch;
 use infoscene::information::{Surroundings, mutual_information, scene_information};
 use infoscene::numeric::tolerance;
 use infoscene::scene::{
-    Congruence, ExchangeAreas, Material, NamedPatch, Scene, SceneError, ScenePairs,
+    Closure, Congruence, ExchangeAreas, Material, NamedPatch, Scene, SceneError, ScenePairs,
 };
 use nalgebra::DMatrix;
 use std::sync::Arc;
