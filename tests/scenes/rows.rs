@@ -1,4 +1,4 @@
-//! Exchange areas of bases without their parts, and of rows that are summed.
+//! Exchange areas of rows that are summed of several patches.
 
 use super::bases::square;
 use glam::DVec3;
