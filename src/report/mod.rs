@@ -1,12 +1,14 @@
 //! Tables for people and records for scripts.
 //!
 //! A [`Report`] carries both: a table with the digits that are certain, and records with every digit. It is
-//! rendered as terminal table, Markdown, LaTeX, CSV or JSON.
+//! rendered as terminal table, Markdown, LaTeX, CSV or JSON. A [`Figure`] is lines, drawn in SVG.
 //!
 //! **Not here**: computing; the numbers come finished.
 
 mod campaign;
+mod figure;
 mod form_factors;
+mod gradient_cuts;
 mod latex;
 mod measure;
 mod npy;
@@ -19,7 +21,9 @@ mod table;
 #[cfg(feature = "proptest")]
 pub use campaign::fuzz_report;
 pub use campaign::study_report;
+pub use figure::{Axis, Figure, Line};
 pub use form_factors::{FormFactorRecord, write_form_factors};
+pub use gradient_cuts::{cut_report, cuts_figure, cuts_report};
 pub use measure::{measure_report, plan_notes};
 pub use npy::{write_npy_head, write_npy_row};
 pub use number::{certain_digits, enclosed_digits, power_of_ten, scientific};
