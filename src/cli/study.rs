@@ -1,11 +1,15 @@
-//! `infoscene study accuracy|stability|precision`.
+//! `infoscene study accuracy|stability|precision|limits|profiles`.
 
 use super::Answer;
 use super::output::Output;
-use crate::report::{accuracy_report, stability_report, study_report};
+use crate::report::{
+    accuracy_report, limits_report, profiles_report, stability_report, study_report,
+};
 use crate::study::accuracy::accuracy;
 use crate::study::extreme_pairs::{StabilityRow, route_stability};
+use crate::study::gradient_limits::gradient_limits;
 use crate::study::precision::work_precision;
+use crate::study::profiles::profiles;
 use crate::study::stability::gain_stability;
 
 #[derive(Debug, clap::Args)]
@@ -28,6 +32,10 @@ enum Subject {
     Stability,
     /// Width of enclosures against run time.
     Precision,
+    /// Where the cuts of §4.2 go as the exponent grows.
+    Limits,
+    /// Both cuts of §4.2 for radiosities that are no powers.
+    Profiles,
 }
 
 impl Study {
@@ -48,6 +56,8 @@ impl Study {
                 let rows = work_precision(self.quick)?;
                 self.output.write(&study_report("precision", &rows)?)
             }
+            Subject::Limits => self.output.write(&limits_report(&gradient_limits()?)?),
+            Subject::Profiles => self.output.write(&profiles_report(&profiles()?)?),
         }
     }
 }

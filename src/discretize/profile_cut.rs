@@ -26,7 +26,8 @@ pub enum Irradiance {
     Constant,
     /// Proportional to `B − emission`: the reflectance is constant.
     Reflected {
-        /// What is emitted everywhere, from 0 to the lowest radiosity.
+        /// What is emitted everywhere, from 0 to the lowest radiosity; below it where a whole part has the lowest, as its
+        /// weight would be 0.
         emission: f64,
     },
 }
@@ -63,12 +64,14 @@ impl ProfileCut {
     pub fn try_new(profile: Profile, irradiance: Irradiance) -> Result<Self, DiscretizeError> {
         let profile = profile.checked()?;
         if let Irradiance::Reflected { emission } = irradiance
-            && !(emission >= 0.0 && emission <= profile.lowest())
+            && !(emission >= 0.0
+                && (emission < profile.lowest()
+                    || emission <= profile.lowest() && !matches!(profile, Profile::Step { .. })))
         {
             return Err(DiscretizeError::OutOfRange {
                 parameter: "the emission",
                 value: emission,
-                condition: "from 0 to the lowest radiosity",
+                condition: "from 0 to the lowest radiosity, and less than that of a whole part",
             });
         }
         let flux = profile.flux(0.0, 1.0);

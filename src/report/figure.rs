@@ -10,7 +10,6 @@ use super::ReportError;
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// Lines over two axes.
 #[derive(Debug, Clone, PartialEq)]
@@ -172,6 +171,7 @@ impl Figure {
         root.fill(&WHITE).map_err(text)?;
         let mut chart = ChartBuilder::on(root)
             .margin(12 * FINER)
+            .margin_right(20 * FINER)
             .x_label_area_size(40 * FINER)
             .y_label_area_size(62 * FINER)
             .build_cartesian_2d(x.clone(), y.clone())
@@ -228,12 +228,7 @@ impl Figure {
                 .legend_area_size(SAMPLE + 6 * 10)
                 .background_style(WHITE.mix(0.85))
                 .border_style(RGBColor(150, 150, 150).stroke_width(5))
-                .label_font(
-                    ("sans-serif", LETTERS)
-                        .into_font()
-                        .into_text_style(root)
-                        .pos(Pos::new(HPos::Left, VPos::Center)),
-                )
+                .label_font(("sans-serif", LETTERS))
                 .draw()
                 .map_err(text)?;
         }

@@ -183,23 +183,22 @@ pub fn cuts_report(all: &[CutComparison]) -> Result<Report, ReportError> {
     Report::list(table, "cuts", &records)
 }
 
-/// A share in per cent: two digits, more where it is near to all.
+/// A share in per cent: three digits, of what is missing to all where that is less.
 pub(super) fn percent(share: f64) -> String {
-    let rest = (100.0 * (1.0 - share)).abs();
     let percent = 100.0 * share;
-    if percent.abs() < 1e-9 {
-        "0 %".to_owned()
-    } else if percent < 1.0 {
+    let small = percent.abs().min((100.0 - percent).abs());
+    let decimals = 2.0 - small.max(1e-9).log10().floor();
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "from 0 to 11"
+    )]
+    let decimals = decimals.clamp(0.0, 11.0) as usize;
+    if small < 1e-9 {
+        format!("{percent:.0} %")
+    } else if percent < 1e-3 {
         format!("{percent:.2e} %")
-    } else if rest < 1e-9 {
-        "100 %".to_owned()
     } else {
-        #[allow(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "from 1 to 11"
-        )]
-        let decimals = (1.0 - rest.log10().floor()).clamp(1.0, 11.0) as usize;
         format!("{percent:.decimals$} %")
     }
 }

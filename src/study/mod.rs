@@ -4,6 +4,7 @@
 //! [`accuracy`] sets the error of every route to a form factor against its run time, on the [families](polygon_pairs) of
 //! pairs too; [`stability`] measures what naive forms of the gain lose, [`extreme_pairs`] what the routes
 //! keep of stiff and extreme pairs, [`precision`] what an enclosure costs. [`Truth`] judges.
+//! [`gradient_limits`] follows the cuts of §4.2 to their limits, [`profiles`] sets both cuts side by side for other radiosities.
 //!
 //! **Not here**: printing.
 
@@ -14,8 +15,10 @@ pub mod extreme_pairs;
 #[cfg(feature = "proptest")]
 pub mod fuzz;
 mod gauss_order;
+pub mod gradient_limits;
 pub mod polygon_pairs;
 pub mod precision;
+pub mod profiles;
 pub mod stability;
 mod truth;
 
