@@ -16,7 +16,7 @@ pub(super) struct Cut {
         value_name = "N,…",
         required = true,
         value_delimiter = ',',
-        allow_hyphen_values = true
+        allow_negative_numbers = true
     )]
     exponent: Vec<Exponents>,
     /// Irradiance grows as this power of l: 1 is what the paper prints, `n` (the radiosity's) what its hypotheses imply;
@@ -26,7 +26,7 @@ pub(super) struct Cut {
         value_name = "M,…",
         default_value = "1",
         value_delimiter = ',',
-        allow_hyphen_values = true
+        allow_negative_numbers = true
     )]
     irradiance_exponent: Vec<IrradianceExponents>,
     /// Enclose the cuts, too, with ends of this many bits.

@@ -19,7 +19,7 @@ use crate::numeric::GaussLegendre;
 /// Radiosity along a patch of length 1, in any unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Profile {
-    /// `lⁿ`, n from 1e-3 to 1e3.
+    /// `lⁿ`, n from 1e-3 to 60; beyond, see [`GradientCut`](super::GradientCut).
     Power {
         /// n.
         exponent: f64,
@@ -61,8 +61,8 @@ impl Profile {
         let levels = 1e-3..=1e3;
         let checks = match self {
             Self::Power { exponent } => {
-                let is_right = (1e-3..=1e3).contains(&exponent);
-                vec![("the exponent", exponent, is_right, "from 1e-3 to 1e3")]
+                let is_right = (1e-3..=60.0).contains(&exponent);
+                vec![("the exponent", exponent, is_right, "from 1e-3 to 60")]
             }
             Self::Exponential { rate } => {
                 let is_right = (0.01..=100.0).contains(&rate.abs());
@@ -143,6 +143,15 @@ impl Profile {
     #[must_use]
     pub fn lowest(&self) -> f64 {
         self.radiosity(0.0).min(self.radiosity(1.0))
+    }
+
+    /// Where the radiosity jumps.
+    #[must_use]
+    pub const fn jump(&self) -> Option<f64> {
+        match self {
+            Self::Step { at, .. } => Some(*at),
+            _ => None,
+        }
     }
 
     /// Is the patch turned round the same patch?

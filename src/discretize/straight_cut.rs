@@ -75,7 +75,7 @@ impl StraightCut {
 
     /// The gain of this cut in bits per unit of flux.
     ///
-    /// **Accuracy** a few ε absolute, measured by `straight_cuts_agree_with_a_fine_grid` and
+    /// **Accuracy** a few ε absolute, measured by `straight_cuts_agree_with_quadrature_the_other_way` and
     /// `straight_cuts_agree_with_the_closed_form`.
     #[must_use]
     pub fn gain(&self, patch: &GradientCut) -> f64 {

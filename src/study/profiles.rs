@@ -21,7 +21,7 @@ pub struct ProfileRow {
 }
 
 /// The profiles, in words and as they are.
-pub const PROFILES: [(&str, Profile); 18] = [
+pub const PROFILES: [(&str, Profile); 19] = [
     ("l", Profile::Power { exponent: 1.0 }),
     ("l²", Profile::Power { exponent: 2.0 }),
     ("l⁴", Profile::Power { exponent: 4.0 }),
@@ -37,6 +37,7 @@ pub const PROFILES: [(&str, Profile); 18] = [
     ("bump at 1, σ 0.5", bump(1.0, 0.5)),
     ("bump at 1, σ 0.1", bump(1.0, 0.1)),
     ("bump at 0.7, σ 0.2", bump(0.7, 0.2)),
+    ("bump at 0.55, σ 0.05", bump(0.55, 0.05)),
     ("bump at 0.5, σ 0.5", bump(0.5, 0.5)),
     ("bump at 0.5, σ 0.2", bump(0.5, 0.2)),
     ("bump at 0.5, σ 0.05", bump(0.5, 0.05)),
