@@ -1,15 +1,17 @@
 //! Figures of lines, in SVG.
 //!
 //! Each line has a colour, a dash pattern and a marker of its own: any one of the three tells it from the others. The page is
-//! 480 × 320 units with letters of 14, some 7 pt in a column 84 mm wide; it is drawn ten times finer, as the drawing library
+//! 480 × 320 units, and a row above for each of several lines, with letters of 14, some 7 pt in a column 84 mm wide; it is drawn ten times finer, as the drawing library
 //! rounds to whole units.
 //!
 //! **Not here**: computing.
 
 use super::ReportError;
-use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
+use super::scale::Scale;
+use plotters::coord::Shift;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// Lines over two axes.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,8 +46,12 @@ pub struct Line {
 const PAGE: (u32, u32) = (480, 320);
 const FINER: u32 = 10;
 const LETTERS: u32 = 14 * FINER;
-/// Length of the sample of a line in the legend.
-const SAMPLE: i32 = 340;
+/// White around it, and what the vertical axis takes.
+const MARGIN: u32 = 12;
+const LEFT: u32 = 62;
+/// Height of a row of the legend, and length of the sample of a line in it.
+const ROW: u32 = 18;
+const SAMPLE: i32 = 400;
 const SOLID: i32 = i32::MAX;
 
 /// What tells a line: colour (of Okabe and Ito, told apart with any kind of sight), dash and gap, corners of the marker.
@@ -118,8 +124,18 @@ impl Figure {
         if x.0 >= x.1 {
             return Err(refused("a line needs two points".to_owned()));
         }
-        let scales = [Scale::of(&self.x, x), Scale::of(&self.y, y)];
-        let size = (PAGE.0 * FINER, PAGE.1 * FINER);
+        let scale = |axis: &Axis, ends, is_tight| {
+            let scale = Scale::new(axis.is_logarithmic, ends, is_tight);
+            scale.ok_or_else(|| {
+                refused(format!(
+                    "no ticks can be set on the axis \"{}\"",
+                    axis.label
+                ))
+            })
+        };
+        let scales = [scale(&self.x, x, true)?, scale(&self.y, y, false)?];
+        let page = (PAGE.0, PAGE.1 + self.legend_height());
+        let size = (page.0 * FINER, page.1 * FINER);
         let mut text = String::new();
         {
             let root = SVGBackend::with_string(&mut text, size).into_drawing_area();
@@ -128,8 +144,8 @@ impl Figure {
                 .map_err(refused)?;
         }
         let drawn = format!("width=\"{}\" height=\"{}\"", size.0, size.1);
-        let page = format!("width=\"{}\" height=\"{}\"", PAGE.0, PAGE.1);
-        Ok(text.replacen(&drawn, &page, 1))
+        let shown = format!("width=\"{}\" height=\"{}\"", page.0, page.1);
+        Ok(text.replacen(&drawn, &shown, 1))
     }
 
     /// The points on their axes: logarithms where these are spaced evenly.
@@ -163,17 +179,18 @@ impl Figure {
 
     fn draw<DB: DrawingBackend>(
         &self,
-        root: &DrawingArea<DB, plotters::coord::Shift>,
+        root: &DrawingArea<DB, Shift>,
         lines: &[Vec<[f64; 2]>],
         [x, y]: &[Scale; 2],
     ) -> Result<(), String> {
         let text = |error: DrawingAreaErrorKind<DB::ErrorType>| error.to_string();
         root.fill(&WHITE).map_err(text)?;
-        let mut chart = ChartBuilder::on(root)
-            .margin(12 * FINER)
-            .margin_right(20 * FINER)
+        let (legend, rest) = root.split_vertically(self.legend_height() * FINER);
+        let mut chart = ChartBuilder::on(&rest)
+            .margin(MARGIN * FINER)
+            .margin_right(2 * MARGIN * FINER)
             .x_label_area_size(40 * FINER)
-            .y_label_area_size(62 * FINER)
+            .y_label_area_size(LEFT * FINER)
             .build_cartesian_2d(x.clone(), y.clone())
             .map_err(text)?;
         chart
@@ -185,198 +202,80 @@ impl Figure {
             .label_style(("sans-serif", LETTERS))
             .x_desc(self.x.label.as_str())
             .y_desc(self.y.label.as_str())
-            .x_labels(x.ticks.len())
-            .y_labels(y.ticks.len())
+            .x_labels(x.ticks())
+            .y_labels(y.ticks())
             .draw()
             .map_err(text)?;
-        for (index, (points, line)) in lines.iter().zip(&self.lines).enumerate() {
+        for (index, points) in lines.iter().enumerate() {
             let look = &LOOKS[index];
-            let style = look.colour.stroke_width(13);
-            let [dash, gap] = look.dash;
             let path: Vec<(f64, f64)> = points.iter().map(|point| (point[0], point[1])).collect();
             let every = (path.len() / MARKERS).max(1);
             // begun apart, so that lines that lie on each other show both markers
-            let first = (index * every / lines.len().max(1)).min(every - 1);
+            let first = (index * every / lines.len()).min(every - 1);
             let marked: Vec<(f64, f64)> = path.iter().copied().skip(first).step_by(every).collect();
-            let entry = if dash == SOLID {
-                chart.draw_series(LineSeries::new(path, style))
-            } else {
-                chart.draw_series(DashedLineSeries::new(path, dash, gap, style))
-            };
-            let entry = entry.map_err(text)?;
+            let [dash, gap] = look.dash;
+            let line = DashedPathElement::new(path, dash, gap, look.style());
+            chart.draw_series([line]).map_err(text)?;
             if lines.len() > 1 {
-                let sample = move |(x, y): (i32, i32)| {
-                    let ends = [(0, 0), (SAMPLE, 0)];
-                    let middle = look.marker.iter().map(|(dx, dy)| (dx + SAMPLE / 2, *dy));
-                    let dash = dash.min(SAMPLE);
-                    EmptyElement::at((x, y))
-                        + DashedPathElement::new(ends, dash, gap, style)
-                        + Polygon::new(middle.collect::<Vec<_>>(), look.colour.filled())
-                };
-                entry.label(line.name.as_str()).legend(sample);
+                for at in marked {
+                    let marker = look.marker_at(chart.backend_coord(&at));
+                    root.draw(&marker).map_err(text)?;
+                }
             }
-            let markers = marked.into_iter().map(|at| {
-                EmptyElement::at(at) + Polygon::new(look.marker.to_vec(), look.colour.filled())
-            });
-            chart.draw_series(markers).map_err(text)?;
         }
-        if lines.len() > 1 {
-            chart
-                .configure_series_labels()
-                .position(emptiest_corner(lines, x, y))
-                .margin(8 * FINER)
-                .legend_area_size(SAMPLE + 6 * 10)
-                .background_style(WHITE.mix(0.85))
-                .border_style(RGBColor(150, 150, 150).stroke_width(5))
-                .label_font(("sans-serif", LETTERS))
-                .draw()
-                .map_err(text)?;
+        self.draw_legend(&legend).map_err(text)
+    }
+
+    /// A row for each line, above the axes, where it hides nothing.
+    fn legend_height(&self) -> u32 {
+        let rows = if self.lines.len() > 1 {
+            self.lines.len()
+        } else {
+            0
+        };
+        rows.try_into().map_or(0, |rows: u32| ROW * rows)
+    }
+
+    fn draw_legend<DB: DrawingBackend>(
+        &self,
+        area: &DrawingArea<DB, Shift>,
+    ) -> Result<(), DrawingAreaErrorKind<DB::ErrorType>> {
+        if self.legend_height() == 0 {
+            return Ok(());
+        }
+        let unit = |units: u32| i32::try_from(units * FINER).unwrap_or(0);
+        let left = unit(MARGIN + LEFT);
+        let mut height = unit(MARGIN) + unit(ROW) / 3;
+        for (line, look) in self.lines.iter().zip(&LOOKS) {
+            let [dash, gap] = look.dash;
+            let ends = [(left, height), (left + SAMPLE, height)];
+            area.draw(&DashedPathElement::new(
+                ends,
+                dash.min(SAMPLE),
+                gap,
+                look.style(),
+            ))?;
+            area.draw(&look.marker_at((left + SAMPLE / 2, height)))?;
+            let font = ("sans-serif", LETTERS).into_font();
+            let style = font
+                .into_text_style(area)
+                .pos(Pos::new(HPos::Left, VPos::Center));
+            let place = (left + SAMPLE + unit(8), height);
+            area.draw(&Text::new(line.name.as_str(), place, style))?;
+            height += unit(ROW);
         }
         Ok(())
     }
 }
 
-/// The corner of the drawing with the fewest points.
-fn emptiest_corner(lines: &[Vec<[f64; 2]>], x: &Scale, y: &Scale) -> SeriesLabelPosition {
-    let share = |scale: &Scale, place: f64| (place - scale.low) / (scale.high - scale.low);
-    let corners = [
-        (SeriesLabelPosition::UpperLeft, [false, true]),
-        (SeriesLabelPosition::LowerRight, [true, false]),
-        (SeriesLabelPosition::UpperRight, [true, true]),
-        (SeriesLabelPosition::LowerLeft, [false, false]),
-    ];
-    let within = |point: &&[f64; 2], [right, upper]: [bool; 2]| {
-        let [across, up] = [share(x, point[0]), share(y, point[1])];
-        (if right { 1.0 - across } else { across }) < 0.6
-            && (if upper { 1.0 - up } else { up }) < 0.4
-    };
-    let count = |corner: [bool; 2]| lines.iter().flatten().filter(|p| within(p, corner)).count();
-    let emptiest = corners.into_iter().min_by_key(|(_, corner)| count(*corner));
-    emptiest.map_or(SeriesLabelPosition::UpperLeft, |(position, _)| position)
-}
-
-/// An axis from end to end, with its ticks: place and name.
-#[derive(Debug, Clone)]
-struct Scale {
-    low: f64,
-    high: f64,
-    ticks: Vec<(f64, String)>,
-}
-
-impl Scale {
-    fn of(axis: &Axis, (low, high): (f64, f64)) -> Self {
-        if axis.is_logarithmic {
-            Self::logarithmic(low, high)
-        } else {
-            Self::even(low, high)
-        }
+impl Look {
+    fn style(&self) -> ShapeStyle {
+        self.colour.stroke_width(13)
     }
 
-    /// Four to nine ticks 1, 2 or 5 times a power of ten apart, from the one below to the one above.
-    fn even(low: f64, high: f64) -> Self {
-        let width = if high > low {
-            high - low
-        } else {
-            low.abs().max(1.0)
-        };
-        let power = 10f64.powf((width / 4.0).log10().floor());
-        let step = [5.0, 2.0, 1.0]
-            .into_iter()
-            .find(|k| k * power <= width / 3.99);
-        let step = step.unwrap_or(1.0) * power;
-        let (first, last) = (
-            (low / step).floor(),
-            (high / step).ceil().max((low / step).floor() + 1.0),
-        );
-        let decimals = (-step.log10().floor()).max(0.0);
-        let mut ticks = Vec::new();
-        let mut count = first;
-        while count <= last {
-            ticks.push((count * step, decimal(count * step, decimals)));
-            count += 1.0;
-        }
-        Self {
-            low: first * step,
-            high: last * step,
-            ticks,
-        }
-    }
-
-    /// Powers of ten, with 2 and 5 between them on a short axis.
-    fn logarithmic(low: f64, high: f64) -> Self {
-        let decades = high - low;
-        let (factors, every): (&[f64], f64) = if decades <= 3.0 {
-            (&[1.0, 2.0, 5.0], 1.0)
-        } else {
-            (&[1.0], (decades / 7.0).ceil())
-        };
-        let mut ticks = Vec::new();
-        let mut power = (low / every).floor() * every;
-        while power <= high {
-            for factor in factors {
-                let place = power + factor.log10();
-                if place >= low - 1e-9 && place <= high + 1e-9 {
-                    ticks.push((place, magnitude(*factor, power)));
-                }
-            }
-            power += every;
-        }
-        Self { low, high, ticks }
-    }
-}
-
-impl Ranged for Scale {
-    type FormatOption = NoDefaultFormatting;
-    type ValueType = f64;
-
-    #[allow(clippy::cast_possible_truncation, reason = "the page's units are few")]
-    fn map(&self, place: &f64, (start, end): (i32, i32)) -> i32 {
-        let share = (place - self.low) / (self.high - self.low);
-        start + (share * f64::from(end - start)).round() as i32
-    }
-
-    fn key_points<Hint: KeyPointHint>(&self, _hint: Hint) -> Vec<f64> {
-        self.ticks.iter().map(|(place, _)| *place).collect()
-    }
-
-    fn range(&self) -> std::ops::Range<f64> {
-        self.low..self.high
-    }
-}
-
-impl ValueFormatter<f64> for Scale {
-    fn format(place: &f64) -> String {
-        place.to_string()
-    }
-
-    fn format_ext(&self, place: &f64) -> String {
-        let apart = |tick: &&(f64, String)| (tick.0 - place).abs();
-        let nearest = self
-            .ticks
-            .iter()
-            .min_by(|a, b| apart(a).total_cmp(&apart(b)));
-        nearest.map_or_else(String::new, |(_, name)| name.clone())
-    }
-}
-
-/// A number with so many decimals, without a sign if they are all 0.
-fn decimal(value: f64, decimals: f64) -> String {
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "a count of decimals"
-    )]
-    let decimals = decimals as usize;
-    let text = format!("{value:.decimals$}");
-    let is_zero = text.chars().all(|c| matches!(c, '-' | '0' | '.'));
-    if is_zero { text.replace('-', "") } else { text }
-}
-
-/// `factor · 10^power`.
-fn magnitude(factor: f64, power: f64) -> String {
-    if (-3.0..=4.0).contains(&power) {
-        decimal(factor * 10f64.powf(power), (-power).max(0.0))
-    } else {
-        format!("{factor}e{power}")
+    /// The marker about a place of the page.
+    fn marker_at(&self, (x, y): (i32, i32)) -> Polygon<(i32, i32)> {
+        let corners = self.marker.iter().map(|(dx, dy)| (x + dx, y + dy));
+        Polygon::new(corners.collect::<Vec<_>>(), self.colour.filled())
     }
 }

@@ -16,6 +16,7 @@ mod npy;
 mod number;
 mod records;
 mod reproduction;
+mod scale;
 mod studies;
 mod table;
 
@@ -30,6 +31,6 @@ pub use measure::{measure_report, plan_notes};
 pub use npy::{write_npy_head, write_npy_row};
 pub use number::{certain_digits, enclosed_digits, power_of_ten, scientific};
 pub use records::{Format, Report, ReportError};
-pub use reproduction::{curve_report, reproduction_report};
+pub use reproduction::{curve_figure, curve_report, reproduction_report};
 pub use studies::{accuracy_report, stability_report};
 pub use table::Table;
