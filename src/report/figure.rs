@@ -1,7 +1,7 @@
 //! Figures of lines, in SVG.
 //!
 //! Each line has a colour, a dash pattern and a marker of its own: any one of the three tells it from the others. The page is
-//! 480 × 320 units, and a row above for each of several lines, with letters of 14, some 7 pt in a column 84 mm wide; it is drawn ten times finer, as the drawing library
+//! 480 × 330 units, and a row above for each of several lines, with letters of 14, some 7 pt in a column 84 mm wide; it is drawn ten times finer, as the drawing library
 //! rounds to whole units.
 //!
 //! **Not here**: computing.
@@ -43,14 +43,15 @@ pub struct Line {
 }
 
 /// The page, and how much finer it is drawn.
-const PAGE: (u32, u32) = (480, 320);
+const PAGE: (u32, u32) = (480, 330);
 const FINER: u32 = 10;
-const LETTERS: u32 = 14 * FINER;
+/// A letter's height is 14; the library's size is 1.24 times that.
+const LETTERS: u32 = 174;
 /// White around it, and what the vertical axis takes.
 const MARGIN: u32 = 12;
-const LEFT: u32 = 62;
+const LEFT: u32 = 70;
 /// Height of a row of the legend, and length of the sample of a line in it.
-const ROW: u32 = 18;
+const ROW: u32 = 20;
 const SAMPLE: i32 = 400;
 const SOLID: i32 = i32::MAX;
 
@@ -189,7 +190,7 @@ impl Figure {
         let mut chart = ChartBuilder::on(&rest)
             .margin(MARGIN * FINER)
             .margin_right(2 * MARGIN * FINER)
-            .x_label_area_size(40 * FINER)
+            .x_label_area_size(46 * FINER)
             .y_label_area_size(LEFT * FINER)
             .build_cartesian_2d(x.clone(), y.clone())
             .map_err(text)?;
@@ -226,14 +227,12 @@ impl Figure {
         self.draw_legend(&legend).map_err(text)
     }
 
-    /// A row for each line, above the axes, where it hides nothing.
+    /// A row for each of several lines, above the axes, where it hides nothing.
     fn legend_height(&self) -> u32 {
-        let rows = if self.lines.len() > 1 {
-            self.lines.len()
-        } else {
-            0
-        };
-        rows.try_into().map_or(0, |rows: u32| ROW * rows)
+        match u32::try_from(self.lines.len()) {
+            Ok(rows) if rows > 1 => MARGIN / 2 + ROW * rows,
+            _ => 0,
+        }
     }
 
     fn draw_legend<DB: DrawingBackend>(
@@ -245,7 +244,7 @@ impl Figure {
         }
         let unit = |units: u32| i32::try_from(units * FINER).unwrap_or(0);
         let left = unit(MARGIN + LEFT);
-        let mut height = unit(MARGIN) + unit(ROW) / 3;
+        let mut height = unit(MARGIN / 2) + unit(ROW) / 2;
         for (line, look) in self.lines.iter().zip(&LOOKS) {
             let [dash, gap] = look.dash;
             let ends = [(left, height), (left + SAMPLE, height)];

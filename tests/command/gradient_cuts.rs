@@ -130,7 +130,8 @@ fn cuts_are_drawn() {
     let answer = stdout(&[&cut[..], &figure].concat());
     assert_eq!(answer, stdout(&cut));
     let svg = std::fs::read_to_string(&path).unwrap();
-    assert!(svg.starts_with("<svg width=\"480\" height=\"320\" viewBox=\"0 0 4800 3200\""));
+    // 330 units, and a legend of three rows of 20
+    assert!(svg.starts_with("<svg width=\"480\" height=\"396\" viewBox=\"0 0 4800 3960\""));
     for text in [
         "exponent n of the radiosity",
         "best cut l",
@@ -146,6 +147,27 @@ fn cuts_are_drawn() {
         assert!(svg.contains(colour), "{colour}");
     }
     assert!(!svg.contains("NaN"));
+}
+
+/// A claim's curve, with its axes; a single line needs neither marker nor legend.
+#[test]
+fn curves_are_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("curve.svg");
+    stdout(&[
+        "curve",
+        "s42-across-the-gradient",
+        "--figure",
+        path.to_str().unwrap(),
+    ]);
+    let svg = std::fs::read_to_string(&path).unwrap();
+    assert!(
+        svg.contains("angle to the perpendicular (degrees)")
+            && svg.contains("gain of the best cut (bits)")
+    );
+    assert!(svg.contains("<polyline") && !svg.contains("<polygon"));
+    // an axis that ends where the data do, with ticks at round numbers
+    assert!(svg.contains("\n80\n") && !svg.contains("\n100\n"));
 }
 
 fn assert_refused(arguments: &[&str], message: &str) {
