@@ -19,7 +19,9 @@
 //!
 //! The λ of the second row solves `λ = 2 (1 − e^−λ)`: it is the x of the first. That first condition is also the one for two
 //! classes of least square error of a position distributed as e^−x: where the irradiance hardly varies, mutual information
-//! groups *positions*, weighted by flux, and the mean square groups *radiosities*..
+//! groups *positions*, weighted by flux, and the mean square groups *radiosities*.
+//!
+//! At the other end, n → 0, radiosity goes as 1 + n ln l: with m = n both cuts tend to e^−x, x the first limit again.
 //!
 //! **Not covered**: higher terms.
 

@@ -78,7 +78,7 @@ impl Profile {
                 vec![("the offset", offset, is_right, "from 0 to 100")]
             }
             Self::Step { at, before, after } => {
-                let differs = before < after || before > after;
+                let differs = (before - after).abs() > 0.0;
                 vec![
                     ("the step", at, at > 0.0 && at < 1.0, "between 0 and 1"),
                     (

@@ -134,13 +134,12 @@ pub fn cuts_report(all: &[CutComparison]) -> Result<Report, ReportError> {
             Some(certified) => certified
                 .each_ref()
                 .map(|cut| enclosed_digits(&cut.position)),
-            None => [cuts.information, cuts.square]
-                .map(|cut| certain_digits(cut.position, tolerance::POSITION)),
+            None => [cuts.information, cuts.square].map(|cut| position(&cut)),
         };
         let [information, square] = positions;
         vec![
-            cuts.patch.exponent().to_string(),
-            cuts.patch.irradiance_exponent().to_string(),
+            exponent(cuts.patch.exponent()),
+            exponent(cuts.patch.irradiance_exponent()),
             information,
             square,
             format!("{:.3e}", cuts.distance()),
@@ -181,6 +180,23 @@ pub fn cuts_report(all: &[CutComparison]) -> Result<Report, ReportError> {
     };
     let records: Vec<Record> = all.iter().map(Record::from).collect();
     Report::list(table, "cuts", &records)
+}
+
+/// The position, by its distance from 1 where that is small.
+fn position(cut: &Cut) -> String {
+    if cut.complement < 1e-4 {
+        format!("1 − {:.11e}", cut.complement)
+    } else {
+        certain_digits(cut.position, tolerance::POSITION)
+    }
+}
+
+fn exponent(value: f64) -> String {
+    if (1e-3..1e6).contains(&value) {
+        value.to_string()
+    } else {
+        format!("{value:e}")
+    }
 }
 
 /// A share in per cent: three digits, of what is missing to all where that is less.

@@ -21,7 +21,7 @@ pub struct ProfileRow {
 }
 
 /// The profiles, in words and as they are.
-pub const PROFILES: [(&str, Profile); 19] = [
+pub const PROFILES: [(&str, Profile); 20] = [
     ("l", Profile::Power { exponent: 1.0 }),
     ("l²", Profile::Power { exponent: 2.0 }),
     ("l⁴", Profile::Power { exponent: 4.0 }),
@@ -29,6 +29,7 @@ pub const PROFILES: [(&str, Profile); 19] = [
     ("1 + l", Profile::Ramp { offset: 1.0 }),
     ("10 + l", Profile::Ramp { offset: 10.0 }),
     ("e^l", Profile::Exponential { rate: 1.0 }),
+    ("e^(3l)", Profile::Exponential { rate: 3.0 }),
     ("e^(4l)", Profile::Exponential { rate: 4.0 }),
     ("e^(16l)", Profile::Exponential { rate: 16.0 }),
     ("e^(64l)", Profile::Exponential { rate: 64.0 }),

@@ -61,3 +61,20 @@ fn limits_are_related() {
     let difference = fixed.exp_m1().ln() - &same;
     assert!(difference.contains_zero() && difference.width() < 1e-50);
 }
+
+/// As n falls to 0 with m = n, both cuts tend to e^−x, x the limit with fixed m: at n = 1e-6 within some n.
+#[test]
+fn cuts_meet_where_radiosity_is_a_logarithm() {
+    let x = GradientLimit::FixedIrradiance.enclosed(128).unwrap().limit;
+    let meeting = (-x).exp().to_f64();
+    for n in [1e-3, 1e-6] {
+        let cut = GradientCut::try_new(n, n).unwrap();
+        for cut in [cut.mutual_information_cut(), cut.mean_square_cut()] {
+            let left = (cut.unwrap().position - meeting).abs();
+            assert!(left > 0.1 * n && left < n, "{n}: {left:e}");
+        }
+        // the control: with m = 1 the cut goes elsewhere
+        let printed = GradientCut::try_new(n, 1.0).unwrap();
+        assert!(printed.mutual_information_cut().unwrap().position > meeting + 0.05);
+    }
+}

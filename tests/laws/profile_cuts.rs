@@ -239,6 +239,31 @@ fn mutual_information_moves_with_a_narrow_bump_and_mean_square_does_not() {
     assert!(cuts[1][1] - cuts[2][1] > 0.05, "{cuts:?}");
 }
 
+/// What the README says of e^(3l) and e^(4l), and that nothing monotone in the study lies farther apart.
+#[test]
+fn monotone_profiles_differ_as_the_readme_says() {
+    for (case, profile) in PROFILES {
+        if matches!(profile, Profile::Bump { centre, .. } if centre < 1.0) {
+            continue;
+        }
+        let patch = patch(profile);
+        let information = patch.mutual_information_cut().unwrap().unwrap();
+        let square = patch.mean_square_cut().unwrap();
+        let apart = square.position - information.position;
+        assert!((0.0..0.074).contains(&apart), "{case} {apart}");
+        let (kept, excess) = (
+            square.gain / information.gain,
+            information.square_error - square.square_error,
+        );
+        assert!(
+            kept > 0.9639 && excess < 0.12 * square.square_error + 1e-12,
+            "{case} {kept} {excess}"
+        );
+        assert_eq!(apart > 0.07, case == "e^(3l)", "{case} {apart}");
+        assert_eq!(kept < 0.9641, case == "e^(4l)", "{case} {kept}");
+    }
+}
+
 #[test]
 fn profiles_out_of_range_are_refused() {
     let refused = |profile| ProfileCut::try_new(profile, PROPORTIONAL).is_err();
