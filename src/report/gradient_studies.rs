@@ -1,10 +1,11 @@
-//! Tables of the studies of cuts across a gradient: their limits, and profiles that are no powers.
+//! Tables of the studies of cuts across a gradient: their limits, profiles that are no powers, other directions.
 
 use super::gradient_cuts::percent;
 use super::{Report, ReportError, Table, certain_digits, enclosed_digits};
 use crate::discretize::GradientLimit;
 use crate::numeric::interval::DecimalBounds;
 use crate::numeric::{Interval, Scalar};
+use crate::study::directions::DirectionRow;
 use crate::study::gradient_limits::LimitRow;
 use crate::study::profiles::ProfileRow;
 
@@ -215,4 +216,73 @@ pub fn profiles_report(rows: &[ProfileRow]) -> Result<Report, ReportError> {
         }
     }
     Ok(Report::list(table, "rows", &records)?.entitled("study", "profiles"))
+}
+
+/// The best cut at one angle, as a record.
+#[derive(Debug, serde::Serialize)]
+struct DirectionRecord {
+    case: String,
+    method: String,
+    exponent: f64,
+    irradiance_exponent: f64,
+    degrees: f64,
+    offset: f64,
+    gain: f64,
+    gain_share: f64,
+    seconds: f64,
+}
+
+/// The best gain at each angle, a column for each patch.
+///
+/// # Errors
+/// [`ReportError`] if a number is not finite.
+pub fn directions_report(rows: &[DirectionRow]) -> Result<Report, ReportError> {
+    let patches: Vec<&[DirectionRow]> = rows.chunk_by(|a, b| a.patch == b.patch).collect();
+    let mut lines = Vec::new();
+    for (index, row) in patches
+        .first()
+        .copied()
+        .unwrap_or_default()
+        .iter()
+        .enumerate()
+    {
+        let mut line = vec![format!("{}°", row.best.cut.degrees())];
+        let same = patches.iter().filter_map(|patch| patch.get(index));
+        line.extend(same.map(|row| percent(row.share)));
+        lines.push(line);
+    }
+    let notes = [
+        (
+            "angle",
+            "between the cut and the perpendicular to the gradient: 0° cuts across it, 90° along it",
+        ),
+        (
+            "gain",
+            "of the best cut at this angle, of the best of all angles; (n, m): radiosity ∝ lⁿ, irradiance ∝ lᵐ",
+        ),
+    ];
+    let table = Table {
+        columns: vec!["angle", "(1, 1)", "(2, 1)", "(4, 1)", "(2, 2)", "(4, 4)"],
+        rows: lines,
+        notes: notes
+            .map(|(name, note)| (name.to_owned(), note.to_owned()))
+            .to_vec(),
+        ..Table::default()
+    };
+    let record = |row: &DirectionRow| {
+        let (n, m) = (row.patch.exponent(), row.patch.irradiance_exponent());
+        DirectionRecord {
+            case: format!("n = {n}, m = {m}"),
+            method: format!("{}°", row.best.cut.degrees()),
+            exponent: n,
+            irradiance_exponent: m,
+            degrees: row.best.cut.degrees(),
+            offset: row.best.cut.offset(),
+            gain: row.best.gain,
+            gain_share: row.share,
+            seconds: row.seconds,
+        }
+    };
+    let records: Vec<DirectionRecord> = rows.iter().map(record).collect();
+    Ok(Report::list(table, "rows", &records)?.entitled("study", "directions"))
 }

@@ -26,7 +26,7 @@ pub use campaign::study_report;
 pub use figure::{Axis, Figure, Line};
 pub use form_factors::{FormFactorRecord, write_form_factors};
 pub use gradient_cuts::{cut_report, cuts_figure, cuts_report};
-pub use gradient_studies::{limits_report, profiles_report};
+pub use gradient_studies::{directions_report, limits_report, profiles_report};
 pub use measure::{measure_report, plan_notes};
 pub use npy::{write_npy_head, write_npy_row};
 pub use number::{certain_digits, enclosed_digits, power_of_ten, scientific};

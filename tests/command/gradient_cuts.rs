@@ -264,12 +264,34 @@ fn profiles_study_reads_as_it_should() {
     assert!(stdout(&["study", "profiles"]).contains("e^(4l)"));
 }
 
+/// Across the gradient the gain is that of `cut`, along it nothing is left, and in between it falls.
+#[test]
+fn directions_study_reads_as_it_should() {
+    let answer = json(&["study", "directions"]);
+    assert_eq!(answer["study"], "directions");
+    let rows = answer["rows"].as_array().unwrap();
+    assert_eq!(rows.len(), 5 * 19);
+    for patch in rows.chunks(19) {
+        let number = |row: usize, key: &str| patch[row][key].as_f64().unwrap();
+        let cut = GradientCut::try_new(number(0, "exponent"), number(0, "irradiance_exponent"));
+        let best = cut.unwrap().mutual_information_cut().unwrap();
+        assert!((number(0, "gain") / best.value - 1.0).abs() < 1e-12);
+        assert!((number(0, "offset") - best.position).abs() < 1e-10);
+        assert_eq!((number(18, "degrees"), number(18, "gain")), (90.0, 0.0));
+        for row in 0..18 {
+            assert!(number(row, "gain_share") > number(row + 1, "gain_share"));
+        }
+    }
+    assert!(stdout(&["study", "directions"]).contains("45°"));
+}
+
 /// LaTeX stays plain ASCII.
 #[test]
 fn tables_in_latex_are_ascii() {
     for question in [
         &["study", "limits"][..],
         &["study", "profiles"],
+        &["study", "directions"],
         &["cut", "--exponent", "1"],
         &["cut", "--exponent", "1..2"],
     ] {
