@@ -11,7 +11,7 @@
 //! uses only modules to its left:
 //!
 //! ```text
-//! numeric → geometry → form_factor → scene → chain → information → discretize → claims → study → report → cli
+//! numeric → geometry → form_factor → scene → transport → chain → information → discretize → claims → study → report → cli
 //! ```
 //!
 //! ```
@@ -41,6 +41,7 @@ pub mod numeric;
 pub mod report;
 pub mod scene;
 pub mod study;
+pub mod transport;
 
 /// The README's example, run as a test.
 #[cfg(doctest)]

@@ -5,11 +5,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Left to right: a module uses only modules before it.
-const FLOW: [&str; 11] = [
+const FLOW: [&str; 12] = [
     "numeric",
     "geometry",
     "form_factor",
     "scene",
+    "transport",
     "chain",
     "information",
     "discretize",

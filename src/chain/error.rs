@@ -117,31 +117,6 @@ pub enum ChainError {
         /// Entry of the state.
         whole: f64,
     },
-    /// The patches do not enclose their surroundings.
-    #[error(
-        "the scene is open: row {row} of the form factors sums to {sum}, 1 ± {tolerance:e} is closed"
-    )]
-    OpenScene {
-        /// The row farthest from 1.
-        row: usize,
-        /// Its sum.
-        sum: f64,
-        /// What would count as closed.
-        tolerance: f64,
-    },
-    /// The form factors of a patch sum to more than one.
-    #[error(
-        "row {row} of the form factors sums to {sum}, 1 + {tolerance:e} at most is possible: patches overlap, or \
-         hide each other"
-    )]
-    RowAboveOne {
-        /// The row farthest above 1.
-        row: usize,
-        /// Its sum.
-        sum: f64,
-        /// The bound on the error of the sum.
-        tolerance: f64,
-    },
     /// The scene's form factors were refused.
     #[error(transparent)]
     Scene(#[from] SceneError),

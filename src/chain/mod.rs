@@ -9,7 +9,8 @@
 //!
 //! **Not here**: form-factor formulas; information measures.
 
-mod closure;
+mod brightness;
+mod continuous;
 mod error;
 pub mod random;
 pub mod recipe;
@@ -19,7 +20,8 @@ mod reversible;
 pub mod strategies;
 mod visibility;
 
-pub use closure::{Closure, RowSum};
+pub use brightness::brightness_chain;
+pub use continuous::{ContinuousChain, continuous_chain, patch_integrals};
 pub use error::ChainError;
 pub use refinement::Refinement;
 pub use reversible::ReversibleChain;

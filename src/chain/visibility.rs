@@ -6,9 +6,8 @@
 //!   J_i,out = A_i (1 − Σ_j F_ij),   J_out,out = 0,   total N = A_T + Σ_i A_i (1 − Σ_j F_ij)
 //! ```
 
-use super::{ChainError, Closure, ReversibleChain};
-use crate::numeric::compensated_sum;
-use crate::scene::{ExchangeAreas, Scene};
+use super::{ChainError, ReversibleChain};
+use crate::scene::{Closure, Scene};
 use nalgebra::DMatrix;
 
 /// The visibility chain of a closed scene.
@@ -17,11 +16,11 @@ use nalgebra::DMatrix;
 /// within the error bounds of the form factors.
 ///
 /// # Errors
-/// [`ChainError::OpenScene`] with the worst row if a row of form factors does not sum to one within
-/// its error bounds; [`ChainError::RowAboveOne`]; [`ChainError::Scene`] if a form factor is refused.
+/// [`ChainError::Scene`] with the worst row if a row of form factors does not sum to one within
+/// its error bounds, or if a form factor is refused.
 pub fn visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
     let exchange = scene.exchange_areas()?;
-    closure(scene, &exchange).require_closed()?;
+    Closure::of_held(&exchange).require_closed()?;
     ReversibleChain::try_new(exchange.into_values())
 }
 
@@ -29,7 +28,7 @@ pub fn visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
 /// weight.
 ///
 /// # Errors
-/// [`ChainError::RowAboveOne`] if patches overlap or hide each other; [`ChainError::Scene`] if a form factor is refused.
+/// [`ChainError::Scene`] if patches overlap or hide each other, or if a form factor is refused.
 ///
 /// # Examples
 /// ```
@@ -44,10 +43,10 @@ pub fn visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
 /// ```
 pub fn open_visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
     let exchange = scene.exchange_areas()?;
-    let closure = closure(scene, &exchange);
+    let closure = Closure::of_held(&exchange);
     closure.require_at_most_one()?;
     let outside = exchange.patches();
-    let escaping = |i: usize| scene.patches()[i].shape().area() * closure.escaping(i);
+    let escaping = |i: usize| exchange.areas()[i] * closure.escaping(i);
     ReversibleChain::try_new(DMatrix::from_fn(outside + 1, outside + 1, |i, j| {
         match (i == outside, j == outside) {
             (true, true) => 0.0,
@@ -56,17 +55,4 @@ pub fn open_visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainErro
             (false, false) => exchange.get(i, j).exchange.value,
         }
     }))
-}
-
-fn closure(scene: &Scene, exchange: &ExchangeAreas) -> Closure {
-    let patches = scene.patches();
-    let areas: Vec<f64> = patches.iter().map(|patch| patch.shape().area()).collect();
-    let row = |i: usize| {
-        let entries = || (0..areas.len()).map(|j| exchange.get(i, j).exchange);
-        [
-            compensated_sum(entries().map(|entry| entry.value)),
-            compensated_sum(entries().map(|entry| entry.error_bound)),
-        ]
-    };
-    Closure::new(&areas, (0..areas.len()).map(row))
 }

@@ -6,6 +6,7 @@ use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
 use crate::numeric::NumericError;
 use crate::scene::SceneError;
+use crate::transport::TransportError;
 
 /// A claim's data or its computation failed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -53,6 +54,9 @@ pub enum ClaimError {
     /// A scene was refused.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// A lit scene was refused.
+    #[error(transparent)]
+    Transport(#[from] TransportError),
     /// A chain was refused.
     #[error(transparent)]
     Chain(#[from] ChainError),

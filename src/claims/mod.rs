@@ -17,6 +17,7 @@ mod inputs;
 mod registry;
 mod section_2;
 mod section_3;
+mod section_3_light;
 mod section_4_1;
 mod section_4_2;
 mod section_5;

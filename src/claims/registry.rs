@@ -3,7 +3,7 @@
 use super::claim::{Claim, Entry, Printed, Task};
 use super::finding::Computation;
 use super::{ClaimError, Evidence, Finding, Inputs, Verdict};
-use super::{appendix, section_2, section_3, section_4_1, section_4_2, section_5};
+use super::{appendix, section_2, section_3, section_3_light, section_4_1, section_4_2, section_5};
 use rayon::prelude::*;
 
 const FILES: [(&str, &str); 6] = [
@@ -64,6 +64,7 @@ pub fn computations() -> Vec<(&'static str, Computation)> {
     [
         section_2::COMPUTATIONS,
         section_3::COMPUTATIONS,
+        section_3_light::COMPUTATIONS,
         section_4_1::COMPUTATIONS,
         section_4_2::COMPUTATIONS,
         section_5::COMPUTATIONS,
@@ -168,7 +169,10 @@ pub fn judge_all(
 fn judge_with(claim: &Claim, changes: &Inputs, bits: u32) -> Result<Judgement, ClaimError> {
     let mut claim = claim.clone();
     let Task::Compute {
-        computation, input, ..
+        computation,
+        input,
+        recorded,
+        ..
     } = &claim.task
     else {
         let verdict = match &claim.task {
@@ -181,6 +185,7 @@ fn judge_with(claim: &Claim, changes: &Inputs, bits: u32) -> Result<Judgement, C
             verdict,
         });
     };
+    let recorded = *recorded;
     let mut input = input.changed_by(changes).with_precision(bits);
     let found = computations()
         .into_iter()
@@ -201,7 +206,11 @@ fn judge_with(claim: &Claim, changes: &Inputs, bits: u32) -> Result<Judgement, C
     let mut verdict = Verdict::of(&claim, &finding);
     // a theorem is about the claim itself, not about its control; what contradicts it is not hidden by it
     let is_proved = !claim.proof.is_empty() && changes.is_empty();
-    if is_proved && matches!(verdict, Verdict::Supported | Verdict::Confirmed) {
+    let agrees = match recorded {
+        Verdict::Refuted => verdict == Verdict::Refuted,
+        _ => matches!(verdict, Verdict::Supported | Verdict::Confirmed),
+    };
+    if is_proved && agrees {
         finding.evidence = Evidence::Proof;
         verdict = Verdict::of(&claim, &finding);
     }

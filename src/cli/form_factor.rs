@@ -3,8 +3,10 @@
 use super::Answer;
 use super::output::{Output, check_place, replace_with};
 use super::scene_pairs::{ScenePairsOptions, outcome};
-use crate::report::{FormFactorRecord, write_form_factors, write_npy_head, write_npy_row};
-use crate::scene::{Account, ExchangeAreas, NamedPatch, Scene, ScenePairs};
+use crate::report::{
+    FormFactorRecord, PatchRecord, write_form_factors, write_npy_head, write_npy_row,
+};
+use crate::scene::{Account, Entry, ExchangeAreas, ScenePairs};
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
@@ -15,7 +17,7 @@ const MOST_HELD: usize = 16_384;
 pub(super) struct FormFactor {
     #[command(flatten)]
     scene: ScenePairsOptions,
-    /// Only from this patch, counted from 0.
+    /// Only from this patch, counted from 0; patches that are summed into one row count as one.
     #[arg(long, value_name = "I")]
     from: Option<usize>,
     /// Only to this patch, counted from 0.
@@ -47,14 +49,13 @@ impl FormFactor {
         let all = self.matrix.is_some();
         let asked = |index: Option<usize>| if all { None } else { index };
         let scene = self.scene.scene(asked(self.from), asked(self.to))?;
-        let patches = scene.patches();
+        let patches = scene.group_count();
         let is_part = self.from.is_some() || self.to.is_some();
-        if !is_part && patches.len() > MOST_HELD {
-            let patches = patches.len();
+        if !is_part && patches > MOST_HELD {
             return Err(TooMany { patches }.into());
         }
         let pairs = self.scene.pairs(&scene)?;
-        let held = if patches.len() <= MOST_HELD && (!is_part || self.matrix.is_some()) {
+        let held = if patches <= MOST_HELD && (!is_part || self.matrix.is_some()) {
             Some(pairs.exchange_areas()?)
         } else {
             None
@@ -68,14 +69,26 @@ impl FormFactor {
         let mut accounts = Vec::new();
         accounts.extend(held.as_ref().map(|held| held.account().clone()));
         if let Some(path) = &self.matrix {
-            let account = write_matrix(path, &scene, &pairs, held.as_ref())?;
+            let account = write_matrix(path, &pairs, held.as_ref())?;
             accounts.extend(account);
         }
-        let area = |index: usize| patches[index].shape().area();
+        let areas = || pairs.areas().iter().zip(pairs.area_bounds());
+        let areas: Vec<[f64; 2]> = areas().map(|(area, bound)| [*area, *bound]).collect();
+        let records = scene.group_names().into_iter().zip(pairs.areas());
+        let records: Vec<PatchRecord<'_>> = records
+            .enumerate()
+            .map(|(index, (name, area))| PatchRecord {
+                index,
+                name,
+                area: *area,
+            })
+            .collect();
+        let patches = &records;
         match (part, &held) {
             (Some((entries, account)), _) => {
                 let records = entries.into_iter().map(|entry| {
-                    FormFactorRecord::new(entry.from, entry.to, area(entry.from), &entry.answer)
+                    let Entry { from, to, answer } = entry;
+                    FormFactorRecord::new([from, to], areas[from], &answer)
                 });
                 self.write(patches, records, &account)?;
                 accounts.push(account);
@@ -83,10 +96,11 @@ impl FormFactor {
             (None, Some(held)) => {
                 let all = 0..patches.len();
                 let records = all.clone().flat_map(|from| {
-                    let others = all.clone().filter(move |to| *to != from);
-                    others.map(move |to| {
-                        FormFactorRecord::new(from, to, area(from), &held.get(from, to))
-                    })
+                    let others = all.clone();
+                    let others = others.filter(move |to| *to != from || held.sees_itself(from));
+                    let area = areas[from];
+                    others
+                        .map(move |to| FormFactorRecord::new([from, to], area, &held.get(from, to)))
                 });
                 self.write(patches, records, held.account())?;
             }
@@ -101,7 +115,7 @@ impl FormFactor {
 
     fn write(
         &self,
-        patches: &[NamedPatch],
+        patches: &[PatchRecord<'_>],
         records: impl Iterator<Item = FormFactorRecord>,
         account: &Account,
     ) -> Result<(), Box<dyn Error>> {
@@ -115,7 +129,6 @@ impl FormFactor {
 /// Writes F row by row, the whole of it or nothing.
 fn write_matrix(
     path: &Path,
-    scene: &Scene,
     pairs: &ScenePairs,
     held: Option<&ExchangeAreas>,
 ) -> Result<Option<Account>, Box<dyn Error>> {
@@ -124,14 +137,13 @@ fn write_matrix(
     replace_with(path, |file| {
         write_npy_head(&mut *file, n, n)?;
         if let Some(held) = held {
-            for (from, patch) in scene.patches().iter().enumerate() {
-                let area = patch.shape().area();
+            for (from, area) in pairs.areas().iter().enumerate() {
                 let row = (0..n).map(|to| held.get(from, to).exchange.value / area);
                 write_npy_row(&mut *file, row)?;
             }
         } else {
             let written = pairs.for_each_row(|from, row| -> Result<(), Box<dyn Error>> {
-                let area = scene.patches()[from].shape().area();
+                let area = pairs.areas()[from];
                 let row = row.iter().map(|answer| answer.exchange.value / area);
                 Ok(write_npy_row(&mut *file, row)?)
             });

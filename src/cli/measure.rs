@@ -1,30 +1,26 @@
 //! `infoscene measure SCENE`.
 
+use super::light::Light;
 use super::output::Output;
 use super::scene_pairs::{ScenePairsOptions, outcome};
 use super::{Answer, Outcome};
 use crate::chain::ChainError;
-use crate::information::{Surroundings, scene_information};
+use crate::information::{Surroundings, brightness_information, scene_information};
 use crate::report::measure_report;
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneError};
+use std::error::Error;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Measure {
     #[command(flatten)]
     scene: ScenePairsOptions,
-    /// The chain that is measured.
-    #[arg(long, value_enum, default_value_t = Chain::Visibility)]
-    chain: Chain,
+    #[command(flatten)]
+    light: Light,
     /// Take an open scene, too: what escapes goes to one more state, outside.
     #[arg(long)]
     open: bool,
     #[command(flatten)]
     output: Output,
-}
-
-#[derive(Debug, Clone, Copy, clap::ValueEnum)]
-enum Chain {
-    Visibility,
 }
 
 /// A row of form factors that does not sum to one, with the name of its patch.
@@ -46,13 +42,15 @@ impl Measure {
         } else {
             Surroundings::None
         };
-        let measured = match self.chain {
-            Chain::Visibility => scene_information(&pairs, surroundings),
+        let measured = if self.light.is_visibility()? {
+            scene_information(&pairs, surroundings).map_err(|error| named(error, &scene))?
+        } else {
+            let exchange = pairs.exchange_areas()?;
+            brightness_information(&exchange, &self.light.brightness(&scene, &exchange)?)?
         };
-        let measured = measured.map_err(|error| named(error, &scene))?;
         let written = self
             .output
-            .write(&measure_report(scene.patches(), &measured)?)?;
+            .write(&measure_report(&scene.group_names(), &measured)?)?;
         match outcome(&scene, Some(&measured.account), pairs.tolerance()) {
             Outcome::Done => Ok(written),
             differs @ Outcome::Differs => Ok(differs),
@@ -60,12 +58,14 @@ impl Measure {
     }
 }
 
-fn named(source: ChainError, scene: &Scene) -> Box<dyn std::error::Error> {
+fn named(source: ChainError, scene: &Scene) -> Box<dyn Error> {
     let (row, mend) = match &source {
-        ChainError::OpenScene { row, .. } => (*row, "; --open adds the state outside"),
-        ChainError::RowAboveOne { row, .. } => (*row, ""),
+        ChainError::Scene(SceneError::OpenScene { row, .. }) => {
+            (*row, "; --open adds the state outside")
+        }
+        ChainError::Scene(SceneError::RowAboveOne { row, .. }) => (*row, ""),
         _ => return source.into(),
     };
-    let name = scene.patches()[row].name().to_owned();
+    let name = scene.group_names()[row].to_owned();
     BadRow { source, name, mend }.into()
 }

@@ -9,8 +9,11 @@ mod cut;
 mod form_factor;
 #[cfg(feature = "proptest")]
 mod fuzz;
+mod light;
 mod measure;
 mod output;
+mod patch_values;
+mod radiosity;
 mod reproduce;
 mod scene;
 mod scene_pairs;
@@ -46,6 +49,8 @@ enum Question {
     FormFactor(form_factor::FormFactor),
     /// Measure the information of a scene: entropies and mutual information.
     Measure(measure::Measure),
+    /// Solve for the radiosities of a scene, and the importances.
+    Radiosity(radiosity::Radiosity),
     /// Write a scene in another format.
     Convert(convert::Convert),
     /// Throw random refinements at Theorem 1.
@@ -105,6 +110,7 @@ fn answer(question: Question) -> Answer {
         Question::Cut(question) => question.answer(),
         Question::FormFactor(question) => question.answer(),
         Question::Measure(question) => question.answer(),
+        Question::Radiosity(question) => question.answer(),
         Question::Convert(question) => question.answer(),
         #[cfg(feature = "proptest")]
         Question::Fuzz(question) => question.answer(),

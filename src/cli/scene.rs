@@ -10,6 +10,9 @@ pub(super) struct SceneArgument {
     /// Split faces that are not planar into triangles.
     #[arg(long)]
     triangulate: bool,
+    /// Quarter every patch so many times: triangles and quadrilaterals into four alike.
+    #[arg(long, value_name = "TIMES", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=8))]
+    subdivide: u32,
     /// Leave out that patches and obstructions hide others.
     #[arg(long)]
     unoccluded: bool,
@@ -37,7 +40,10 @@ impl SceneArgument {
             eprintln!("infoscene: {note}");
         }
         loaded.scene.check_overlap()?;
-        Ok(loaded.scene)
+        if self.subdivide == 0 {
+            return Ok(loaded.scene);
+        }
+        Ok(loaded.scene.subdivided(self.subdivide)?.0)
     }
 
     /// Was it asked to leave out occlusion?

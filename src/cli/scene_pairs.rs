@@ -3,7 +3,7 @@
 use super::Outcome;
 use super::scene::SceneArgument;
 use crate::form_factor::DEFAULT_TOLERANCE;
-use crate::scene::{Account, Congruence, Scene, SceneError, ScenePairs, Unreached};
+use crate::scene::{Account, Blockers, Congruence, Scene, SceneError, ScenePairs, Unreached};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct ScenePairsOptions {
@@ -25,7 +25,7 @@ fn relative(text: &str) -> Result<f64, String> {
 }
 
 impl ScenePairsOptions {
-    /// The scene, if nothing stands between the patches asked for.
+    /// The scene, if nothing stands between the rows asked for.
     pub(super) fn scene(
         &self,
         from: Option<usize>,
@@ -34,23 +34,32 @@ impl ScenePairsOptions {
         if self.scene.is_unoccluded() {
             return self.scene.read();
         }
-        match (from, to) {
-            (None, None) => self.scene.unblocked(),
-            (Some(one), None) | (None, Some(one)) => {
-                let scene = self.scene.read()?;
-                scene
-                    .blocker_of_row(one)?
-                    .map_or(Ok(()), |found| Err(SceneError::from(found)))?;
-                Ok(scene)
-            }
-            (Some(from), Some(to)) => {
-                let scene = self.scene.read()?;
-                scene
-                    .blocker_of(from, to)?
-                    .map_or(Ok(()), |found| Err(SceneError::from(found)))?;
-                Ok(scene)
+        let (one, other) = match (from, to) {
+            (None, None) => return self.scene.unblocked(),
+            (Some(one), other) => (one, other),
+            (None, Some(one)) => (one, None),
+        };
+        let scene = self.scene.read()?;
+        let last = scene.group_count() - 1;
+        for index in [from, to].into_iter().flatten() {
+            if index > last {
+                return Err(SceneError::NoSuchPatch { index, last });
             }
         }
+        let blockers = Blockers::of(&scene);
+        for first in scene.patches_of_group(one) {
+            let found = match other {
+                None => blockers.of_row(first),
+                Some(other) => scene
+                    .patches_of_group(other)
+                    .find_map(|second| blockers.of_pair(first, second)),
+            };
+            if let Some(found) = found {
+                return Err(found.into());
+            }
+        }
+        drop(blockers);
+        Ok(scene)
     }
 
     pub(super) fn pairs(&self, scene: &Scene) -> Result<ScenePairs, SceneError> {
@@ -69,13 +78,13 @@ pub(super) fn outcome(scene: &Scene, account: Option<&Account>, tolerance: f64) 
         return Outcome::Done;
     };
     let Unreached { first, second, .. } = worst;
-    let name = |index: usize| scene.patches()[index].name();
+    let names = scene.group_names();
     eprintln!(
         "infoscene: {} pairs miss the tolerance {tolerance:e}; the worst is {first} ({}) and {second} ({}), whose relative \
          error may be {:.0e}",
         account.unreached,
-        name(first),
-        name(second),
+        names[first],
+        names[second],
         worst.relative(),
     );
     Outcome::Differs

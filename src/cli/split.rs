@@ -1,14 +1,16 @@
 //! `infoscene split SCENE --patch I`.
 
 use super::Answer;
+use super::light::Light;
 use super::output::{MOST_DECIMALS, Output, between, precision};
 use super::scene::SceneArgument;
-use crate::discretize::{PatchSplit, regular_positions};
+use crate::discretize::{DiscretizeError, PatchSplit, regular_positions};
 use crate::geometry::SplitAxis;
 use crate::numeric::interval::DecimalBounds;
-use crate::numeric::{Interval, tolerance};
+use crate::numeric::{Interval, compensated_sum, tolerance};
 use crate::report::{Report, Table, certain_digits, scientific};
 use crate::scene::Scene;
+use std::error::Error;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Split {
@@ -30,6 +32,8 @@ pub(super) struct Split {
     /// Enclose the best cut and its gain, too, with ends of this many bits, and prove it the best of all; for two parts of rectangles along common axes.
     #[arg(long, value_name = "BITS", value_parser = precision())]
     precision: Option<u32>,
+    #[command(flatten)]
+    light: Light,
     #[command(flatten)]
     output: Output,
 }
@@ -80,9 +84,14 @@ impl Split {
             Some(AxisName::U) => vec![SplitAxis::U],
             Some(AxisName::V) => vec![SplitAxis::V],
         };
+        let lit = if self.light.is_visibility()? {
+            None
+        } else {
+            Some(self.lit(&scene)?)
+        };
         let mut best: Option<(Record, bool)> = None;
         for axis in axes {
-            let found = self.along(&scene, &against, axis)?;
+            let found = self.along(&scene, &against, axis, lit.as_ref())?;
             // of equal axes the first
             let margin = 1.0 + tolerance::EQUAL_MAXIMA;
             if best
@@ -139,14 +148,32 @@ impl Split {
         self.output.write(&Report::one(table, &record)?)
     }
 
+    /// The brightness of each patch, and Σw.
+    fn lit(&self, scene: &Scene) -> Result<(Vec<f64>, f64), Box<dyn Error>> {
+        let exchange = scene.exchange_areas()?;
+        let found = self.light.brightness(scene, &exchange)?;
+        let rows = found.values.iter().zip(&found.received);
+        let weights = rows
+            .zip(exchange.areas())
+            .map(|((value, received), area)| value * received * area);
+        let total = compensated_sum(weights);
+        let patches = 0..scene.patches().len();
+        let brightness = patches.map(|patch| found.values[scene.group_of(patch)]);
+        Ok((brightness.collect(), total))
+    }
+
     /// The best cuts across an axis, and whether they come from closed forms.
     fn along(
         &self,
         scene: &Scene,
         against: &[usize],
         axis: SplitAxis,
-    ) -> Result<(Record, bool), crate::discretize::DiscretizeError> {
-        let split = PatchSplit::try_new(scene, self.patch, against, axis)?;
+        lit: Option<&(Vec<f64>, f64)>,
+    ) -> Result<(Record, bool), DiscretizeError> {
+        let mut split = PatchSplit::try_new(scene, self.patch, against, axis)?;
+        if let Some((brightness, total)) = lit {
+            split = split.under(self.patch, brightness, *total)?;
+        }
         let best = split.best(self.parts)?;
         let enclosures = match self.precision {
             Some(bits) => {

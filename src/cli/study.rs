@@ -13,6 +13,7 @@ use crate::study::gradient_limits::gradient_limits;
 use crate::study::precision::work_precision;
 use crate::study::profiles::profiles;
 use crate::study::stability::gain_stability;
+use crate::study::transport_stability::transport_stability;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Study {
@@ -53,6 +54,7 @@ impl Study {
                 let [gains, routes] = if self.quick { [1, 1] } else { [10_000, 10] };
                 let gains = gain_stability(gains)?;
                 let mut rows: Vec<_> = gains.into_iter().map(StabilityRow::from).collect();
+                rows.extend(transport_stability(routes)?);
                 rows.extend(route_stability(routes, self.quick)?);
                 self.output.write(&stability_report(&rows)?)
             }

@@ -124,8 +124,9 @@ impl PatchSplit {
         let value = |from: usize, to: usize| -> f64 {
             let fluxes = before[from].iter().zip(&before[to]);
             fluxes
-                .map(|(from_flux, to_flux)| {
-                    x_log2_ratio(to_flux - from_flux, shares[to] - shares[from])
+                .zip(&self.brightness)
+                .map(|((from_flux, to_flux), brightness)| {
+                    brightness * x_log2_ratio(to_flux - from_flux, shares[to] - shares[from])
                 })
                 .sum()
         };

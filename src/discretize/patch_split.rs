@@ -5,7 +5,13 @@
 //! ```
 //!
 //! over the patches j named, parts k between the cuts `t`. No outside state enters: a scene
-//! need not be closed. The patch is any polygon and so are the others, at any angle; lines run as [`CutLines`] says, in a
+//! need not be closed. Under a brightness (§5), radiosity or reflected importance, constant on each patch,
+//!
+//! ```text
+//!   ΔI(t) = (2/Σw) Σ_j B_i B_j [ Σ_k A_k F_kj log2 F_kj − A F_j log2 F_j ]
+//! ```
+//!
+//! The patch is any polygon and so are the others, at any angle; lines run as [`CutLines`] says, in a
 //! parallelogram parallel to an edge. Enclosures and proofs are for rectangles with edges along common axes.
 //!
 //! **Not covered**: cuts in other directions; occlusion.
@@ -21,6 +27,10 @@ use crate::scene::{Scene, SceneError};
 #[derive(Debug, Clone, PartialEq)]
 pub struct PatchSplit<S = f64> {
     pub(super) pairs: Vec<CutPair<S>>,
+    /// The other patch of each pair.
+    others: Vec<usize>,
+    /// `B_i B_j` of each pair; 1 for visibility.
+    pub(super) brightness: Vec<S>,
     pub(super) axis: SplitAxis,
     pub(super) lines: CutLines,
     /// Increasing positions inside `(0, 1)` at which the derivative of the gain jumps.
@@ -28,7 +38,8 @@ pub struct PatchSplit<S = f64> {
     /// Is the share of a part its length? Of other shapes it is known in `f64` only.
     is_rectangle: bool,
     area: S,
-    total_area: S,
+    /// `Σw`: the total area for visibility.
+    total: S,
 }
 
 /// The best cuts, with what they gain.
@@ -64,6 +75,7 @@ impl PatchSplit {
         let lines = CutLines::try_new(surface, axis);
         let lines = lines.map_err(|source| scene.refused(patch, source))?;
         let mut pairs = Vec::new();
+        let mut others = Vec::new();
         let mut kinks = lines.steps();
         for other in against {
             if *other == patch {
@@ -81,6 +93,7 @@ impl PatchSplit {
             })?;
             if exchange > 0.0 {
                 pairs.push(pair);
+                others.push(*other);
                 kinks.extend(lines.in_plane(shape.corners()[0], shape.normal()));
             }
         }
@@ -90,14 +103,57 @@ impl PatchSplit {
         kinks.sort_by(f64::total_cmp);
         kinks.dedup_by(|a, b| *a - *b < SAME_KINK);
         Ok(Self {
+            brightness: vec![1.0; pairs.len()],
             pairs,
+            others,
             axis,
             kinks,
             is_rectangle: Rectangle::try_from(surface).is_ok(),
             area: surface.area(),
-            total_area: scene.total_area(),
+            total: scene.total_area(),
             lines,
         })
+    }
+
+    /// The same split under a brightness, as §5 has it: constant on each patch, the cut one included.
+    ///
+    /// **Arguments** `patch`: the one that is cut; `brightness`: radiosities, or importances times reflectances, of all patches;
+    /// `total`: `Σw = Σ_ij B_i A_i F_ij B_j` of the scene, in the same unit squared.
+    ///
+    /// # Errors
+    /// [`DiscretizeError::OutOfRange`] unless all are ≥ 0 and finite, and the total > 0; [`DiscretizeError::NothingToGain`] if what
+    /// is cut, or all that it sees, is dark.
+    pub fn under(
+        mut self,
+        patch: usize,
+        brightness: &[f64],
+        total: f64,
+    ) -> Result<Self, DiscretizeError> {
+        let own = brightness.get(patch).copied().unwrap_or(f64::NAN);
+        let products = self.others.iter().map(|other| {
+            let value = own * brightness.get(*other).copied().unwrap_or(f64::NAN);
+            if value.is_finite() && value >= 0.0 {
+                return Ok(value);
+            }
+            Err(DiscretizeError::OutOfRange {
+                parameter: "the product of two brightnesses",
+                value,
+                condition: "finite and at least 0, one brightness for each patch",
+            })
+        });
+        self.brightness = products.collect::<Result<_, _>>()?;
+        if !(total.is_finite() && total > 0.0) {
+            return Err(DiscretizeError::OutOfRange {
+                parameter: "the sum of the weights",
+                value: total,
+                condition: "finite and > 0",
+            });
+        }
+        if self.brightness.iter().all(|product| *product <= 0.0) {
+            return Err(DiscretizeError::NothingToGain { patch });
+        }
+        self.total = total;
+        Ok(self)
     }
 
     /// The same split in numbers of the type and precision of `like`: its form factors become enclosures over
@@ -107,12 +163,14 @@ impl PatchSplit {
     pub fn lifted<S: Scalar>(&self, like: &S) -> PatchSplit<S> {
         PatchSplit {
             pairs: self.pairs.iter().map(|pair| pair.lifted(like)).collect(),
+            others: self.others.clone(),
+            brightness: self.brightness.iter().map(|b| like.constant(*b)).collect(),
             axis: self.axis,
             lines: self.lines.clone(),
             kinks: self.kinks.clone(),
             is_rectangle: self.is_rectangle,
             area: like.constant(self.area),
-            total_area: like.constant(self.total_area),
+            total: like.constant(self.total),
         }
     }
 
@@ -149,15 +207,15 @@ impl<S: Scalar> PatchSplit<S> {
         let parts = self.parts(positions);
         let (zero, one) = (self.area.zero(), self.area.constant(1.0));
         let mut gain = zero.clone();
-        for pair in &self.pairs {
+        for (pair, brightness) in self.pairs.iter().zip(&self.brightness) {
             let parts = parts
                 .iter()
                 .map(|part| Ok([self.exchange(pair, part)?, self.share(part)]))
                 .collect::<Result<Vec<[S; 2]>, DiscretizeError>>()?;
             let flux = parts.iter().fold(zero.clone(), |sum, part| sum + &part[0]);
-            gain = gain + &relative_entropy(&flux, &one, &parts);
+            gain = gain + &(relative_entropy(&flux, &one, &parts) * brightness);
         }
-        Ok(gain * &self.area.constant(2.0) / &self.total_area)
+        Ok(gain * &self.area.constant(2.0) / &self.total)
     }
 
     /// The derivative of the gain as cut `k` moves, in bits per relative position.
@@ -182,10 +240,11 @@ impl<S: Scalar> PatchSplit<S> {
             self.exchange(pair, part).map(|flux| flux / &area)
         };
         let mut derivative = self.area.zero();
-        for pair in &self.pairs {
+        for (pair, brightness) in self.pairs.iter().zip(&self.brightness) {
             let rate = pair.strip(self.axis, &before[1])?;
             let [before, after] = [ratio(pair, before)?, ratio(pair, after)?];
-            derivative = derivative + &stationarity(&rate, &weight_rate, &before, &after);
+            let term = stationarity(&rate, &weight_rate, &before, &after);
+            derivative = derivative + &(term * brightness);
         }
         Ok(derivative * &self.bits_per_nat())
     }
@@ -196,17 +255,17 @@ impl<S: Scalar> PatchSplit<S> {
     /// [`DiscretizeError::FormFactor`] if an exchange area leaves `f64`'s range.
     pub fn maximum_gain(&self, parts: u32) -> Result<S, DiscretizeError> {
         let mut exchanged = self.area.zero();
-        for pair in &self.pairs {
-            exchanged = exchanged + &pair.whole(&self.area)?;
+        for (pair, brightness) in self.pairs.iter().zip(&self.brightness) {
+            exchanged = exchanged + &(pair.whole(&self.area)? * brightness);
         }
         let log = self.area.constant(f64::from(parts)).ln() / &self.area.constant(2.0).ln();
-        Ok(exchanged * &self.area.constant(2.0) * &log / &self.total_area)
+        Ok(exchanged * &self.area.constant(2.0) * &log / &self.total)
     }
 
     /// `2/(A_T ln 2)`.
     fn bits_per_nat(&self) -> S {
         let two = self.area.constant(2.0);
-        two.clone() / &(two.ln() * &self.total_area)
+        two.clone() / &(two.ln() * &self.total)
     }
 
     fn exchange(&self, pair: &CutPair<S>, part: &[S; 2]) -> Result<S, DiscretizeError> {
@@ -273,7 +332,8 @@ impl Objective for PatchSplit {
         let before = Dual::variable(*domain);
         let after = Dual::constant_like(&one) - before;
         let mut derivative = Dual::constant_like(&zero);
-        for ((pair, wide), point) in split.pairs.iter().zip(&on_box.pairs).zip(&at_middle.pairs) {
+        let pairs = split.pairs.iter().zip(&split.brightness);
+        for (((pair, brightness), wide), point) in pairs.zip(&on_box.pairs).zip(&at_middle.pairs) {
             let wide = wide
                 .strip(self.axis, &Dual::variable(Dual::variable(*domain)))
                 .ok()?;
@@ -289,7 +349,8 @@ impl Objective for PatchSplit {
             };
             let near = flux([zero, middle], moved, value)? / (area * before);
             let far = flux([middle, one], -moved, -value)? / (area * after);
-            derivative = derivative + stationarity(&rate, &area, &near, &far);
+            let term = stationarity(&rate, &area, &near, &far);
+            derivative = derivative + term * Dual::constant_like(brightness);
         }
         Some(derivative * Dual::constant_like(&split.bits_per_nat()))
     }
@@ -302,7 +363,7 @@ impl Objective for PatchSplit {
             End::Upper => &rest,
         };
         let mut derivative = distance.zero();
-        for pair in &split.pairs {
+        for (pair, brightness) in split.pairs.iter().zip(&split.brightness) {
             let rate = pair.strip(self.axis, position).ok()?;
             let whole = pair.whole(&split.area).ok()?;
             let small = rate.clone() / &split.area;
@@ -311,7 +372,8 @@ impl Objective for PatchSplit {
                 End::Lower => (small, large),
                 End::Upper => (large, small),
             };
-            derivative = derivative + &stationarity(&rate, &split.area, &before, &after);
+            let term = stationarity(&rate, &split.area, &before, &after);
+            derivative = derivative + &(term * brightness);
         }
         Some(derivative * &split.bits_per_nat())
     }

@@ -22,9 +22,9 @@
 //! **Not covered**: what is below 1e-308 of the total.
 
 use super::measures::{Unit, pair_divergence};
-use crate::chain::{ChainError, Closure};
+use crate::chain::ChainError;
 use crate::numeric::{compensated_sum, tolerance, x_log2_x};
-use crate::scene::{Account, ScenePairs};
+use crate::scene::{Account, Closure, ScenePairs};
 use std::f64::consts::LN_2;
 
 /// What becomes of power that meets no patch.
@@ -56,7 +56,7 @@ impl ErrorGrade {
     }
 }
 
-/// The information of a scene's visibility chain, in bits.
+/// The information of a scene's chain, in bits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneInformation {
     /// Positional entropy, eq. (1).
@@ -69,10 +69,12 @@ pub struct SceneInformation {
     pub error: f64,
     /// What the error is.
     pub error_grade: ErrorGrade,
-    /// The terms of eq. (3) by patch, `w_i Σ_j P_ij log2(P_ij/w_j)`.
+    /// The terms of eq. (3) by patch, or by the row that several are summed into, `w_i Σ_j P_ij log2(P_ij/w_j)`.
     pub contributions: Vec<f64>,
     /// The same of the state `outside`, if there is one.
     pub outside_contribution: Option<f64>,
+    /// Stationary probabilities of the patches: areas, or generalised areas, over their sum.
+    pub weights: Vec<f64>,
     /// Sum of the areas.
     pub total_area: f64,
     /// The sums of the rows of form factors.
@@ -90,8 +92,8 @@ const DIVERGENCE_ERROR: usize = 3;
 /// The information of a scene's visibility chain, each pair taken once and none held.
 ///
 /// # Errors
-/// [`ChainError::OpenScene`] for an open scene without [`Surroundings::Outside`]; [`ChainError::RowAboveOne`];
-/// [`ChainError::Scene`] if two patches are refused.
+/// [`ChainError::Scene`] for an open scene without [`Surroundings::Outside`], for rows above one, and if two patches are
+/// refused.
 ///
 /// # Examples
 /// ```
@@ -118,7 +120,13 @@ pub fn scene_information(
         let error = divergence_error(value, bound, areas[i] * probability);
         [value, bound, divergence, error]
     })?;
-    let closure = Closure::new(&areas, sums.iter().map(|sum| [sum[VALUE], sum[BOUND]]));
+    let area_bounds = pairs.area_bounds().iter();
+    let area_bounds: Vec<f64> = area_bounds.map(|bound| unit.times(*bound)).collect();
+    let closure = Closure::new(
+        &areas,
+        &area_bounds,
+        sums.iter().map(|sum| [sum[VALUE], sum[BOUND]]),
+    );
     match surroundings {
         Surroundings::None => closure.require_closed()?,
         Surroundings::Outside => closure.require_at_most_one()?,
@@ -166,13 +174,19 @@ pub fn scene_information(
             mutual_information,
         )
     };
+    // Σ |q − J| ≤ 2 A_i in row and column i; where an area is one patch's, its 4 ε are in the rounding
+    let from_areas = areas.iter().zip(&area_bounds).map(|(area, bound)| {
+        let more = bound - 4.0 * f64::EPSILON * area;
+        4.0 * more / LN_2
+    });
+    let from_areas = compensated_sum(from_areas);
     let rounding = tolerance::INFORMATION * (2.0 + mutual_information);
     Ok(SceneInformation {
         positional_entropy,
         // a difference below rounding may come out on the other side of 0
         entropy_rate: (positional_entropy - mutual_information).max(0.0),
         mutual_information,
-        error: (from_pairs + from_escaping) / outside.total + rounding,
+        error: (from_pairs + from_areas + from_escaping) / outside.total + rounding,
         error_grade: if is_closed {
             ErrorGrade::Bound
         } else {
@@ -180,6 +194,7 @@ pub fn scene_information(
         },
         contributions,
         outside_contribution,
+        weights: areas.iter().map(|area| area / outside.total).collect(),
         total_area,
         closure,
         account,
@@ -229,7 +244,7 @@ impl Outside {
 }
 
 /// What an error of the exchange area may change `J ln(J/q) − J + q` by, in nats.
-fn divergence_error(value: f64, bound: f64, product: f64) -> f64 {
+pub(super) fn divergence_error(value: f64, bound: f64, product: f64) -> f64 {
     if bound <= 0.0 {
         return 0.0;
     }

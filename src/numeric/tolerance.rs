@@ -95,3 +95,7 @@ pub const TOUCHING: f64 = 64.0 * f64::EPSILON;
 /// (a) a quadrilateral with one corner off by δ shows a deviation of δ/4 on each side of its mean plane, and the depth of two
 /// bodies changes by at most 2 δ.
 pub const DEPTH_PER_DEVIATION: f64 = 8.0;
+
+/// Relative error bound of radiosities for the exchange areas as given, stiff scenes included: a few ε, measured by
+/// `stiff_scenes_keep_their_digits`.
+pub const RADIOSITY: f64 = 1e-14;

@@ -2,7 +2,7 @@
 
 use super::{Format, ReportError, Table, certain_digits, plan_notes, scientific};
 use crate::form_factor::Answer;
-use crate::scene::{NamedPatch, PlanSummary};
+use crate::scene::PlanSummary;
 use serde::ser::Error as _;
 use serde::{Serialize, Serializer};
 use std::cell::RefCell;
@@ -27,32 +27,34 @@ pub struct FormFactorRecord {
 }
 
 impl FormFactorRecord {
-    /// The form factor from a patch of this area.
-    ///
-    /// The area's and the quotient's rounding are in the bound, too.
+    /// The form factor from a patch of this area, with the bound on its rounding and the quotient's.
     #[must_use]
-    pub fn new(from: usize, to: usize, area: f64, answer: &Answer) -> Self {
+    pub fn new([from, to]: [usize; 2], [area, bound]: [f64; 2], answer: &Answer) -> Self {
         let value = answer.exchange.value / area;
         Self {
             from,
             to,
             value,
-            error: answer.exchange.error_bound / area + 4.0 * f64::EPSILON * value,
+            error: answer.exchange.error_bound / area + bound / area * value,
             route: answer.route.name(),
         }
     }
 }
 
-#[derive(Serialize)]
-struct Patch<'p> {
-    index: usize,
-    name: &'p str,
-    area: f64,
+/// A patch, or several that are summed, as a record.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct PatchRecord<'p> {
+    /// Its number, from 0.
+    pub index: usize,
+    /// Its name, or that of the first.
+    pub name: &'p str,
+    /// Its area, without what lies in it.
+    pub area: f64,
 }
 
 #[derive(Serialize)]
 struct Document<'p, R> {
-    patches: Vec<Patch<'p>>,
+    patches: &'p [PatchRecord<'p>],
     form_factors: R,
     plan: &'p PlanSummary,
 }
@@ -73,7 +75,7 @@ impl<I: Iterator<Item = FormFactorRecord>> Serialize for Records<I> {
 /// # Errors
 /// [`ReportError`] if a number is not finite or the text cannot be written.
 pub fn write_form_factors(
-    patches: &[NamedPatch],
+    patches: &[PatchRecord<'_>],
     records: impl Iterator<Item = FormFactorRecord>,
     plan: &PlanSummary,
     format: Format,
@@ -81,13 +83,8 @@ pub fn write_form_factors(
 ) -> Result<(), ReportError> {
     match format {
         Format::Json => {
-            let patches = patches.iter().enumerate().map(|(index, patch)| Patch {
-                index,
-                name: patch.name(),
-                area: patch.shape().area(),
-            });
             let document = Document {
-                patches: patches.collect(),
+                patches,
                 form_factors: Records(RefCell::new(Some(records))),
                 plan,
             };
@@ -115,12 +112,12 @@ pub fn write_form_factors(
 }
 
 fn table(
-    patches: &[NamedPatch],
+    patches: &[PatchRecord<'_>],
     mut records: impl Iterator<Item = FormFactorRecord>,
     plan: &PlanSummary,
 ) -> Table {
     let line = |record: FormFactorRecord| {
-        let name = |index: usize| format!("{index} ({})", patches[index].name());
+        let name = |index: usize| format!("{index} ({})", patches[index].name);
         vec![
             name(record.from),
             name(record.to),

@@ -3,7 +3,7 @@
 use super::{Report, ReportError, Table, certain_digits, scientific};
 use crate::information::{ErrorGrade, SceneInformation};
 use crate::numeric::tolerance;
-use crate::scene::{NamedPatch, PlanSummary};
+use crate::scene::PlanSummary;
 
 /// Patches whose contributions a table shows; records carry all.
 const MOST_ROWS: usize = 6;
@@ -40,6 +40,8 @@ struct WorstRow<'r> {
 struct Contribution<'r> {
     patch: usize,
     name: &'r str,
+    /// Its stationary probability.
+    weight: f64,
     mutual_information: f64,
     row_sum: f64,
 }
@@ -61,21 +63,19 @@ pub fn plan_notes(plan: &PlanSummary) -> Vec<(String, String)> {
         .to_vec()
 }
 
-/// What was measured of a scene with these patches.
+/// What was measured of a scene whose patches, or rows of them, have these names.
 ///
 /// # Errors
 /// [`ReportError`] if a number is not finite.
-pub fn measure_report(
-    patches: &[NamedPatch],
-    measured: &SceneInformation,
-) -> Result<Report, ReportError> {
+pub fn measure_report(names: &[&str], measured: &SceneInformation) -> Result<Report, ReportError> {
     let worst = measured.closure.worst();
     let closed = measured.closure.is_closed();
     let rows = measured.contributions.iter().zip(measured.closure.rows());
     let contributions: Vec<Contribution<'_>> = rows
         .map(|(information, row)| Contribution {
             patch: row.row,
-            name: patches[row.row].name(),
+            name: names[row.row],
+            weight: measured.weights[row.row],
             mutual_information: *information,
             row_sum: row.sum,
         })
@@ -86,7 +86,7 @@ pub fn measure_report(
     };
     let entropy_error = tolerance::INFORMATION * (2.0 + measured.positional_entropy);
     let mut lines = vec![
-        ("patches", patches.len().to_string()),
+        ("patches", names.len().to_string()),
         (
             "total area",
             certain_digits(
@@ -96,10 +96,10 @@ pub fn measure_report(
         ),
         (
             "closed",
-            if closed {
-                "yes"
-            } else {
-                "no: one more state, outside"
+            match (closed, measured.outside_contribution) {
+                (true, _) => "yes",
+                (false, Some(_)) => "no: one more state, outside",
+                (false, None) => "no: light that escapes has no state",
             }
             .to_owned(),
         ),
@@ -125,7 +125,7 @@ pub fn measure_report(
         measured.error_grade.name()
     );
     lines.push(("its error, bits", error));
-    let name = |row: usize| format!("{row} ({})", patches[row].name());
+    let name = |row: usize| format!("{row} ({})", names[row]);
     let row = format!(
         "{}: {} ± {}",
         name(worst.row),
@@ -133,6 +133,14 @@ pub fn measure_report(
         scientific(worst.error_bound)
     );
     lines.push(("row sum farthest from 1", row));
+    let mut largest = 0;
+    for (patch, weight) in measured.weights.iter().enumerate() {
+        if *weight > measured.weights[largest] {
+            largest = patch;
+        }
+    }
+    let weight = format!("{}: {:.6}", name(largest), measured.weights[largest]);
+    lines.push(("largest weight", weight));
     let mut rows: Vec<Vec<String>> = lines
         .into_iter()
         .map(|(quantity, value)| vec![quantity.to_owned(), value])
@@ -153,7 +161,7 @@ pub fn measure_report(
         ..Table::default()
     };
     let record = Record {
-        patches: patches.len(),
+        patches: names.len(),
         total_area: measured.total_area,
         closed,
         positional_entropy: measured.positional_entropy,
@@ -164,7 +172,7 @@ pub fn measure_report(
         error_grade: measured.error_grade.name(),
         closure: WorstRow {
             patch: worst.row,
-            name: patches[worst.row].name(),
+            name: names[worst.row],
             row_sum: worst.sum,
             error: worst.error_bound,
         },

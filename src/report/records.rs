@@ -50,6 +50,7 @@ pub struct Report {
     records: Vec<Map<String, Value>>,
     list_key: Option<&'static str>,
     title: Option<(&'static str, &'static str)>,
+    summary: Map<String, Value>,
 }
 
 impl Report {
@@ -63,6 +64,7 @@ impl Report {
             records: vec![flat(record)?],
             list_key: None,
             title: None,
+            summary: Map::new(),
         })
     }
 
@@ -81,6 +83,7 @@ impl Report {
             records,
             list_key: Some(key),
             title: None,
+            summary: Map::new(),
         })
     }
 
@@ -89,6 +92,15 @@ impl Report {
     pub const fn entitled(mut self, key: &'static str, name: &'static str) -> Self {
         self.title = Some((key, name));
         self
+    }
+
+    /// The same, with what concerns the whole list after it in JSON.
+    ///
+    /// # Errors
+    /// As [`one`](Self::one).
+    pub fn summarised(mut self, summary: &impl serde::Serialize) -> Result<Self, ReportError> {
+        self.summary = flat(summary)?;
+        Ok(self)
     }
 
     /// The answer as text, ending in a newline.
@@ -109,7 +121,8 @@ impl Report {
                         let title = self.title.into_iter();
                         let title = title.map(|(key, name)| (key.to_owned(), Value::from(name)));
                         let key = key.unwrap_or("records").to_owned();
-                        Value::Object(title.chain([(key, Value::Array(list))]).collect())
+                        let head = title.chain([(key, Value::Array(list))]);
+                        Value::Object(head.chain(self.summary.clone()).collect())
                     }
                 };
                 serde_json::to_string_pretty(&value)? + "\n"

@@ -83,12 +83,29 @@ pub struct Blockers<'a> {
     patches: Vec<Outline>,
     /// Indices of the planes with patches on both sides.
     planes: Vec<usize>,
+    /// For each patch the one that it lies in and that lies in no other. Patches of one root lie in one plane.
+    roots: Vec<usize>,
 }
 
 impl<'a> Blockers<'a> {
-    /// Makes the search ready.
+    /// Makes the search ready, among patches none of which lies in another.
     #[must_use]
     pub fn new(patches: &'a [NamedPatch], obstructions: &'a [NamedPatch]) -> Self {
+        Self::with_roots(patches, obstructions, (0..patches.len()).collect())
+    }
+
+    /// Makes the search ready: a base and what lies in it do not block each other.
+    #[must_use]
+    pub fn of(scene: &'a Scene) -> Self {
+        let roots = (0..scene.patches().len()).map(|patch| scene.root_of(patch));
+        Self::with_roots(scene.patches(), scene.obstructions(), roots.collect())
+    }
+
+    fn with_roots(
+        patches: &'a [NamedPatch],
+        obstructions: &'a [NamedPatch],
+        roots: Vec<usize>,
+    ) -> Self {
         let arrangement = Arrangement::new(patches, obstructions);
         let splits = arrangement.splits();
         let suspected: Vec<usize> = (0..arrangement.surfaces.len())
@@ -118,6 +135,7 @@ impl<'a> Blockers<'a> {
             place_of,
             patches,
             planes,
+            roots,
         }
     }
 
@@ -195,9 +213,11 @@ impl<'a> Blockers<'a> {
         let near = self
             .boxes
             .locate_in_envelope_intersecting(AABB::from_corners(low, high));
+        let root = |surface: usize| self.roots.get(surface);
+        let ends = [first, second].map(root);
         let mut near: Vec<usize> = near
             .map(|boxed| boxed.data)
-            .filter(|surface| *surface != first && *surface != second)
+            .filter(|surface| !ends.contains(&root(*surface)))
             .collect();
         near.sort_unstable();
         near.into_iter().find(|surface| {
@@ -222,7 +242,7 @@ impl Scene {
     /// ```
     #[must_use]
     pub fn blocker(&self) -> Option<Blocker> {
-        self.blockers().first()
+        Blockers::of(self).first()
     }
 
     /// What stands between two patches, if anything does.
@@ -232,7 +252,7 @@ impl Scene {
     pub fn blocker_of(&self, first: usize, second: usize) -> Result<Option<Blocker>, SceneError> {
         self.check(first)?;
         self.check(second)?;
-        Ok(self.blockers().of_pair(first, second))
+        Ok(Blockers::of(self).of_pair(first, second))
     }
 
     /// What stands between one patch and the first of the others that it does not see fully.
@@ -241,7 +261,7 @@ impl Scene {
     /// [`SceneError::NoSuchPatch`].
     pub fn blocker_of_row(&self, first: usize) -> Result<Option<Blocker>, SceneError> {
         self.check(first)?;
-        Ok(self.blockers().of_row(first))
+        Ok(Blockers::of(self).of_row(first))
     }
 
     /// Refuses the scene if something may stand between two of its patches.
@@ -250,9 +270,5 @@ impl Scene {
     /// [`SceneError::MayBeBlocked`].
     pub fn check_unblocked(&self) -> Result<(), SceneError> {
         self.blocker().map_or(Ok(()), |found| Err(found.into()))
-    }
-
-    fn blockers(&self) -> Blockers<'_> {
-        Blockers::new(&self.patches, &self.obstructions)
     }
 }

@@ -47,6 +47,14 @@ pub(super) fn allowance(spread: f64, first: &Patch, second: &Patch) -> f64 {
     }
 }
 
+/// By how much an exchange area may change when one of the two is moved by up to `distance` along its normal: by what
+/// passes the walls between its old and its new boundary, which are in front of no more than all of the other.
+pub(super) fn shift_allowance(distance: f64, moved: &Patch, other: &Patch) -> f64 {
+    let nearest = (gap(moved, other) - distance).max(0.0);
+    let irradiance = (other.area() / (PI * nearest.powi(2))).min(1.0);
+    distance * perimeter(moved) * irradiance
+}
+
 fn perimeter(patch: &Patch) -> f64 {
     let corners = patch.corners();
     let next = corners.iter().cycle().skip(1);

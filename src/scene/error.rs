@@ -104,6 +104,19 @@ pub enum SceneError {
         /// Area less that of the parts.
         left: f64,
     },
+    /// The patches of a row have not the same material.
+    #[error(
+        "patches {first} ({}) and {second} ({}) are summed into one row and differ in reflectance or emittance: \
+         give both the same, or a row each", names[0], names[1]
+    )]
+    MixedRow {
+        /// Index of the first.
+        first: usize,
+        /// Index of the second.
+        second: usize,
+        /// Their names.
+        names: [String; 2],
+    },
     /// A label for each patch was needed.
     #[error("{labels} labels for {patches} patches: one for each is needed")]
     LabelCount {
@@ -122,13 +135,38 @@ pub enum SceneError {
         /// Index of one that lies in it.
         part: usize,
     },
-    /// Pairs are taken patch by patch: nothing lies in another patch, nothing is summed into one row.
-    #[error("patch {index} {what}: pairs of such patches are not computed yet, leave it out")]
+    /// What takes patches one by one has met one that counts without others.
+    #[error("patch {index} {what}, and cuts are of whole patches: leave it out")]
     NotAPatchOfItsOwn {
         /// Index of the patch.
         index: usize,
         /// What it is instead.
         what: &'static str,
+    },
+    /// The patches do not enclose their surroundings.
+    #[error(
+        "the scene is open: row {row} of the form factors sums to {sum}, 1 ± {tolerance:e} is closed"
+    )]
+    OpenScene {
+        /// The row farthest from 1.
+        row: usize,
+        /// Its sum.
+        sum: f64,
+        /// What would count as closed.
+        tolerance: f64,
+    },
+    /// The form factors of a patch sum to more than one.
+    #[error(
+        "row {row} of the form factors sums to {sum}, 1 + {tolerance:e} at most is possible: patches overlap, or \
+         hide each other"
+    )]
+    RowAboveOne {
+        /// The row farthest above 1.
+        row: usize,
+        /// Its sum.
+        sum: f64,
+        /// The bound on the error of the sum.
+        tolerance: f64,
     },
     /// The format has no place for something that the scene has.
     #[error("{format} cannot say that {what}: {mend}")]

@@ -1,16 +1,23 @@
 //! The exchange areas `A_i F_ij` of all pairs of a scene, held: each once.
 //!
-//! **Memory** the pairs i < j are packed: `n²/2` values, `n²/2` bounds, `n²/2` bytes for the routes.
+//! **Memory** the pairs i < j are packed: `n²/2` values, `n²/2` bounds, `n²/2` bytes for the routes; and the rows that see themselves.
 
-use super::{Account, Congruence, Scene, SceneError, ScenePairs, Sight, Tally};
+use super::planes::Sight;
+use super::row_pairs::nothing;
+use super::{Account, Congruence, Scene, SceneError, ScenePairs, Tally};
 use crate::form_factor::{Answer, DEFAULT_TOLERANCE, ExchangeArea, Route};
 use nalgebra::DMatrix;
 use rayon::prelude::*;
+use std::collections::HashMap;
 
-/// A symmetric matrix of exchange areas, zero on the diagonal, with a bound on the error of each.
+/// A symmetric matrix of exchange areas, with a bound on the error of each. What is called a patch is a row of it: some may be
+/// several patches, summed; only these may have something on the diagonal.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExchangeAreas {
-    patches: usize,
+    areas: Vec<f64>,
+    area_bounds: Vec<f64>,
+    /// The rows that may see themselves.
+    diagonal: HashMap<usize, Answer>,
     /// Entry (i, j), i < j, at `j(j − 1)/2 + i`.
     values: Vec<f64>,
     error_bounds: Vec<f64>,
@@ -25,29 +32,55 @@ struct Column<'c> {
     routes: &'c mut [Route],
 }
 
+type Filled = (Tally, Option<Answer>);
+
 impl ExchangeAreas {
-    /// Number of patches.
+    /// Number of rows: of the patches, unless some are summed.
     #[must_use]
     pub const fn patches(&self) -> usize {
-        self.patches
+        self.areas.len()
     }
 
-    /// `A_i F_ij` with its bound and route; a patch with itself exchanges nothing.
+    /// The entries (i, j), i < j, packed: at `j(j − 1)/2 + i`.
+    #[must_use]
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// The bounds on the errors of [`values`](Self::values).
+    #[must_use]
+    pub fn error_bounds(&self) -> &[f64] {
+        &self.error_bounds
+    }
+
+    /// The rows' areas, without what lies in them.
+    #[must_use]
+    pub fn areas(&self) -> &[f64] {
+        &self.areas
+    }
+
+    /// Bounds on the rounding of the areas and of one quotient by them ([`ScenePairs::area_bounds`]).
+    #[must_use]
+    pub fn area_bounds(&self) -> &[f64] {
+        &self.area_bounds
+    }
+
+    /// May this row exchange something with itself?
+    #[must_use]
+    pub fn sees_itself(&self, row: usize) -> bool {
+        self.diagonal.contains_key(&row)
+    }
+
+    /// `A_i F_ij` with its bound and route ([`ScenePairs::pair`]).
     ///
     /// # Panics
     /// If there is no patch i or j.
     #[must_use]
     pub fn get(&self, i: usize, j: usize) -> Answer {
-        assert!(i.max(j) < self.patches, "there is no patch {}", i.max(j));
+        assert!(i.max(j) < self.patches(), "there is no patch {}", i.max(j));
         if i == j {
-            let exchange = ExchangeArea {
-                value: 0.0,
-                error_bound: 0.0,
-            };
-            return Answer {
-                exchange,
-                route: Route::Coplanar,
-            };
+            let own = self.diagonal.get(&i);
+            return own.copied().unwrap_or(nothing(Route::Coplanar));
         }
         let at = packed(i.max(j)) + i.min(j);
         Answer {
@@ -68,16 +101,8 @@ impl ExchangeAreas {
     /// The full matrix `A_i F_ij`, for which the bounds are given up.
     #[must_use]
     pub fn into_values(self) -> DMatrix<f64> {
-        let Self {
-            patches, values, ..
-        } = self;
-        DMatrix::from_fn(patches, patches, |i, j| {
-            if i == j {
-                0.0
-            } else {
-                values[packed(i.max(j)) + i.min(j)]
-            }
-        })
+        let n = self.patches();
+        DMatrix::from_fn(n, n, |i, j| self.get(i, j).exchange.value)
     }
 }
 
@@ -115,12 +140,16 @@ impl ScenePairs {
             .enumerate()
             .map(|(second, column)| self.fill(second, column))
             .collect();
-        let mut tally = Tally::default();
-        for column in tallies {
-            tally.merge(&column?);
+        let (mut tally, mut diagonal) = (Tally::default(), HashMap::new());
+        for (row, column) in tallies.into_iter().enumerate() {
+            let (counts, own) = column?;
+            tally.merge(&counts);
+            diagonal.extend(own.map(|own| (row, own)));
         }
         Ok(ExchangeAreas {
-            patches,
+            areas: self.areas().to_vec(),
+            area_bounds: self.area_bounds().to_vec(),
+            diagonal,
             values,
             error_bounds,
             routes,
@@ -128,21 +157,22 @@ impl ScenePairs {
         })
     }
 
-    fn fill(&self, second: usize, column: Column<'_>) -> Result<Tally, SceneError> {
+    /// Fills a column above the diagonal; and what is on it, if the row may see itself.
+    fn fill(&self, second: usize, column: Column<'_>) -> Result<Filled, SceneError> {
         let mut tally = Tally::default();
         for first in 0..second {
-            match self.plan.sight(first, second) {
-                Sight::Open => {
-                    let answer = self.look(first, second, &mut tally)?;
-                    column.values[first] = answer.exchange.value;
-                    column.error_bounds[first] = answer.exchange.error_bound;
-                    column.routes[first] = answer.route;
-                }
-                Sight::Coplanar => {}
-                Sight::BackFacing => column.routes[first] = Route::BackFacing,
-            }
+            let answer = self.between(first, second, &mut tally)?;
+            column.values[first] = answer.exchange.value;
+            column.error_bounds[first] = answer.exchange.error_bound;
+            column.routes[first] = answer.route;
         }
-        Ok(tally)
+        let sees_itself = self.sight(second, second) == Sight::Open;
+        let own = if sees_itself {
+            Some(self.open(second, second, &mut tally)?)
+        } else {
+            None
+        };
+        Ok((tally, own))
     }
 }
 

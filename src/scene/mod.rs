@@ -8,24 +8,31 @@
 //! unless unoccluded values are asked for.
 
 mod arrangement;
+mod aspects;
 mod blockers;
 mod built_in;
+mod closure;
 mod congruence;
 mod error;
 mod exchange_areas;
 pub mod files;
 mod lattice;
 mod material;
+mod members;
 mod overlap;
 mod pairs;
 mod parts;
 mod plan;
 mod planes;
+mod row_pairs;
 mod row_sums;
 mod rows;
+mod shifts;
+mod subdivision;
 mod tally;
 
 pub use blockers::{Blocker, Blockers, Obstacle};
+pub use closure::{Closure, RowSum};
 pub use error::SceneError;
 pub use exchange_areas::ExchangeAreas;
 pub use material::{Material, MaterialError};

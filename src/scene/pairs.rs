@@ -1,28 +1,37 @@
-//! The exchange areas of a scene's pairs, as its plan wants them.
+//! The pairs of a scene, ready to be evaluated as its plan wants them.
 //!
-//! A pair has one value, whichever way it is asked for, so that `A_i F_ij = A_j F_ji` holds exactly. It is at least 0 and
-//! at most the smaller area, so that `0 ≤ F ≤ 1`: what lies beyond is the error of a value at the limit, and putting it
-//! there brings it nearer to the exact one.
+//! A row is a patch, less what lies in it, or several that are summed ([`Scene::group_of`]); it stands for what is called a patch
+//! wherever pairs are listed, measured or summed. What two rows exchange is a sum over pairs of polygons
+//! ([`pair`](ScenePairs::pair)); the plan, its classes and its counts are of these.
 //!
-//! **Memory** O(n) and the distinct values; the ways to all pairs are in [`row_sums`](ScenePairs::row_sums) (each pair once, nothing held),
+//! **Memory** O(n) and the distinct values; the ways to all pairs are in [`row_sums`](ScenePairs::row_sums) (nothing held),
 //! [`for_each_row`](ScenePairs::for_each_row) (a row at a time) and [`ExchangeAreas`](super::ExchangeAreas) (all of them).
 //!
 //! **Not covered**: occlusion.
 
+use super::aspects::Aspects;
 use super::congruence::allowance;
+use super::members::Members;
 use super::plan::{Congruence, Plan};
 use super::planes::Sight;
+use super::shifts::Shifts;
 use super::tally::{PlanSummary, Tally, Unreached};
-use super::{Scene, SceneError};
-use crate::form_factor::{Answer, ExchangeArea, Polygon, Route};
+use super::{NamedPatch, Scene, SceneError};
+use crate::form_factor::{Answer, Polygon, Route};
+use crate::numeric::compensated_sum;
 use rayon::prelude::*;
 
 /// A scene whose pairs are ready to be evaluated.
 #[derive(Debug, Clone)]
 pub struct ScenePairs {
     pub(super) plan: Plan,
+    pub(super) members: Members,
+    pub(super) aspects: Aspects,
+    pub(super) shifts: Shifts,
     polygons: Vec<Polygon>,
+    /// Of the rows.
     areas: Vec<f64>,
+    area_bounds: Vec<f64>,
     tolerance: f64,
     /// The value of each class of congruent pairs; none where they are not equal within the tolerance.
     shared: Vec<Option<Answer>>,
@@ -33,19 +42,10 @@ pub struct ScenePairs {
 pub struct Account {
     /// What was left out, shared and computed.
     pub plan: PlanSummary,
-    /// How many pairs miss the tolerance.
+    /// How many pairs of rows miss the tolerance.
     pub unreached: usize,
     /// The worst of them.
     pub worst: Option<Unreached>,
-}
-
-/// What a pair whose planes see nothing of each other exchanges.
-const fn nothing(route: Route) -> Answer {
-    let exchange = ExchangeArea {
-        value: 0.0,
-        error_bound: 0.0,
-    };
-    Answer { exchange, route }
 }
 
 impl ScenePairs {
@@ -54,8 +54,7 @@ impl ScenePairs {
     /// **Arguments** `tolerance`: the relative error asked for, > 0.
     ///
     /// # Errors
-    /// [`SceneError::Pair`] if two patches are refused; [`SceneError::NotAPatchOfItsOwn`] if one lies in another, or is
-    /// summed with another.
+    /// [`SceneError::Pair`] if two patches are refused.
     ///
     /// # Examples
     /// ```
@@ -72,24 +71,21 @@ impl ScenePairs {
         tolerance: f64,
         congruence: Congruence,
     ) -> Result<Self, SceneError> {
-        let patches = scene.patches();
-        for index in 0..patches.len() {
-            let what = if scene.base_of(index).is_some() {
-                "lies in another one"
-            } else if scene.group_of(index) != index {
-                "is summed with another one"
-            } else {
-                continue;
-            };
-            return Err(SceneError::NotAPatchOfItsOwn { index, what });
-        }
+        let members = Members::of(scene);
+        let shapes = members.shapes(scene);
+        let plan = Plan::of(&shapes, &members.roots, congruence);
+        let [areas, area_bounds] = areas(&members, &shapes);
         let mut pairs = Self {
-            plan: Plan::of(scene, congruence),
-            polygons: patches
+            aspects: Aspects::of(&members, &plan.planes),
+            shifts: Shifts::of(scene, &members.patches),
+            plan,
+            members,
+            polygons: shapes
                 .iter()
                 .map(|patch| Polygon::new(patch.shape()))
                 .collect(),
-            areas: patches.iter().map(|patch| patch.shape().area()).collect(),
+            areas,
+            area_bounds,
             tolerance,
             shared: Vec::new(),
         };
@@ -102,7 +98,7 @@ impl ScenePairs {
         };
         let share = |[first, second]: &[usize; 2]| {
             let mut answer = pairs.compute(*first, *second, asked)?;
-            let [one, other] = [first, second].map(|index| patches[*index].shape());
+            let [one, other] = [first, second].map(|index| shapes[*index].shape());
             let apart = allowance(spread, one, other);
             let exchange = &mut answer.exchange;
             exchange.error_bound += apart;
@@ -114,16 +110,22 @@ impl ScenePairs {
         Ok(pairs)
     }
 
-    /// Number of patches.
+    /// Number of rows: of the patches, unless some are summed.
     #[must_use]
     pub fn patches(&self) -> usize {
         self.areas.len()
     }
 
-    /// The patches' areas.
+    /// The rows' areas, without what lies in them.
     #[must_use]
     pub fn areas(&self) -> &[f64] {
         &self.areas
+    }
+
+    /// Bounds on the rounding of the areas and of one quotient by them: 4 ε of what they are summed of.
+    #[must_use]
+    pub fn area_bounds(&self) -> &[f64] {
+        &self.area_bounds
     }
 
     /// The relative error asked for.
@@ -132,33 +134,19 @@ impl ScenePairs {
         self.tolerance
     }
 
-    /// For each patch the sum of weights over the patches that the plan leaves out for it, itself included.
+    /// For each row the sum of weights over the rows that the plan leaves out for it, itself included unless it may see itself.
     #[must_use]
     pub fn unseen(&self, weights: &[f64]) -> Vec<f64> {
-        let by_plane = self.plan.planes.unseen(weights);
-        let plane = |patch| self.plan.planes.of_patch(patch);
-        (0..self.patches())
-            .map(|patch| by_plane[plane(patch)])
-            .collect()
+        self.aspects.unseen(&self.plan.planes, weights)
     }
 
-    /// What two patches exchange, and how it was found; a patch with itself nothing.
-    ///
-    /// # Errors
-    /// [`SceneError::NoSuchPatch`]; [`SceneError::Pair`] if the two are refused.
-    pub fn pair(&self, first: usize, second: usize) -> Result<Answer, SceneError> {
-        let last = self.patches() - 1;
-        if let Some(index) = [first, second].into_iter().find(|index| *index > last) {
-            return Err(SceneError::NoSuchPatch { index, last });
-        }
-        match self.plan.sight(first, second) {
-            Sight::Open => self.look(first, second, &mut Tally::default()),
-            Sight::Coplanar => Ok(nothing(Route::Coplanar)),
-            Sight::BackFacing => Ok(nothing(Route::BackFacing)),
-        }
+    /// What two rows can exchange, a row with itself, too.
+    pub(super) fn sight(&self, first: usize, second: usize) -> Sight {
+        let [one, other] = [first, second].map(|row| self.aspects.of_row(row));
+        self.aspects.sight(&self.plan.planes, one, other)
     }
 
-    /// A pair whose planes see each other.
+    /// What a pair of polygons exchanges whose planes see each other.
     pub(super) fn look(
         &self,
         first: usize,
@@ -166,27 +154,32 @@ impl ScenePairs {
         tally: &mut Tally,
     ) -> Result<Answer, SceneError> {
         let shared = self.plan.shared(first, second);
-        let answer = match shared.and_then(|place| self.shared[place]) {
+        let shared = shared.and_then(|place| self.shared[place]);
+        let answer = match shared {
             Some(answer) => answer,
-            None => {
-                tally.alone += 1;
-                self.compute(first, second, self.tolerance)?
-            }
+            None => self.compute(first, second, self.tolerance)?,
         };
-        tally.pair([first, second], &answer, self.tolerance);
+        tally.polygons(answer.route, shared.is_none());
         Ok(answer)
     }
 
     /// One value per pair, between 0 and the smaller area.
-    fn compute(&self, first: usize, second: usize, tolerance: f64) -> Result<Answer, SceneError> {
+    pub(super) fn compute(
+        &self,
+        first: usize,
+        second: usize,
+        tolerance: f64,
+    ) -> Result<Answer, SceneError> {
         let (first, second) = (first.min(second), first.max(second));
         let answer = self.polygons[first].exchange_area(&self.polygons[second], tolerance);
         let mut answer = answer.map_err(|source| SceneError::Pair {
-            first,
-            second,
+            first: self.members.patches[first],
+            second: self.members.patches[second],
             source,
         })?;
-        let most = self.areas[first].min(self.areas[second]);
+        let most = self.polygons[first]
+            .area()
+            .min(self.polygons[second].area());
         answer.exchange.value = answer.exchange.value.min(most);
         Ok(answer)
     }
@@ -199,7 +192,7 @@ impl ScenePairs {
 
     /// The counts of a pass over all pairs.
     pub(super) fn account(&self, tally: Tally) -> Account {
-        let n = self.patches();
+        let n = self.polygons.len();
         let left_out = self.plan.planes.pairs_left_out();
         let classes = self.shared.iter().flatten().count();
         self.account_of(n * (n - 1) / 2, left_out, classes, tally)
@@ -233,4 +226,18 @@ impl ScenePairs {
             worst: tally.worst,
         }
     }
+}
+
+/// The rows' areas and the bounds on their rounding.
+fn areas(members: &Members, shapes: &[NamedPatch]) -> [Vec<f64>; 2] {
+    let terms = |row: usize| {
+        let polygons = members.of_row(row).iter();
+        polygons.map(|member| member.sign * shapes[member.polygon].shape.area())
+    };
+    let rows = || 0..members.rows();
+    let bound = |row| 4.0 * f64::EPSILON * compensated_sum(terms(row).map(f64::abs));
+    [
+        rows().map(|row| compensated_sum(terms(row))).collect(),
+        rows().map(bound).collect(),
+    ]
 }

@@ -6,11 +6,19 @@
 //! ```
 //!
 //! A part lies in the plane of its base, faces the same way and is inside it; the base counts without its parts
-//! (additivity). The shape of a base stays whole: what is left of it need not be a simple polygon.
+//! (additivity). The shape of a base stays whole: what is left of it need not be a simple polygon. Patches of one row exchange with
+//! each other what the row exchanges with itself, `F_gg`. A row is called as its first patch is, and has a material only if all
+//! its patches have the same one.
 //!
-//! **Not covered**: whether two parts of one base overlap.
+//! **Not covered**: whether two parts of one base overlap ([`Scene::check_overlap`]).
+//!
+//! # Source
+//! View3D 3.3 manual, §4.1 (*subsurfaces*, their bases, which may be subsurfaces), §4.2 (*surface combination*) and §5.2 (the columns
+//! `base` and `cmb`). It has the same restrictions, and two more, which are not needed here: a base comes before its parts, and
+//! a row's first surface before the others. It does not say which emissivity a combined surface has, and the program combines areas
+//! and exchange areas only.
 
-use super::{NamedPatch, Scene, SceneError};
+use super::{Material, NamedPatch, Scene, SceneError};
 use crate::geometry::Patch;
 use crate::numeric::tolerance;
 use glam::DVec2;
@@ -89,6 +97,16 @@ impl Scene {
         self.bases[index]
     }
 
+    /// The patch that this one lies in, in the end: itself if it lies in none.
+    #[must_use]
+    pub fn root_of(&self, index: usize) -> usize {
+        let mut root = index;
+        while let Some(base) = self.bases[root] {
+            root = base;
+        }
+        root
+    }
+
     /// The patches that lie directly in this one, in order.
     pub fn parts_of(&self, index: usize) -> impl Iterator<Item = usize> {
         let bases = self.bases.iter().enumerate();
@@ -111,6 +129,38 @@ impl Scene {
     pub fn patches_of_group(&self, group: usize) -> impl Iterator<Item = usize> {
         let groups = self.groups.iter().enumerate();
         groups.filter_map(move |(patch, row)| (*row == group).then_some(patch))
+    }
+
+    /// The name of each row, in order: that of its first patch.
+    #[must_use]
+    pub fn group_names(&self) -> Vec<&str> {
+        let mut names = Vec::new();
+        for (patch, group) in self.patches.iter().zip(&self.groups) {
+            if *group == names.len() {
+                names.push(patch.name());
+            }
+        }
+        names
+    }
+
+    /// The material that all patches of a row have; reflected power of different ones is not that of any single one.
+    ///
+    /// # Errors
+    /// [`SceneError::NoSuchPatch`]; [`SceneError::MixedRow`] with the first two that differ.
+    pub fn group_material(&self, group: usize) -> Result<Material, SceneError> {
+        let last = self.group_count() - 1;
+        let mut patches = self.patches_of_group(group);
+        let no_row = SceneError::NoSuchPatch { index: group, last };
+        let first = patches.next().ok_or(no_row)?;
+        let material = self.patches[first].material;
+        match patches.find(|patch| self.patches[*patch].material != material) {
+            None => Ok(material),
+            Some(second) => Err(SceneError::MixedRow {
+                first,
+                second,
+                names: [first, second].map(|patch| self.patches[patch].name.clone()),
+            }),
+        }
     }
 
     /// The area of a patch without what lies in it, in squared units of length.
@@ -137,10 +187,7 @@ pub(super) fn check_inside(
         .fold(0.0, f64::max);
     let allowed = tolerance::PLANARITY * diameter;
     let normal = outer.normal();
-    let heights = inner.corners().iter();
-    let deviation = heights
-        .map(|corner| (*corner - origin).dot(normal).abs())
-        .fold(0.0, f64::max);
+    let deviation = distance_from_plane(inner, outer);
     if deviation > allowed {
         return Err(SceneError::PartOffPlane {
             part,
@@ -175,6 +222,14 @@ pub(super) fn check_inside(
         return Err(SceneError::PartOutside { part, base });
     }
     Ok(())
+}
+
+/// How far the first polygon reaches from the plane of the second.
+pub(super) fn distance_from_plane(inner: &Patch, outer: &Patch) -> f64 {
+    let heights = inner.corners().iter();
+    heights
+        .map(|corner| (*corner - outer.corners()[0]).dot(outer.normal()).abs())
+        .fold(0.0, f64::max)
 }
 
 fn edges(polygon: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> {

@@ -8,7 +8,7 @@
 //!
 //! **Not covered**: congruence of polygons that are not axis-parallel rectangles.
 
-use super::Scene;
+use super::NamedPatch;
 use super::lattice::Lattice;
 use super::planes::{Planes, Sight};
 use rayon::prelude::*;
@@ -39,9 +39,9 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    pub(super) fn of(scene: &Scene, congruence: Congruence) -> Self {
-        let patches = scene.patches();
-        let planes = Planes::of(patches);
+    /// The plan for these patches, some of which may lie in others, in the end in their roots.
+    pub(super) fn of(patches: &[NamedPatch], roots: &[usize], congruence: Congruence) -> Self {
+        let planes = Planes::of(patches, roots);
         let lattice = match congruence {
             Congruence::Shared => Lattice::of(patches),
             Congruence::Ignored => None,

@@ -11,7 +11,7 @@
 //! **Not covered**: more than [`MOST_PLANES`] planes; then only pairs in one plane are left out here.
 
 use super::NamedPatch;
-use crate::numeric::{compensated_sum, tolerance};
+use crate::numeric::tolerance;
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -55,7 +55,8 @@ impl Plane {
 }
 
 impl Planes {
-    pub(super) fn of(patches: &[NamedPatch]) -> Self {
+    /// The planes of patches; a patch whose root is another one lies in that one, and in its plane.
+    pub(super) fn of(patches: &[NamedPatch], roots: &[usize]) -> Self {
         let corners = |patch: usize| patches[patch].shape.corners();
         let extent = (0..patches.len())
             .flat_map(corners)
@@ -63,10 +64,12 @@ impl Planes {
             .fold(f64::MIN_POSITIVE, f64::max);
         let flat = tolerance::ALIGNMENT * extent;
         let mut planes: Vec<Plane> = Vec::new();
-        let mut members: Vec<Vec<usize>> = Vec::new();
         let mut buckets: HashMap<[i64; 4], Vec<usize>> = HashMap::new();
-        let mut of = Vec::with_capacity(patches.len());
+        let mut of = vec![u32::MAX; patches.len()];
         for (patch, named) in patches.iter().enumerate() {
+            if roots[patch] != patch {
+                continue;
+            }
             let normal = named.shape.normal();
             let origin = corners(patch)[0];
             let distance = normal.dot(origin) / extent;
@@ -84,14 +87,22 @@ impl Planes {
             } else {
                 known.push(planes.len());
                 planes.push(Plane { normal, origin });
-                members.push(Vec::new());
                 planes.len() - 1
             };
-            members[plane].push(patch);
-            of.push(u32::try_from(plane).unwrap_or(u32::MAX));
+            of[patch] = u32::try_from(plane).unwrap_or(u32::MAX);
+        }
+        let mut members = vec![Vec::new(); planes.len()];
+        for patch in 0..patches.len() {
+            of[patch] = of[roots[patch]];
+            members[of[patch] as usize].push(patch);
         }
         let sight = if planes.len() <= MOST_PLANES {
-            compare(&planes, &members, corners, flat)
+            // what lies in a patch is in front of nothing that the patch is not in front of
+            let whole = |patch: usize| {
+                let is_whole = roots[patch] == patch;
+                if is_whole { corners(patch) } else { &[] }
+            };
+            compare(&planes, &members, whole, flat)
         } else {
             Vec::new()
         };
@@ -102,8 +113,9 @@ impl Planes {
         self.members.len()
     }
 
-    pub(super) fn members(&self) -> &[Vec<usize>] {
-        &self.members
+    /// Is it known which planes see nothing of each other?
+    pub(super) const fn are_compared(&self) -> bool {
+        !self.sight.is_empty()
     }
 
     pub(super) fn of_patch(&self, patch: usize) -> usize {
@@ -139,20 +151,6 @@ impl Planes {
             }
         }
         left_out
-    }
-
-    /// For each plane the sum of the weights of all patches whose planes exchange nothing with it, its own included.
-    pub(super) fn unseen(&self, weights: &[f64]) -> Vec<f64> {
-        let sum = |patches: &Vec<usize>| compensated_sum(patches.iter().map(|i| weights[*i]));
-        let sums: Vec<f64> = self.members.iter().map(sum).collect();
-        let unseen = |plane: usize| {
-            if self.sight.is_empty() {
-                return sums[plane];
-            }
-            let dark = (0..self.count()).filter(|other| self.sight(plane, *other) != Sight::Open);
-            compensated_sum(dark.map(|other| sums[other]))
-        };
-        (0..self.count()).map(unseen).collect()
     }
 }
 

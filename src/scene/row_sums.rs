@@ -1,10 +1,10 @@
 //! Sums over the rows of a symmetric matrix that is never held.
 //!
 //! ```text
-//!   S_i = Σ_j f(i, j),     f(i, j) = f(j, i) computed once, for the pairs whose planes see each other
+//!   S_i = Σ_j f(i, j),     f(i, j) = f(j, i) computed once, for the pairs of rows that see each other
 //! ```
 //!
-//! The pairs come in tiles of [`SIDE`] × [`SIDE`] patches. The tiles of one row of tiles are computed in parallel; each adds
+//! The pairs come in tiles of [`SIDE`] × [`SIDE`] rows. The tiles of one row of tiles are computed in parallel; each adds
 //! to the sums of its own columns, and the sums of its rows are added up afterwards in order. So every sum takes its terms in
 //! an order that depends on the scene alone, and comes out the same for any number of threads.
 //!
@@ -19,18 +19,18 @@ use crate::numeric::CompensatedSum;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Patches along one side of a tile.
+/// Rows along one side of a tile.
 const SIDE: usize = 128;
 
-/// `K` sums per patch.
+/// `K` sums per row.
 type Sums<const K: usize> = [CompensatedSum; K];
 
-/// A run of patches, by place in the order by planes.
+/// A run of rows, by place in the order by aspects.
 #[derive(Debug, Clone)]
 struct Chunk {
     places: Range<usize>,
-    /// The plane they all lie in, if it is one.
-    plane: Option<usize>,
+    /// The aspect that they all have, if it is one.
+    aspect: Option<usize>,
 }
 
 /// One tile: what it adds to the sums of its rows, and its counts.
@@ -38,7 +38,7 @@ type Tile<const K: usize> = Result<(Vec<Sums<K>>, Tally), SceneError>;
 
 impl ScenePairs {
     /// `K` sums over each row, of terms that are the same for (i, j) and (j, i); pairs that the plan leaves out are not
-    /// asked for, nor a patch with itself.
+    /// asked for, nor a row with itself unless it may see itself.
     ///
     /// # Errors
     /// [`SceneError::Pair`] if two patches are refused.
@@ -57,7 +57,7 @@ impl ScenePairs {
         &self,
         term: impl Fn(usize, usize, &ExchangeArea) -> [f64; K] + Sync,
     ) -> Result<(Vec<[f64; K]>, Account), SceneError> {
-        let order: Vec<usize> = self.plan.planes.members().concat();
+        let order: Vec<usize> = self.aspects.rows().concat();
         let chunks = self.chunks();
         let mut sums = vec![[CompensatedSum::default(); K]; order.len()];
         let mut tally = Tally::default();
@@ -80,30 +80,30 @@ impl ScenePairs {
                 }
             }
         }
-        let mut by_patch = vec![[0.0; K]; order.len()];
-        for (patch, sums) in order.into_iter().zip(&sums) {
-            by_patch[patch] = sums.map(|sum| sum.total());
+        let mut by_row = vec![[0.0; K]; order.len()];
+        for (row, sums) in order.into_iter().zip(&sums) {
+            by_row[row] = sums.map(|sum| sum.total());
         }
-        Ok((by_patch, self.account(tally)))
+        Ok((by_row, self.account(tally)))
     }
 
-    /// Patches in the order of their planes, cut into chunks; a chunk starts with each plane of many patches.
+    /// Rows in the order of their aspects, cut into chunks; a chunk starts with each aspect of many rows.
     fn chunks(&self) -> Vec<Chunk> {
         let mut chunks: Vec<Chunk> = Vec::new();
         let mut start = 0;
-        for (plane, members) in self.plan.planes.members().iter().enumerate() {
-            let end = start + members.len();
-            let is_large = members.len() > SIDE / 4;
+        for (aspect, rows) in self.aspects.rows().iter().enumerate() {
+            let end = start + rows.len();
+            let is_large = rows.len() > SIDE / 4;
             match chunks.last_mut() {
                 Some(last) if !is_large && end - last.places.start <= SIDE => {
                     last.places.end = end;
-                    last.plane = None;
+                    last.aspect = None;
                 }
                 _ => {
                     let parts = (start..end).step_by(SIDE);
                     chunks.extend(parts.map(|start| Chunk {
                         places: start..end.min(start + SIDE),
-                        plane: Some(plane),
+                        aspect: Some(aspect),
                     }));
                 }
             }
@@ -114,8 +114,10 @@ impl ScenePairs {
 
     /// May a pair of these exchange anything?
     fn may_see(&self, rows: &Chunk, columns: &Chunk) -> bool {
-        match (rows.plane, columns.plane) {
-            (Some(first), Some(second)) => self.plan.planes.sight(first, second) == Sight::Open,
+        match (rows.aspect, columns.aspect) {
+            (Some(first), Some(second)) => {
+                self.aspects.sight(&self.plan.planes, first, second) == Sight::Open
+            }
             _ => true,
         }
     }
@@ -130,21 +132,23 @@ impl ScenePairs {
     ) -> Tile<K> {
         let mut row_sums = vec![[CompensatedSum::default(); K]; rows.places.len()];
         let mut tally = Tally::default();
-        let is_mixed = rows.plane.is_none() || columns.plane.is_none();
+        let is_mixed = rows.aspect.is_none() || columns.aspect.is_none();
         for (row, row_sums) in rows.places.clone().zip(&mut row_sums) {
             let first = order[row];
-            let after = columns.places.start.max(row + 1)..columns.places.end;
-            for column in after {
+            let from = columns.places.start.max(row)..columns.places.end;
+            for column in from {
                 let second = order[column];
-                if is_mixed && self.plan.sight(first, second) != Sight::Open {
+                if is_mixed && self.sight(first, second) != Sight::Open {
                     continue;
                 }
-                let answer = self.look(first, second, &mut tally)?;
+                let answer = self.open(first, second, &mut tally)?;
                 let terms = term(first, second, &answer.exchange);
                 let column_sums = &mut column_sums[column - columns.places.start];
                 for ((row, column), term) in row_sums.iter_mut().zip(column_sums).zip(terms) {
                     row.add(term);
-                    column.add(term);
+                    if first != second {
+                        column.add(term);
+                    }
                 }
             }
         }

@@ -8,9 +8,9 @@ use std::collections::BTreeSet;
 /// An ordered pair and what it exchanges.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Entry {
-    /// The patch that sends.
+    /// The row that sends.
     pub from: usize,
-    /// The patch that receives.
+    /// The row that receives.
     pub to: usize,
     /// The exchange area, the same for (to, from).
     pub answer: Answer,
@@ -20,7 +20,7 @@ pub struct Entry {
 const RUN: usize = 64;
 
 impl ScenePairs {
-    /// Shows all rows in order, each a list of what the patch exchanges with patches 0, 1, …, itself included; only one is
+    /// Shows all rows in order, each a list of what the patch, or the sum, exchanges with rows 0, 1, …, itself included; only one is
     /// held. A pair that shares no value is computed for both of its rows, in the same way.
     ///
     /// # Errors
@@ -48,7 +48,7 @@ impl ScenePairs {
         Ok(self.account(tally))
     }
 
-    /// Part of a row, and the counts of what is above the diagonal.
+    /// Part of a row, and the counts of what is not below the diagonal.
     fn run(
         &self,
         from: usize,
@@ -57,17 +57,15 @@ impl ScenePairs {
         let mut tally = Tally::default();
         let mut answers = Vec::with_capacity(columns.len());
         for to in columns {
-            answers.push(if to > from && self.plan.sight(from, to) == Sight::Open {
-                self.look(from, to, &mut tally)?
-            } else {
-                self.pair(from, to)?
-            });
+            let mut below = Tally::default();
+            let counts = if to < from { &mut below } else { &mut tally };
+            answers.push(self.between(from, to, counts)?);
         }
         Ok((answers, tally))
     }
 
-    /// The ordered pairs from one patch, or to one, or both; a patch is not paired with itself. The account is that of these
-    /// pairs alone.
+    /// The ordered pairs from one row, or to one, or both; a row is paired with itself only where it may see itself. The account is
+    /// that of these pairs alone.
     ///
     /// # Errors
     /// [`SceneError::NoSuchPatch`](super::SceneError::NoSuchPatch), [`SceneError::Pair`](super::SceneError::Pair).
@@ -76,31 +74,31 @@ impl ScenePairs {
         from: Option<usize>,
         to: Option<usize>,
     ) -> Result<(Vec<Entry>, Account), SceneError> {
-        let last = self.patches() - 1;
-        if let Some(index) = [from, to].into_iter().flatten().find(|index| *index > last) {
-            return Err(SceneError::NoSuchPatch { index, last });
+        for row in [from, to].into_iter().flatten() {
+            self.check(row)?;
         }
-        let all = |one: Option<usize>| one.map_or(0..=last, |one| one..=one);
+        let all = |one: Option<usize>| one.map_or(0..self.patches(), |one| one..one + 1);
         let is_part = from.is_some() || to.is_some();
         let mut entries = Vec::new();
         let mut classes = BTreeSet::new();
         let mut tally = Tally::default();
         let (mut pairs, mut left_out) = (0, [0; 2]);
         for from in all(from) {
-            for to in all(to).filter(|to| *to != from) {
+            for to in all(to).filter(|to| *to != from || self.sight(from, from) == Sight::Open) {
                 // of all pairs, which come both ways, the first counts
-                let is_new = is_part || from < to;
-                let sight = self.plan.sight(from, to);
-                let answer = if sight == Sight::Open && is_new {
-                    classes.extend(self.class(from, to));
-                    self.look(from, to, &mut tally)?
-                } else {
-                    self.pair(from, to)?
-                };
-                if is_new {
+                let mut again = Tally::default();
+                let is_new = is_part || from <= to;
+                let counts = if is_new { &mut tally } else { &mut again };
+                let answer = self.between(from, to, counts)?;
+                let polygons = self.members.pairs(from, to);
+                let counted = polygons.filter(|pair| is_new && pair.iter().all(|m| m.sign > 0.0));
+                for [one, other] in counted.map(|pair| pair.map(|member| member.polygon)) {
                     pairs += 1;
-                    left_out[0] += usize::from(sight == Sight::Coplanar);
-                    left_out[1] += usize::from(sight == Sight::BackFacing);
+                    match self.plan.sight(one, other) {
+                        Sight::Open => classes.extend(self.class(one, other)),
+                        Sight::Coplanar => left_out[0] += 1,
+                        Sight::BackFacing => left_out[1] += 1,
+                    }
                 }
                 entries.push(Entry { from, to, answer });
             }

@@ -1,4 +1,8 @@
 //! How many pairs took which way, and whether the tolerance was reached.
+//!
+//! Counted are pairs of patches, each once, whatever rows they are summed into. What a base lacks is counted with its part: that it is
+//! subtracted, too, and computed again for it or to a finer tolerance, does not count. A part that is summed into the row of
+//! its base is in no pair. The tolerance is asked of pairs of rows.
 
 use crate::form_factor::{Answer, Route};
 use std::collections::BTreeMap;
@@ -13,7 +17,7 @@ const ROUTES: usize = 16;
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Default, serde::Serialize)]
 pub struct PlanSummary {
-    /// Pairs of patches `n(n − 1)/2`.
+    /// Pairs of patches `n(n − 1)/2`; a part in the row of its base is none of the n.
     pub pairs: usize,
     /// Values that are those of their mirror image, `A_j F_ji = A_i F_ij`.
     pub reciprocal: usize,
@@ -33,7 +37,7 @@ pub struct PlanSummary {
     pub routes: BTreeMap<&'static str, usize>,
 }
 
-/// A pair whose error bound is beyond the tolerance asked for.
+/// A pair of rows whose error bound is beyond the tolerance asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unreached {
     /// The smaller index.
@@ -76,10 +80,15 @@ impl Tally {
         }
     }
 
-    /// A pair that was looked at.
-    pub(super) fn pair(&mut self, [first, second]: [usize; 2], answer: &Answer, tolerance: f64) {
-        self.count(answer.route, 1);
+    /// A pair of polygons that was looked at.
+    pub(super) fn polygons(&mut self, route: Route, is_alone: bool) {
+        self.count(route, 1);
         self.seen += 1;
+        self.alone += usize::from(is_alone);
+    }
+
+    /// What a pair of rows exchanges.
+    pub(super) fn rows(&mut self, [first, second]: [usize; 2], answer: &Answer, tolerance: f64) {
         let (value, error_bound) = (answer.exchange.value, answer.exchange.error_bound);
         if error_bound > tolerance * value {
             self.unreached += 1;

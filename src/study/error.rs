@@ -3,6 +3,8 @@
 use crate::chain::ChainError;
 use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
+use crate::scene::SceneError;
+use crate::transport::TransportError;
 
 /// A case of a study was refused.
 #[derive(Debug, thiserror::Error)]
@@ -14,6 +16,12 @@ pub enum StudyError {
     /// A pair's polygons.
     #[error(transparent)]
     Geometry(#[from] GeometryError),
+    /// A room's patches.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A room's light.
+    #[error(transparent)]
+    Transport(#[from] TransportError),
     /// A pair's exact value.
     #[error("{case}: {source}")]
     FormFactor {

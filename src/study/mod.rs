@@ -3,7 +3,7 @@
 //! [`fuzz`] (feature `proptest`) throws random refinements at Theorem 1 and at the gain's promised accuracy.
 //! [`accuracy`] sets the error of every route to a form factor against its run time, on the [families](polygon_pairs) of
 //! pairs too; [`stability`] measures what naive forms of the gain lose, [`extreme_pairs`] what the routes
-//! keep of stiff and extreme pairs, [`precision`] what an enclosure costs. [`Truth`] judges.
+//! keep of stiff and extreme pairs, [`transport_stability`] what solvers keep of radiosities, [`precision`] what an enclosure costs. [`Truth`] judges.
 //! [`gradient_limits`] follows the cuts of §4.2 to their limits, [`profiles`] sets both cuts side by side for other radiosities,
 //! [`directions`] turns the cut.
 //!
@@ -22,6 +22,7 @@ pub mod polygon_pairs;
 pub mod precision;
 pub mod profiles;
 pub mod stability;
+pub mod transport_stability;
 mod truth;
 
 pub use error::StudyError;

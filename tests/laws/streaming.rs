@@ -8,7 +8,7 @@ use infoscene::information::{
     positional_entropy, scene_information,
 };
 use infoscene::numeric::{tolerance, x_log2_ratio};
-use infoscene::scene::{Congruence, NamedPatch, Scene, ScenePairs};
+use infoscene::scene::{Congruence, NamedPatch, Scene, SceneError, ScenePairs};
 
 fn measured(scene: &Scene, surroundings: Surroundings) -> Result<SceneInformation, ChainError> {
     let pairs = ScenePairs::try_new(scene, DEFAULT_TOLERANCE, Congruence::Shared).unwrap();
@@ -153,7 +153,10 @@ fn a_row_above_one_is_refused() {
     patches.extend(Scene::facing_squares(0.5).unwrap().patches()[1..].to_vec());
     let refusal = measured(&Scene::try_new(patches).unwrap(), Surroundings::Outside).unwrap_err();
     assert!(
-        matches!(refusal, ChainError::RowAboveOne { row: 0, .. }),
+        matches!(
+            refusal,
+            ChainError::Scene(SceneError::RowAboveOne { row: 0, .. })
+        ),
         "{refusal}"
     );
 }

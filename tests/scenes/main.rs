@@ -10,6 +10,7 @@ mod fuzzing;
 mod parts;
 mod refusals;
 mod round_trip;
+mod rows;
 mod triangles;
 mod view3d;
 mod wavefront;

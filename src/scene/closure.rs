@@ -4,15 +4,17 @@
 //!   closed:  |Σ_j F_ij − 1| ≤ Σ_j bound_ij / A_i + 4 ε  for every i
 //! ```
 //!
+//! The 4 ε are for the area and the quotient; where an area is a sum or a difference, of what it is made of.
+//!
 //! What a row of an open scene lacks escapes.
 
-use super::ChainError;
-use crate::scene::ScenePairs;
+use super::{ExchangeAreas, SceneError, ScenePairs};
+use crate::numeric::compensated_sum;
 
 /// The sum of a row of form factors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RowSum {
-    /// The patch, from 0.
+    /// The patch, or the row that several are summed into, from 0.
     pub row: usize,
     /// `Σ_j F_ij`.
     pub sum: f64,
@@ -27,15 +29,20 @@ pub struct Closure {
 }
 
 impl Closure {
-    /// From the areas, the sums of the rows of exchange areas and of their error bounds.
+    /// From the areas and the bounds on their rounding and the quotient's, the sums of the rows of exchange areas and of their
+    /// error bounds.
     #[must_use]
-    pub fn new(areas: &[f64], sums: impl IntoIterator<Item = [f64; 2]>) -> Self {
-        let rows = sums.into_iter().zip(areas).enumerate();
-        let rows = rows.map(|(row, ([exchange, bound], area))| RowSum {
+    pub fn new(
+        areas: &[f64],
+        area_bounds: &[f64],
+        sums: impl IntoIterator<Item = [f64; 2]>,
+    ) -> Self {
+        let rows = sums.into_iter().zip(areas.iter().zip(area_bounds));
+        let rows = rows.enumerate();
+        let rows = rows.map(|(row, ([exchange, bound], (area, area_bound)))| RowSum {
             row,
             sum: exchange / area,
-            // the area's and the quotient's rounding
-            error_bound: bound / area + 4.0 * f64::EPSILON,
+            error_bound: bound / area + area_bound / area,
         });
         Self {
             rows: rows.collect(),
@@ -45,10 +52,24 @@ impl Closure {
     /// Those of a scene.
     ///
     /// # Errors
-    /// [`ChainError::Scene`] if two patches are refused.
-    pub fn of(pairs: &ScenePairs) -> Result<Self, ChainError> {
+    /// [`SceneError::Pair`] if two patches are refused.
+    pub fn of(pairs: &ScenePairs) -> Result<Self, SceneError> {
         let (sums, _) = pairs.row_sums(|_, _, exchange| [exchange.value, exchange.error_bound])?;
-        Ok(Self::new(pairs.areas(), sums))
+        Ok(Self::new(pairs.areas(), pairs.area_bounds(), sums))
+    }
+
+    /// That of exchange areas that are held.
+    #[must_use]
+    pub fn of_held(exchange: &ExchangeAreas) -> Self {
+        let n = exchange.patches();
+        let row = |i: usize| {
+            let entries = || (0..n).map(|j| exchange.get(i, j).exchange);
+            [
+                compensated_sum(entries().map(|entry| entry.value)),
+                compensated_sum(entries().map(|entry| entry.error_bound)),
+            ]
+        };
+        Self::new(exchange.areas(), exchange.area_bounds(), (0..n).map(row))
     }
 
     /// All rows, in order.
@@ -84,8 +105,8 @@ impl Closure {
     /// Refuses a scene that is not closed.
     ///
     /// # Errors
-    /// [`ChainError::OpenScene`] with the row farthest from one; [`ChainError::RowAboveOne`].
-    pub fn require_closed(&self) -> Result<(), ChainError> {
+    /// [`SceneError::OpenScene`] with the row farthest from one; [`SceneError::RowAboveOne`].
+    pub fn require_closed(&self) -> Result<(), SceneError> {
         self.require_at_most_one()?;
         if self.is_closed() {
             return Ok(());
@@ -95,7 +116,7 @@ impl Closure {
             sum,
             error_bound,
         } = self.worst();
-        Err(ChainError::OpenScene {
+        Err(SceneError::OpenScene {
             row,
             sum,
             tolerance: error_bound,
@@ -105,8 +126,8 @@ impl Closure {
     /// Refuses a scene whose patches overlap or hide each other.
     ///
     /// # Errors
-    /// [`ChainError::RowAboveOne`] with the row farthest above one.
-    pub fn require_at_most_one(&self) -> Result<(), ChainError> {
+    /// [`SceneError::RowAboveOne`] with the row farthest above one.
+    pub fn require_at_most_one(&self) -> Result<(), SceneError> {
         let mut worst: Option<&RowSum> = None;
         for row in &self.rows {
             if row.sum - 1.0 > row.error_bound && worst.is_none_or(|worst| row.sum > worst.sum) {
@@ -114,7 +135,7 @@ impl Closure {
             }
         }
         worst.map_or(Ok(()), |row| {
-            Err(ChainError::RowAboveOne {
+            Err(SceneError::RowAboveOne {
                 row: row.row,
                 sum: row.sum,
                 tolerance: row.error_bound,

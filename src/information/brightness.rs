@@ -1,0 +1,105 @@
+//! The information of a scene's radiosity or importance chain (§3.4, §3.5).
+//!
+//! **Errors** to first order: with `x_ij = log2( J_ij W/(w_i w_j) )`, W = ΣJ,
+//!
+//! ```text
+//!   ΔI = Σ_ij ΔJ_ij (x_ij − I)/W,    |ΔJ_ij| ≤ β_i β_j δ_ij + J_ij (η_i + η_j)
+//! ```
+//!
+//! δ the bounds of the exchange areas, η those of the brightnesses relative to themselves. The answer's error is an *estimate*.
+
+use super::measures::{pair_divergence, positional_entropy};
+use super::scene::divergence_error;
+use super::{ErrorGrade, SceneInformation};
+use crate::chain::{ChainError, brightness_chain};
+use crate::numeric::{compensated_sum, tolerance};
+use crate::scene::{Closure, ExchangeAreas};
+use crate::transport::Brightness;
+use rayon::prelude::*;
+use std::f64::consts::LN_2;
+
+/// The information of the chain that this brightness makes of a scene; light that escapes has no state in it.
+///
+/// # Errors
+/// As [`brightness_chain`].
+///
+/// # Examples
+/// ```
+/// use infoscene::information::{Surroundings, brightness_information, scene_information};
+/// use infoscene::scene::{Congruence, Material, Scene, ScenePairs};
+/// use infoscene::transport::Interreflection;
+/// // with E = k (1 − R) everywhere the radiosity chain is the visibility chain (§3.4)
+/// let pairs = ScenePairs::try_new(&Scene::built_in("cube:2")?, 1e-12, Congruence::Shared)?;
+/// let exchange = pairs.exchange_areas()?;
+/// let room = Interreflection::of(&exchange, &[Material::try_new(0.5, 0.0)?; 24])?;
+/// let radiosity = brightness_information(&exchange, &room.radiosity(&[0.5; 24])?)?;
+/// let visibility = scene_information(&pairs, Surroundings::None)?;
+/// assert!((radiosity.mutual_information - visibility.mutual_information).abs() < 1e-13);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn brightness_information(
+    exchange: &ExchangeAreas,
+    brightness: &Brightness,
+) -> Result<SceneInformation, ChainError> {
+    let chain = brightness_chain(exchange, &brightness.values)?;
+    let n = chain.states();
+    let (weights, total) = (chain.weights(), chain.total());
+    let relative: Vec<f64> = (0..n)
+        .map(|i| {
+            let value = brightness.values[i];
+            let errors = brightness.form_factor_errors.as_ref();
+            let from_others = errors.map_or(0.0, |errors| errors[i]);
+            if value > 0.0 {
+                brightness.relative_error + from_others / value
+            } else {
+                0.0
+            }
+        })
+        .collect();
+    let rows = (0..n).into_par_iter().map(|j| {
+        let column = chain.joint().column(j);
+        let probability = weights[j] / total;
+        if probability <= 0.0 {
+            return [0.0; 3];
+        }
+        let lit = || (0..n).filter(|i| weights[*i] > 0.0);
+        let terms = lit().map(|i| pair_divergence(column[i], weights[i], probability));
+        let bounds = lit().map(|i| {
+            let known = exchange.get(i, j).exchange;
+            let share = if known.value > 0.0 {
+                known.error_bound / known.value
+            } else {
+                0.0
+            };
+            let bound = column[i] * (share + relative[i] + relative[j]);
+            let moved = divergence_error(column[i], bound, weights[i] * probability);
+            [bound, moved]
+        });
+        let bounds: Vec<[f64; 2]> = bounds.collect();
+        [
+            compensated_sum(terms),
+            bounds.iter().map(|[bound, _]| bound).sum(),
+            bounds.iter().map(|[_, moved]| moved).sum(),
+        ]
+    });
+    let rows: Vec<[f64; 3]> = rows.collect();
+    let contributions: Vec<f64> = rows.iter().map(|row| row[0] / (total * LN_2)).collect();
+    let mutual_information = compensated_sum(contributions.iter().copied());
+    let [mass, moved] = [1, 2].map(|k| compensated_sum(rows.iter().map(|row| row[k])));
+    let error = (moved / LN_2 + mass * (mutual_information + 1.0 / LN_2)) / total;
+    let positional_entropy = positional_entropy(&chain);
+    let rounding = tolerance::INFORMATION * (2.0 + mutual_information);
+    Ok(SceneInformation {
+        positional_entropy,
+        entropy_rate: (positional_entropy - mutual_information).max(0.0),
+        mutual_information,
+        error: error + rounding,
+        error_grade: ErrorGrade::Estimate,
+        contributions,
+        outside_contribution: None,
+        weights: (0..n).map(|i| chain.stationary_probability(i)).collect(),
+        total_area: compensated_sum(exchange.areas().iter().copied()),
+        closure: Closure::of_held(exchange),
+        account: exchange.account().clone(),
+    })
+}

@@ -1,0 +1,82 @@
+//! Why there is no equilibrium of light.
+
+use crate::scene::SceneError;
+
+/// A scene has no radiosity or importance; the message names the patch.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum TransportError {
+    /// As many numbers as patches were needed.
+    #[error("{found} {what} for {expected} patches: one for each is needed")]
+    WrongCount {
+        /// What was counted.
+        what: &'static str,
+        /// How many there are.
+        found: usize,
+        /// How many there should be.
+        expected: usize,
+    },
+    /// A reflectance with which light would never die out, or none at all.
+    #[error("the reflectance of patch {patch} is {value}: it must be at least 0 and less than 1")]
+    ReflectanceOutOfRange {
+        /// The patch, from 0.
+        patch: usize,
+        /// As given.
+        value: f64,
+    },
+    /// A positive reflectance whose inverse is beyond what can be computed with.
+    #[error(
+        "the reflectance of patch {patch} is {value:e}: it must be 0, or {SMALLEST_REFLECTANCE:e} at least"
+    )]
+    ReflectanceTooSmall {
+        /// The patch, from 0.
+        patch: usize,
+        /// As given.
+        value: f64,
+    },
+    /// A source that is negative or not a number.
+    #[error("the {what} of patch {patch} is {value}: it must be finite and at least 0")]
+    SourceOutOfRange {
+        /// Emittance, or a camera's direct importance.
+        what: &'static str,
+        /// The patch, from 0.
+        patch: usize,
+        /// As given.
+        value: f64,
+    },
+    /// Every source is 0.
+    #[error("no patch has a positive {what}: give one to a patch at least")]
+    NoSource {
+        /// Emittance or importance.
+        what: &'static str,
+    },
+    /// A patch index is out of range.
+    #[error("there is no patch {patch}: the scene has patches 0 to {last}")]
+    NoSuchPatch {
+        /// As given.
+        patch: usize,
+        /// Largest index.
+        last: usize,
+    },
+    /// An estimate was asked of no walks at all.
+    #[error("no walks give no estimate: ask for one at least")]
+    NoWalks,
+    /// An exchange matrix was refused.
+    #[error(
+        "entry ({row}, {column}) of the exchange areas is {value}: it must be finite, ≥ 0 and equal to its mirror image"
+    )]
+    InvalidExchange {
+        /// Row, from 0.
+        row: usize,
+        /// Column, from 0.
+        column: usize,
+        /// As given.
+        value: f64,
+    },
+    /// The scene's form factors were refused.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+}
+
+/// The smallest reflectance that is not 0.
+pub(super) const SMALLEST_REFLECTANCE: f64 = 1e-200;

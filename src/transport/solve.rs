@@ -1,0 +1,346 @@
+//! The solution of the equations of [`Interreflection`], and how far it can be trusted.
+
+use super::conjugate_gradients::conjugate_gradients;
+use super::flows::Flows;
+use super::{Brightness, Importance, Interreflection, TransportError};
+use crate::numeric::{DoubleDouble, SQUARED_EPSILON, Scalar, Scaled};
+
+/// A smaller relative error than this is lost in the rounding of the answer.
+const GOAL: f64 = f64::EPSILON / 64.0;
+
+/// How far one run of conjugate gradients brings the residual down.
+const REDUCTION: f64 = 1e-8;
+
+/// Runs, and bounces, beyond which nothing more is hoped for.
+const MOST_RUNS: usize = 40;
+
+/// Iterations of one run.
+const MOST_ITERATIONS: usize = 500;
+
+/// What the sums of positive numbers in these bounds may lose, generously: n ε for n up to 4e9.
+const ROUNDING: f64 = 1e-6;
+
+/// A solution with 106 bits.
+struct Solved {
+    values: Vec<DoubleDouble>,
+    relative_error: f64,
+    iterations: usize,
+}
+
+impl Interreflection<'_> {
+    /// The radiosities for these emittances.
+    ///
+    /// **Accuracy** [`Brightness::relative_error`] is a bound, apart from the error of the exchange areas; for stiff scenes, too,
+    /// it comes out below 1e-15 (`stiff_scenes_keep_their_digits`).
+    ///
+    /// # Errors
+    /// [`TransportError::WrongCount`], [`TransportError::SourceOutOfRange`], [`TransportError::NoSource`].
+    ///
+    /// # Examples
+    /// ```
+    /// use infoscene::scene::Scene;
+    /// use infoscene::scene::Material;
+    /// use infoscene::transport::Interreflection;
+    /// // a furnace: what emits as much as it absorbs glows evenly
+    /// let cube = Scene::built_in("cube:2")?.exchange_areas()?;
+    /// let room = Interreflection::of(&cube, &[Material::try_new(0.75, 0.25)?; 24])?;
+    /// let radiosity = room.radiosity(&[0.25; 24])?;
+    /// assert!(radiosity.values.iter().all(|value| (value - 1.0).abs() < 1e-15));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn radiosity(&self, emittances: &[f64]) -> Result<Brightness, TransportError> {
+        self.check("emittance", "emittances", emittances)?;
+        Ok(self.brightness(emittances))
+    }
+
+    /// The importances for these direct importances V: 1 for a patch that is looked at, 0 for others, for example.
+    ///
+    /// # Errors
+    /// As [`radiosity`](Self::radiosity).
+    pub fn importance(&self, direct: &[f64]) -> Result<Importance, TransportError> {
+        self.check("direct importance", "direct importances", direct)?;
+        let sources = self.reflectances.iter().zip(direct);
+        let sources: Vec<f64> = sources.map(|(reflectance, v)| reflectance * v).collect();
+        // what is looked at may reflect nothing
+        let reflected = if sources.iter().any(|source| *source > 0.0) {
+            self.brightness(&sources)
+        } else {
+            Brightness::dark(sources.len())
+        };
+        let received = reflected.received.iter().zip(direct);
+        let values = received
+            .map(|(received, direct)| direct + received)
+            .collect();
+        Ok(Importance { values, reflected })
+    }
+
+    /// Refuses what are not numbers ≥ 0, one for each patch and one of them positive.
+    pub(super) fn check(
+        &self,
+        what: &'static str,
+        all: &'static str,
+        sources: &[f64],
+    ) -> Result<(), TransportError> {
+        let (found, expected) = (sources.len(), self.reflectances.len());
+        if found != expected {
+            return Err(TransportError::WrongCount {
+                what: all,
+                found,
+                expected,
+            });
+        }
+        let wrong = |value: &f64| !(value.is_finite() && *value >= 0.0);
+        if let Some(patch) = sources.iter().position(wrong) {
+            let value = sources[patch];
+            return Err(TransportError::SourceOutOfRange { what, patch, value });
+        }
+        if sources.iter().all(|value| *value <= 0.0) {
+            return Err(TransportError::NoSource { what });
+        }
+        Ok(())
+    }
+
+    /// The answer for sources of which one is positive.
+    fn brightness(&self, sources: &[f64]) -> Brightness {
+        let largest = sources.iter().copied().fold(0.0, f64::max);
+        let power = Scaled::new(largest).exponent;
+        let sources: Vec<f64> = sources
+            .iter()
+            .map(|source| Scaled::new(*source).times_power(-power))
+            .collect();
+        let solved = self.solve(&sources);
+        let received = self.received(&solved.values);
+        let values: Vec<f64> = solved.values.iter().map(|value| value.high()).collect();
+        let form_factor_errors = self.form_factor_errors(&values, &sources);
+        let rows = values.iter().zip(&received).zip(&sources).enumerate();
+        let residual = rows
+            .filter(|(_, ((value, _), _))| **value > 0.0)
+            .map(|(i, ((value, received), source))| {
+                let reflected = DoubleDouble::from(self.reflectances[i]) * *received;
+                let left = DoubleDouble::from(*value) - reflected - DoubleDouble::from(*source);
+                left.high().abs() / value
+            })
+            .fold(0.0, f64::max);
+        let unscaled = |value: f64| Scaled::new(value).times_power(power);
+        Brightness {
+            values: values.into_iter().map(unscaled).collect(),
+            received: received
+                .iter()
+                .map(|value| unscaled(value.high()))
+                .collect(),
+            // that of the solution, and its last rounding
+            relative_error: solved.relative_error + 0.5 * f64::EPSILON,
+            form_factor_errors: form_factor_errors
+                .map(|errors| errors.into_iter().map(unscaled).collect()),
+            residual,
+            iterations: solved.iterations,
+        }
+    }
+
+    fn flows(&self) -> Flows<'_> {
+        Flows {
+            count: self.own.len(),
+            values: &self.values,
+        }
+    }
+
+    /// `Σ_j F_ij B_j`.
+    fn received(&self, values: &[DoubleDouble]) -> Vec<DoubleDouble> {
+        let gathered = self.flows().gathered(values);
+        let rows = gathered.into_iter().enumerate();
+        rows.map(|(i, others)| {
+            let own = DoubleDouble::from(self.own[i]) * values[i];
+            if self.areas[i].high() > 0.0 {
+                (others + own) / self.areas[i]
+            } else {
+                others
+            }
+        })
+        .collect()
+    }
+
+    /// `M x`, with x = 0 where nothing is reflected.
+    fn product(&self, x: &[f64]) -> Vec<f64> {
+        let mut image = self.flows().differences(x);
+        for (i, image) in image.iter_mut().enumerate() {
+            if self.diagonal[i] > 0.0 {
+                *image += self.excess[i] * x[i];
+            } else {
+                *image = 0.0;
+            }
+        }
+        image
+    }
+
+    /// `T^0 + … + T^(K−1)` on `x`, and K, until no more patches are reached; or for a given K.
+    fn bounces(&self, x: &[f64], given: Option<usize>) -> (Vec<f64>, usize) {
+        let (mut sum, mut last) = (x.to_vec(), x.to_vec());
+        let lit = |sum: &[f64]| sum.iter().filter(|value| **value > 0.0).count();
+        let mut bounces = 1;
+        let limit = given.unwrap_or(MOST_RUNS);
+        let mut known = lit(&sum);
+        while bounces < limit && (given.is_some() || known < sum.len()) {
+            let gathered = self.flows().gathered(&last);
+            last = self.over_diagonal(&gathered);
+            for (sum, last) in sum.iter_mut().zip(&last) {
+                *sum += last;
+            }
+            let now = lit(&sum);
+            if given.is_none() && now == known {
+                break;
+            }
+            known = now;
+            bounces += 1;
+        }
+        (sum, bounces)
+    }
+
+    fn over_diagonal(&self, x: &[f64]) -> Vec<f64> {
+        let rows = x.iter().zip(&self.diagonal);
+        rows.map(|(x, d)| if *d > 0.0 { x / d } else { 0.0 })
+            .collect()
+    }
+
+    /// `A_i (E_i − (1−R_i) B_i)/R_i − e_i B_i − Σ_j J_ij (B_i − B_j)` and a bound on its rounding.
+    fn residual(&self, values: &[DoubleDouble], sources: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let differences = self.flows().differences(values);
+        let leading: Vec<f64> = values.iter().map(|value| value.high()).collect();
+        let sizes = self.flows().absolute_differences(&leading);
+        #[allow(clippy::cast_precision_loss, reason = "no scene has 2^53 patches")]
+        let unit = (4 * values.len() + 100) as f64 * SQUARED_EPSILON;
+        let rows = differences.into_iter().zip(sizes).enumerate();
+        rows.map(|(i, (difference, size))| {
+            let reflectance = self.reflectances[i];
+            if reflectance <= 0.0 {
+                return (0.0, 0.0);
+            }
+            let loss = DoubleDouble::difference(1.0, reflectance) * values[i];
+            let gain = DoubleDouble::from(sources[i]);
+            let scale = self.areas[i] / DoubleDouble::from(reflectance);
+            let escaping =
+                self.escaping[i].map_or(DoubleDouble::from(0.0), |escaping| escaping * values[i]);
+            let residual = scale * (gain - loss) - escaping - difference;
+            let terms = scale.high() * (sources[i] + loss.high()) + escaping.high() + size;
+            (residual.high(), unit * terms)
+        })
+        .unzip()
+    }
+
+    fn solve(&self, sources: &[f64]) -> Solved {
+        let mut values: Vec<DoubleDouble> = sources
+            .iter()
+            .zip(&self.diagonal)
+            .map(|(source, diagonal)| if *diagonal > 0.0 { 0.0 } else { *source })
+            .map(DoubleDouble::from)
+            .collect();
+        // from nothing but lights that reflect nothing, the residual is the right side b
+        let (mut residual, _) = self.residual(&values, sources);
+        let direct = self.over_diagonal(&residual);
+        let (light, bounces) = self.bounces(&direct, None);
+        let mut best: Option<(f64, Vec<DoubleDouble>)> = None;
+        let mut iterations = 0;
+        for _ in 0..MOST_RUNS {
+            let run = conjugate_gradients(
+                |x| self.product(x),
+                &self.diagonal,
+                &residual,
+                REDUCTION,
+                MOST_ITERATIONS,
+            );
+            iterations += run.iterations;
+            for (value, change) in values.iter_mut().zip(run.solution) {
+                *value = *value + DoubleDouble::from(change);
+            }
+            let rounding;
+            (residual, rounding) = self.residual(&values, sources);
+            let unknown = residual.iter().zip(&rounding).map(|(r, rho)| r.abs() + rho);
+            let unknown = self.over_diagonal(&unknown.collect::<Vec<_>>());
+            let (unknown, _) = self.bounces(&unknown, Some(bounces));
+            let error = largest_ratio(&unknown, &light) * (1.0 + ROUNDING);
+            let known = best.as_ref().map_or(f64::INFINITY, |(error, _)| *error);
+            // also a comparison that NaN fails
+            if error < known {
+                best = Some((error, values.clone()));
+            }
+            if !(error > GOAL && error < 0.5 * known) {
+                break;
+            }
+        }
+        let (relative_error, values) = best.unwrap_or((f64::INFINITY, values));
+        Solved {
+            values,
+            relative_error,
+            iterations,
+        }
+    }
+
+    /// `g(x)`: what the errors of the exchange areas can do to the equations.
+    fn perturbation(&self, x: &[f64], sources: &[f64]) -> Option<Vec<f64>> {
+        let bounds = Flows {
+            count: self.own.len(),
+            values: self.error_bounds.as_deref()?,
+        };
+        let (between, from_others) = (bounds.absolute_differences(x), bounds.gathered(x));
+        let row = |i: usize| {
+            let reflectance = self.reflectances[i];
+            if reflectance <= 0.0 {
+                0.0
+            } else if self.escaping[i].is_some() {
+                from_others[i] + self.row_bounds[i] * f64::EPSILON * x[i]
+            } else {
+                let imbalance = ((1.0 - reflectance) * x[i] - sources[i]).abs() / reflectance;
+                between[i] + self.row_bounds[i] * imbalance
+            }
+        };
+        Some((0..x.len()).map(row).collect())
+    }
+
+    fn form_factor_errors(&self, values: &[f64], sources: &[f64]) -> Option<Vec<f64>> {
+        let forces = self.perturbation(values, sources)?;
+        let none = vec![0.0; values.len()];
+        if forces.iter().all(|force| *force <= 0.0) {
+            return Some(none);
+        }
+        let reaction = conjugate_gradients(
+            |x| self.product(x),
+            &self.diagonal,
+            &forces,
+            REDUCTION,
+            MOST_ITERATIONS,
+        )
+        .solution;
+        let image = self.product(&reaction);
+        let sideways = self.perturbation(&reaction, &none)?;
+        // what rounding may have added to the product
+        let size = self.flows().absolute_differences(&reaction);
+        let shares = (0..values.len()).filter(|i| forces[*i] > 0.0).map(|i| {
+            let rounding = ROUNDING * 1e-6 * (size[i] + self.excess[i] * reaction[i].abs());
+            (image[i] - sideways[i] - rounding) / forces[i]
+        });
+        let share = shares.fold(f64::INFINITY, f64::min);
+        let is_safe = share > 0.0 && reaction.iter().all(|x| *x >= 0.0);
+        is_safe.then(|| reaction.into_iter().map(|x| x / share).collect())
+    }
+}
+
+/// `max a_i/b_i`, 0/0 being 0.
+fn largest_ratio(a: &[f64], b: &[f64]) -> f64 {
+    let ratios = a
+        .iter()
+        .zip(b)
+        .map(|(a, b)| if *a > 0.0 || a.is_nan() { a / b } else { 0.0 });
+    ratios.fold(0.0, |most, ratio| if ratio <= most { most } else { ratio })
+}
+
+impl Brightness {
+    fn dark(count: usize) -> Self {
+        Self {
+            values: vec![0.0; count],
+            received: vec![0.0; count],
+            relative_error: 0.0,
+            form_factor_errors: Some(vec![0.0; count]),
+            residual: 0.0,
+            iterations: 0,
+        }
+    }
+}

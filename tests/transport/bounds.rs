@@ -1,0 +1,84 @@
+//! The bounds that travel with a solution are never below its errors.
+
+use super::{closed_scenes, uneven};
+use infoscene::scene::{Congruence, Material, Scene, ScenePairs};
+use infoscene::transport::Interreflection;
+
+/// Form factors asked for 1e-3 … 1e-9 only: their errors move the radiosities by no more than the bound says, in closed
+/// scenes and open ones.
+#[test]
+fn form_factor_errors_stay_within_their_bound() {
+    let mut scenes = closed_scenes();
+    scenes.push(("three squares", Scene::built_in("three-squares").unwrap()));
+    let mut moved = 0;
+    for (name, scene) in scenes {
+        let n = scene.patches().len();
+        let materials: Vec<Material> = (0..n)
+            .map(|patch| {
+                let reflectance = if patch % 4 == 1 {
+                    0.0
+                } else {
+                    0.9 * uneven(patch, 1)
+                };
+                Material::try_new(reflectance, 0.0).unwrap()
+            })
+            .collect();
+        let emittances: Vec<f64> = (0..n).map(|patch| uneven(patch, 8)).collect();
+        let solved = |tolerance: f64| {
+            let pairs = ScenePairs::try_new(&scene, tolerance, Congruence::Ignored).unwrap();
+            let exchange = pairs.exchange_areas().unwrap();
+            let room = Interreflection::of(&exchange, &materials).unwrap();
+            room.radiosity(&emittances).unwrap()
+        };
+        let exact = solved(1e-14);
+        let exactly = exact.form_factor_errors.unwrap();
+        for tolerance in [1e-3, 1e-6, 1e-9] {
+            let rough = solved(tolerance);
+            let bounds = rough.form_factor_errors.unwrap();
+            for i in 0..n {
+                let error = (rough.values[i] - exact.values[i]).abs();
+                let rounding = 2.0 * f64::EPSILON * exact.values[i];
+                let bound = bounds[i] + exactly[i] + rounding;
+                assert!(
+                    error <= bound,
+                    "{name}, {tolerance:e}, patch {i}: {error:e} > {bound:e}"
+                );
+                moved += usize::from(error > rounding);
+            }
+        }
+    }
+    // the bound is asked something
+    assert!(moved > 50, "{moved} radiosities moved");
+}
+
+/// A worse form factor has a worse bound; an exact matrix has none.
+#[test]
+fn bounds_follow_the_form_factors() {
+    let scene = Scene::built_in("cornell-box").unwrap();
+    let materials: Vec<Material> = scene
+        .patches()
+        .iter()
+        .map(|patch| patch.material())
+        .collect();
+    let emittances: Vec<f64> = materials.iter().map(Material::emittance).collect();
+    let largest = |tolerance: f64| {
+        let pairs = ScenePairs::try_new(&scene, tolerance, Congruence::Shared).unwrap();
+        let exchange = pairs.exchange_areas().unwrap();
+        let room = Interreflection::of(&exchange, &materials).unwrap();
+        let errors = room
+            .radiosity(&emittances)
+            .unwrap()
+            .form_factor_errors
+            .unwrap();
+        errors.into_iter().fold(0.0, f64::max)
+    };
+    assert!(largest(1e-4) > 100.0 * largest(1e-12));
+    let exact = Scene::built_in("cube:1")
+        .unwrap()
+        .exchange_areas()
+        .unwrap()
+        .into_values();
+    let room = Interreflection::of_matrix(&exact, vec![0.5; 6]).unwrap();
+    let found = room.radiosity(&[1.0, 0.0, 0.0, 0.0, 0.0, 0.0]).unwrap();
+    assert_eq!(found.form_factor_errors, None);
+}
