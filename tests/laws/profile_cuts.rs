@@ -260,6 +260,14 @@ fn monotone_profiles_differ_as_the_readme_says() {
             "{case} {kept} {excess}"
         );
         assert_eq!(apart > 0.07, case == "e^(3l)", "{case} {apart}");
+        let emission = 0.5 * profile.lowest();
+        if profile.jump().is_none() && emission > 0.05 * profile.flux(0.0, 1.0) {
+            let emitting = ProfileCut::try_new(profile, Irradiance::Reflected { emission });
+            let cut = emitting.unwrap().mutual_information_cut().unwrap().unwrap();
+            let apart = square.position - cut.position;
+            assert!(apart < 0.0935, "{case} {apart}");
+            assert_eq!(apart > 0.0925, case == "e^(3l)", "{case} {apart}");
+        }
         assert_eq!(kept < 0.9641, case == "e^(4l)", "{case} {kept}");
     }
 }
