@@ -100,10 +100,10 @@ fn modules_use_only_modules_to_their_left() {
 
 #[test]
 fn a_use_to_the_right_is_seen() {
-    assert_eq!(used_modules("use crate::{numeric, chain::X};"), [0, 4]);
+    assert_eq!(used_modules("use crate::{numeric, chain::X};"), [0, 5]);
     assert_eq!(
         used_modules("let x = crate::report::certain_digits(1.0, 0.0);"),
-        [9]
+        [10]
     );
     assert_eq!(used_modules("/// [`crate::cli`]"), [] as [usize; 0]);
 }

@@ -193,8 +193,10 @@ pub fn transport_stability(repetitions: u32) -> Result<Vec<StabilityRow>, StudyE
         let Some(exact) = exact_radiosities(&scene, JUDGE) else {
             continue;
         };
-        let dimmest = exact.iter().map(Scalar::to_f64).fold(f64::MAX, f64::min);
-        let uncertainty = exact.iter().map(|value| value.width() / value.to_f64());
+        let lit = exact.iter().map(Scalar::to_f64);
+        let dimmest = lit.filter(|value| *value > 0.0).fold(f64::MAX, f64::min);
+        let lit = exact.iter().filter(|value| value.to_f64() > 0.0);
+        let uncertainty = lit.map(|value| value.width() / value.to_f64());
         let uncertainty = uncertainty.fold(0.0, f64::max);
         let room = Interreflection::of_matrix(&scene.exchange, scene.reflectances.clone())?;
         let bound = room.radiosity(&scene.emittances)?.relative_error;

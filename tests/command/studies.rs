@@ -25,9 +25,13 @@ const KNOWN_FAILURES: [&str; 1] = ["facing, 1 × 1e-9 and 1e9 × 1"];
 /// Every pair's bound holds against the exact value, by every route; the chosen route refuses none and reaches 1e-12, but for
 /// the known failures, which fail.
 fn assert_stable(rows: &[Value]) -> usize {
-    let pairs = rows.iter().filter(|row| !row["uncertainty"].is_null());
+    // other solvers of radiosities have no bound
+    let others = ["elimination", "bounces"];
+    let judged = rows.iter().filter(|row| {
+        !row["uncertainty"].is_null() && !others.contains(&row["method"].as_str().unwrap())
+    });
     let mut chosen = 0;
-    for row in pairs {
+    for row in judged {
         let error = number(row, "relative_error");
         assert!(number(row, "value") > 0.0, "{row}");
         // doubles nearest to the exact value and to the quotient by it
@@ -49,7 +53,8 @@ fn assert_stable(rows: &[Value]) -> usize {
 fn stability_study_finds_every_bound_to_hold() {
     assert_eq!(STABILITY["study"], "stability");
     let rows = rows(&STABILITY);
-    assert!(assert_stable(rows) >= 20);
+    // pairs, and stiff rooms
+    assert!(assert_stable(rows) >= 20 + 13);
     let moved = |case: &str| {
         let row = rows.iter().find(|row| row["case"] == case);
         number(row.unwrap(), "input_error")
@@ -80,7 +85,7 @@ fn a_broken_bound_is_seen() {
 #[ignore = "a minute in release: cargo test --release --test command all_extreme -- --ignored"]
 fn all_extreme_pairs_keep_their_bounds() {
     let answer = json(&["study", "stability"]);
-    assert!(assert_stable(rows(&answer)) >= 40);
+    assert!(assert_stable(rows(&answer)) >= 40 + 13);
 }
 
 /// Every case has the chooser at all tolerances and lines at random; no number is missing; what was asked for is met.

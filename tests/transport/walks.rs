@@ -18,7 +18,7 @@ impl Room {
         let materials =
             (0..150).map(|patch| Material::try_new(0.8 * uneven(patch, 1), 0.0).unwrap());
         let emits = |patch: usize| {
-            if patch % 3 == 0 {
+            if patch.is_multiple_of(3) {
                 0.1 + uneven(patch, 2)
             } else {
                 0.0
