@@ -165,3 +165,28 @@ End ConstantOnPatches.
 Theorem sums_over_elements_are_local : forall (n N : nat) (patch : nat -> nat) (area : nat -> R),
   integrals_are_local n (fun i f => part_sum N patch i (fun k => area k * f k)) (fun _ => True) patch.
 Proof. intros n N patch area i f g _ _ _ H. apply part_sum_ext. intros k _ Hk. now rewrite (H k Hk). Qed.
+
+(* All hypotheses can be met together: two patches that see only each other, of one element each, R = 1/2, E = (1, 0). *)
+Definition two_patch_of (x : nat) : nat := match x with O => O | _ => 1%nat end.
+
+Theorem constants_on_two_patches_fulfil_hypotheses :
+  let over := fun i f => part_sum 2 two_patch_of i (fun k => 1 * f k) in
+  let integrable := fun _ : nat -> R => True in
+  let kernel := fun x y => two_patch_form_factor (two_patch_of x) (two_patch_of y) in
+  integrals nat 2 over integrable /\ integrals_are_local 2 over integrable two_patch_of /\
+  integrable_form_factor nat 2 over integrable kernel /\
+  exchange_kernel nat 2 over integrable kernel (fun x => two_patch_radiosity (two_patch_of x)) /\
+  (forall x, two_patch_radiosity (two_patch_of x) = two_patch_emittance (two_patch_of x)
+     + 1 / 2 * sum 2 (fun j => over j (fun y => kernel x y * two_patch_radiosity (two_patch_of y)))).
+Proof.
+  intros over integrable kernel. split; [|split; [|split; [|split]]].
+  - exact (sums_over_elements_are_integrals 2 2 two_patch_of (fun _ => 1)).
+  - exact (sums_over_elements_are_local 2 2 two_patch_of (fun _ => 1)).
+  - constructor; try easy. intros i Hi. unfold integral_of_one, over.
+    destruct i as [|[|]]; [| |lia]; unfold part_sum; simpl; lra.
+  - constructor; try easy.
+    + intros x y. unfold kernel, two_patch_form_factor. now rewrite Nat.eqb_sym.
+    + intros i j Hi Hj. unfold over, part_sum, kernel. destruct i as [|[|]]; [| |lia]; destruct j as [|[|]]; try lia; simpl;
+        unfold two_patch_form_factor; simpl; ring.
+  - intros x. unfold over, part_sum, kernel, two_patch_form_factor. destruct x; simpl; lra.
+Qed.

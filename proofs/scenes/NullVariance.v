@@ -300,3 +300,26 @@ Proof.
   - rewrite sum_scale_right. right. ring.
 Qed.
 End Shooting.
+
+(* All hypotheses can be met together: two patches that see only each other, R = 1/2, E = V = (1, 0), and the walk to and
+   fro, which meets the first patch again and again. *)
+Definition to_and_fro (k : nat) : nat := if Nat.even k then 0%nat else 1%nat.
+
+Theorem walk_to_and_fro_fulfils_hypotheses :
+  radiosity_solution 2 (fun _ => 1) two_patch_form_factor (fun _ => 1 / 2) two_patch_emittance two_patch_radiosity /\
+  importance_solution 2 (fun _ => 1) two_patch_form_factor (fun _ => 1 / 2) two_patch_emittance two_patch_radiosity /\
+  0 < emitted_importance 2 (fun _ => 1) two_patch_emittance two_patch_radiosity /\
+  (forall k, (to_and_fro k < 2)%nat /\ 0 < two_patch_form_factor (to_and_fro k) (to_and_fro (S k))) /\
+  (forall m, exists k, (m <= k)%nat /\ 0 < two_patch_emittance (to_and_fro k)).
+Proof.
+  destruct printed_radiosity_rows_do_not_sum_to_one as [S [_ [H [HE _]]]].
+  split; [|split; [|split; [|split]]].
+  - constructor; auto; [intros; lra|]. intros [|i] _; simpl; lra.
+  - constructor; auto; [|intros; lra|].
+    + intros i Hi. rewrite (H i Hi) at 1. rewrite <- sum_scale. f_equal. apply sum_ext. intros. ring.
+    + intros [|i] _; simpl; lra.
+  - unfold emitted_importance. simpl. lra.
+  - intros k. unfold to_and_fro. rewrite Nat.even_succ, <- Nat.negb_even. destruct (Nat.even k); simpl; split; try lia;
+      unfold two_patch_form_factor; simpl; lra.
+  - intros m. exists (2 * m)%nat. split; [lia|]. unfold to_and_fro. rewrite Nat.even_mul. simpl. lra.
+Qed.

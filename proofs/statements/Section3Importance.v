@@ -216,6 +216,19 @@ Theorem null_variance_shooting_step_iff : forall (form_factor : nat -> nat -> R)
   Q = reflectance j * form_factor i j * importance j / (importance i - initial_importance i).
 Proof. exact NullVariance.null_variance_shooting_step_iff. Qed.
 
+(* What the walks need can be met, here and in section 3.4. *)
+Theorem walk_to_and_fro_fulfils_hypotheses :
+  let form_factor := fun i j => if Nat.eqb i j then 0 else 1 in
+  let source := fun i => match i with O => 1 | _ => 0 end in
+  let solution := fun i => match i with O => 4 / 3 | _ => 2 / 3 end in
+  let path := fun k => if Nat.even k then 0%nat else 1%nat in
+  radiosity_solution 2 (fun _ => 1) form_factor (fun _ => 1 / 2) source solution /\
+  importance_solution 2 (fun _ => 1) form_factor (fun _ => 1 / 2) source solution /\
+  0 < emitted_importance 2 (fun _ => 1) source solution /\
+  (forall k, (path k < 2)%nat /\ 0 < form_factor (path k) (path (S k))) /\
+  (forall m, exists k, (m <= k)%nat /\ 0 < source (path k)).
+Proof. exact NullVariance.walk_to_and_fro_fulfils_hypotheses. Qed.
+
 (* Reversion to visibility. *)
 Theorem uniform_reflected_importance_solves_iff : forall n form_factor reflectance initial_importance k,
   closed n form_factor -> (forall i, (i < n)%nat -> reflectance i <> 0) ->

@@ -122,6 +122,20 @@ Theorem sums_over_elements_are_local : forall (n N : nat) (patch : nat -> nat) (
   integrals_are_local n (fun i f => part_sum N patch i (fun k => area k * f k)) (fun _ => True) patch.
 Proof. exact ConstantOnPatches.sums_over_elements_are_local. Qed.
 
+Theorem constants_on_two_patches_fulfil_hypotheses :
+  let patch := fun x => match x with O => O | _ => 1%nat end in
+  let over := fun i f => part_sum 2 patch i (fun k => 1 * f k) in
+  let integrable := fun _ : nat -> R => True in
+  let form_factor := fun x y => if Nat.eqb (patch x) (patch y) then 0 else 1 in
+  let emittance := fun i => match i with O => 1 | _ => 0 end in
+  let radiosity := fun i => match i with O => 4 / 3 | _ => 2 / 3 end in
+  integrals nat 2 over integrable /\ integrals_are_local 2 over integrable patch /\
+  integrable_form_factor nat 2 over integrable form_factor /\
+  exchange_kernel nat 2 over integrable form_factor (fun x => radiosity (patch x)) /\
+  (forall x, radiosity (patch x) = emittance (patch x)
+     + 1 / 2 * sum 2 (fun j => over j (fun y => form_factor x y * radiosity (patch y)))).
+Proof. exact ConstantOnPatches.constants_on_two_patches_fulfil_hypotheses. Qed.
+
 (* Null variance. A walk gathers: it goes from i to j with probability P_ij, multiplies its weight by R_i F_ij / P_ij and
    adds weight times E. The theorems hold for each walk that is possible, not for the mean of many only. *)
 Theorem words_of_walks : forall start transfer P source solution path n k i f,
