@@ -44,8 +44,8 @@ pub struct Claim {
     pub printed: Option<Printed>,
     /// Does the paper state the configuration completely? If not, disagreement refutes nothing.
     pub complete: bool,
-    /// Does its computation return a figure's curve?
-    pub has_curve: bool,
+    /// What the axes of the figure's curve measure, with their units, if its computation returns one.
+    pub curve_axes: Option<[String; 2]>,
     /// Theorems of `proofs/Statements.v` that prove the claim as it stands, or its contrary.
     pub proof: Vec<String>,
     /// What to do.
@@ -107,8 +107,7 @@ pub(super) struct Entry {
     computation: Option<String>,
     verdict: Option<Verdict>,
     not_checked: Option<String>,
-    #[serde(default)]
-    curve: bool,
+    curve: Option<[String; 2]>,
     #[serde(default)]
     proof: Vec<String>,
     note: Option<String>,
@@ -166,7 +165,7 @@ impl TryFrom<Entry> for Claim {
             quantity,
             printed,
             complete,
-            has_curve: entry.curve,
+            curve_axes: entry.curve,
             proof: entry.proof,
             task,
         })

@@ -46,30 +46,29 @@ fn objective_follows(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(Finding::residual(largest(deviations), tolerance::IDENTITY).noting(note))
 }
 
-/// Lines through the square at 5° to 85° to the one across the gradient, against the best cut leaning by
-/// `reference_lean`, for n = 1, 2, … up to `largest_exponent`.
+/// The best line of all at each whole degree from the one across the gradient to the one along it, against the best at
+/// `reference_angle`, for n = 1, 2, … up to `largest_exponent`; the curve is that of n = 1, in bits.
 fn best_cut_is_perpendicular(input: &Inputs) -> Result<Finding, ClaimError> {
     let m = input.number("irradiance_exponent")?;
+    let reference = input.number("reference_angle")?;
     let mut largest_ratio: f64 = 0.0;
+    let mut curve = Vec::new();
     for n in 1..=input.count("largest_exponent")? {
-        let n = f64::from(n);
-        let middle = GradientCut::try_new(n, m)?
-            .mutual_information_cut()?
-            .position;
-        let lean = input.number("reference_lean")?;
-        let reference = StraightCut { middle, lean }.gain(n, m)?;
-        for degrees in (5..=85).step_by(5) {
-            let lean = f64::from(degrees).to_radians().tan();
-            for k in 1..40 {
-                // every line that meets the square
-                let middle = (1.0 + lean) * f64::from(k) / 40.0 - 0.5 * lean;
-                let gain = StraightCut { middle, lean }.gain(n, m)?;
-                largest_ratio = larger(largest_ratio, gain / reference);
+        let patch = GradientCut::try_new(n.into(), m)?;
+        let at_reference = StraightCut::best(reference, &patch)?.gain;
+        for degrees in 0..=90 {
+            let best = StraightCut::best(degrees.into(), &patch)?.gain;
+            if degrees > 0 {
+                largest_ratio = larger(largest_ratio, best / at_reference);
+            }
+            if n == 1 {
+                curve.push([degrees.into(), best]);
             }
         }
     }
     let holds = largest_ratio < 1.0;
-    Ok(Finding::statement(holds, largest_ratio, tolerance::IDENTITY).sampled())
+    let finding = Finding::statement(holds, largest_ratio, tolerance::IDENTITY).sampled();
+    Ok(finding.with_curve(curve))
 }
 
 fn information_cut(input: &Inputs) -> Result<Finding, ClaimError> {

@@ -39,11 +39,11 @@ struct Arguments {
 enum Question {
     /// Compute the paper's claims and judge them.
     Reproduce(reproduce::Reproduce),
-    /// Print the curve of a figure as points.
+    /// Print the curve of a figure as points, or draw it.
     Curve(curve::Curve),
     /// Find the cut of a patch that gains the most mutual information.
     Split(split::Split),
-    /// Find the cuts of a patch whose radiosity grows as a power (§4.2).
+    /// Find the cuts of patches whose radiosity grows as a power (§4.2).
     Cut(cut::Cut),
     /// Compute the form factors of a scene.
     FormFactor(form_factor::FormFactor),
@@ -56,7 +56,7 @@ enum Question {
     /// Throw random refinements at Theorem 1.
     #[cfg(feature = "proptest")]
     Fuzz(fuzz::Fuzz),
-    /// Measure error and time of different forms of a formula.
+    /// Measure error and time of different forms of a formula, or how far the cuts of §4.2 carry.
     Study(study::Study),
     /// Print a completion script for a shell.
     Completions {

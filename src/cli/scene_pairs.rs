@@ -1,9 +1,11 @@
 //! What all questions about the pairs of a scene share.
 
 use super::Outcome;
+use super::output::progress_bar;
 use super::scene::SceneArgument;
 use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::scene::{Account, Blockers, Congruence, Scene, SceneError, ScenePairs, Unreached};
+use std::error::Error;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct ScenePairsOptions {
@@ -62,13 +64,25 @@ impl ScenePairsOptions {
         Ok(scene)
     }
 
-    pub(super) fn pairs(&self, scene: &Scene) -> Result<ScenePairs, SceneError> {
+    /// The pairs of a scene; the first pass over all of them shows its progress.
+    pub(super) fn pairs(&self, scene: &Scene) -> Result<ScenePairs, Box<dyn Error>> {
         let congruence = if self.every_pair {
             Congruence::Ignored
         } else {
             Congruence::Shared
         };
-        ScenePairs::try_new(scene, self.tolerance, congruence)
+        let pairs = ScenePairs::try_new(scene, self.tolerance, congruence)?;
+        let all = pairs.pairs() as u64;
+        let bar = progress_bar(all, "pairs")?;
+        if bar.is_hidden() {
+            return Ok(pairs);
+        }
+        Ok(pairs.with_progress(move |more| {
+            bar.inc(more as u64);
+            if bar.position() >= all {
+                bar.finish_and_clear();
+            }
+        }))
     }
 }
 

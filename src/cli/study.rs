@@ -1,11 +1,17 @@
-//! `infoscene study accuracy|stability|precision`.
+//! `infoscene study accuracy|stability|precision|limits|profiles|directions`.
 
 use super::Answer;
 use super::output::Output;
-use crate::report::{accuracy_report, stability_report, study_report};
+use crate::report::{
+    accuracy_report, directions_report, limits_report, profiles_report, stability_report,
+    study_report,
+};
 use crate::study::accuracy::accuracy;
+use crate::study::directions::directions;
 use crate::study::extreme_pairs::{StabilityRow, route_stability};
+use crate::study::gradient_limits::gradient_limits;
 use crate::study::precision::work_precision;
+use crate::study::profiles::profiles;
 use crate::study::stability::gain_stability;
 use crate::study::transport_stability::transport_stability;
 
@@ -29,6 +35,12 @@ enum Subject {
     Stability,
     /// Width of enclosures against run time.
     Precision,
+    /// Where the cuts of §4.2 go as the exponent grows.
+    Limits,
+    /// Both cuts of §4.2 for radiosities that are no powers.
+    Profiles,
+    /// What straight cuts gain in any direction, where radiosity grows as a power.
+    Directions,
 }
 
 impl Study {
@@ -50,6 +62,9 @@ impl Study {
                 let rows = work_precision(self.quick)?;
                 self.output.write(&study_report("precision", &rows)?)
             }
+            Subject::Limits => self.output.write(&limits_report(&gradient_limits()?)?),
+            Subject::Directions => self.output.write(&directions_report(&directions()?)?),
+            Subject::Profiles => self.output.write(&profiles_report(&profiles()?)?),
         }
     }
 }

@@ -3,7 +3,8 @@
 //! [`PatchSplit`] is the best cut of a patch (§4.1, figs. 2 and 3), [`ContactShadow`] the cut of a
 //! partly dark one (fig. 1, appendix B), [`CubeGrid`] a tensor grid on the inside of a cube
 //! (figs. 4 and 5), [`GradientCut`] the cut across a radiosity gradient, by mutual information and
-//! by mean square (§4.2).
+//! by mean square (§4.2): [`GradientLimit`] is where it goes as the gradient grows, [`StraightCut`] leaves the direction
+//! open, [`ProfileCut`] is the same for radiosities that are no powers.
 //!
 //! An optimum is the root of a derivative that is written in closed form. For a cut at t with flux
 //! G(t) and weight W(t), and the ratios a, b of flux to weight on its two sides,
@@ -18,11 +19,15 @@ mod cell_pair;
 mod certified_grid;
 mod contact_shadow;
 mod cube_grid;
+mod cut_comparison;
 mod cut_pair;
 mod cut_search;
 mod error;
 mod gradient_cut;
+mod gradient_limit;
 mod patch_split;
+mod profile;
+mod profile_cut;
 mod straight_cut;
 
 use crate::numeric::Scalar;
@@ -30,10 +35,14 @@ use crate::numeric::Scalar;
 pub use certified_grid::CertifiedGrid;
 pub use contact_shadow::ContactShadow;
 pub use cube_grid::CubeGrid;
+pub use cut_comparison::CutComparison;
 pub use error::DiscretizeError;
 pub use gradient_cut::{CertifiedCut, Cut, GradientCut};
+pub use gradient_limit::{GradientLimit, LimitingCut};
 pub use patch_split::{PatchSplit, SplitOptimum, regular_positions};
-pub use straight_cut::StraightCut;
+pub use profile::Profile;
+pub use profile_cut::{Irradiance, JudgedCut, ProfileCut};
+pub use straight_cut::{BestStraightCut, StraightCut};
 
 /// `G′ ln(a/b) − W′ (a − b)`, the derivative of the gain in nats as a cut moves.
 ///

@@ -1,12 +1,15 @@
 //! Tables for people and records for scripts.
 //!
 //! A [`Report`] carries both: a table with the digits that are certain, and records with every digit. It is
-//! rendered as terminal table, Markdown, LaTeX, CSV or JSON.
+//! rendered as terminal table, Markdown, LaTeX, CSV or JSON. A [`Figure`] is lines, drawn in SVG.
 //!
 //! **Not here**: computing; the numbers come finished.
 
 mod campaign;
+mod figure;
 mod form_factors;
+mod gradient_cuts;
+mod gradient_studies;
 mod latex;
 mod measure;
 mod npy;
@@ -14,18 +17,22 @@ mod number;
 mod radiosity;
 mod records;
 mod reproduction;
+mod scale;
 mod studies;
 mod table;
 
 #[cfg(feature = "proptest")]
 pub use campaign::fuzz_report;
 pub use campaign::study_report;
+pub use figure::{Axis, Figure, Line};
 pub use form_factors::{FormFactorRecord, PatchRecord, write_form_factors};
+pub use gradient_cuts::{cut_report, cuts_figure, cuts_report};
+pub use gradient_studies::{directions_report, limits_report, profiles_report};
 pub use measure::{measure_report, plan_notes};
 pub use npy::{write_npy_head, write_npy_row};
 pub use number::{certain_digits, enclosed_digits, power_of_ten, scientific};
 pub use radiosity::radiosity_report;
 pub use records::{Format, Report, ReportError};
-pub use reproduction::{curve_report, reproduction_report};
+pub use reproduction::{curve_figure, curve_report, reproduction_report};
 pub use studies::{accuracy_report, stability_report};
 pub use table::Table;

@@ -29,6 +29,12 @@ pub enum ReportError {
     /// A value cannot be written as JSON.
     #[error("a record cannot be written as JSON: {0}")]
     Json(#[from] serde_json::Error),
+    /// A figure cannot be drawn.
+    #[error("the figure cannot be drawn: {reason}")]
+    Figure {
+        /// Why.
+        reason: String,
+    },
     /// A number is NaN or infinite.
     #[error("{key} is not finite: nothing is written")]
     NotFinite {

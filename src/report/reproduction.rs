@@ -1,7 +1,8 @@
 //! The verdict table: what the paper says, what was computed, and what it comes to.
 
 use super::{
-    Report, ReportError, Table, certain_digits, enclosed_digits, power_of_ten, scientific,
+    Axis, Figure, Line, Report, ReportError, Table, certain_digits, enclosed_digits, power_of_ten,
+    scientific,
 };
 use crate::claims::{Evidence, Judgement, Measure, Verdict};
 
@@ -193,4 +194,22 @@ pub fn curve_report(curve: &[[f64; 2]]) -> Result<Report, ReportError> {
         ..Table::default()
     };
     Report::list(table, "points", &points)
+}
+
+/// The same points as a figure, with what the axes measure.
+#[must_use]
+pub fn curve_figure(axes: &[String; 2], curve: &[[f64; 2]]) -> Figure {
+    let [x, y] = axes.each_ref().map(|label| Axis {
+        label: label.clone(),
+        is_logarithmic: false,
+    });
+    let line = Line {
+        name: "the curve".to_owned(),
+        points: curve.to_vec(),
+    };
+    Figure {
+        x,
+        y,
+        lines: vec![line],
+    }
 }

@@ -9,7 +9,7 @@
 //! What a row of an open scene lacks escapes.
 
 use super::{ExchangeAreas, SceneError, ScenePairs};
-use crate::numeric::compensated_sum;
+use crate::numeric::CompensatedSum;
 
 /// The sum of a row of form factors.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,14 +62,28 @@ impl Closure {
     #[must_use]
     pub fn of_held(exchange: &ExchangeAreas) -> Self {
         let n = exchange.patches();
-        let row = |i: usize| {
-            let entries = || (0..n).map(|j| exchange.get(i, j).exchange);
-            [
-                compensated_sum(entries().map(|entry| entry.value)),
-                compensated_sum(entries().map(|entry| entry.error_bound)),
-            ]
-        };
-        Self::new(exchange.areas(), exchange.area_bounds(), (0..n).map(row))
+        let mut sums = vec![[CompensatedSum::default(); 2]; n];
+        let mut start = 0;
+        for j in 0..n {
+            let own = exchange.get(j, j).exchange;
+            let mut column = [own.value, own.error_bound].map(|own| {
+                let mut sum = CompensatedSum::default();
+                sum.add(own);
+                sum
+            });
+            let entries = exchange.values()[start..start + j].iter();
+            let entries = entries.zip(&exchange.error_bounds()[start..start + j]);
+            for ((value, bound), row) in entries.zip(&mut sums) {
+                row[0].add(*value);
+                row[1].add(*bound);
+                column[0].add(*value);
+                column[1].add(*bound);
+            }
+            sums[j] = column;
+            start += j;
+        }
+        let sums = sums.iter().map(|row| row.map(|sum| sum.total()));
+        Self::new(exchange.areas(), exchange.area_bounds(), sums)
     }
 
     /// All rows, in order.

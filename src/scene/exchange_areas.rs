@@ -166,6 +166,7 @@ impl ScenePairs {
             column.error_bounds[first] = answer.exchange.error_bound;
             column.routes[first] = answer.route;
         }
+        self.progress.done(second);
         let sees_itself = self.sight(second, second) == Sight::Open;
         let own = if sees_itself {
             Some(self.open(second, second, &mut tally)?)

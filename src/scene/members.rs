@@ -28,7 +28,12 @@ pub(super) struct Members {
     /// The polygon that each one lies in, and no other: itself unless it is a part.
     pub roots: Vec<usize>,
     rows: Vec<SmallVec<[Member; 1]>>,
+    /// The polygon of each row that is one, side by side for speed.
+    singles: Vec<u32>,
 }
+
+/// A row that is not one polygon.
+const SEVERAL: u32 = u32::MAX;
 
 impl Members {
     pub(super) fn of(scene: &Scene) -> Self {
@@ -51,8 +56,13 @@ impl Members {
                 rows[group(base)].push(Member { polygon, sign });
             }
         }
+        let single = |row: &SmallVec<[Member; 1]>| match row.as_slice() {
+            [one] => u32::try_from(one.polygon).unwrap_or(SEVERAL),
+            _ => SEVERAL,
+        };
         Self {
             roots: patches.iter().map(root).collect(),
+            singles: rows.iter().map(single).collect(),
             patches,
             rows,
         }
@@ -81,11 +91,11 @@ impl Members {
     }
 
     /// The two polygons of two rows that are one polygon each.
+    #[inline]
     pub(super) fn single(&self, first: usize, second: usize) -> Option<[usize; 2]> {
-        match (self.of_row(first), self.of_row(second)) {
-            ([one], [other]) if first != second => Some([one.polygon, other.polygon]),
-            _ => None,
-        }
+        let [one, other] = [self.singles[first], self.singles[second]];
+        let are_single = one != SEVERAL && other != SEVERAL;
+        (are_single && first != second).then_some([one as usize, other as usize])
     }
 
     /// The pairs of polygons that two rows are summed of, those of a row with itself once; with the signs of both.

@@ -24,6 +24,7 @@ mod pairs;
 mod parts;
 mod plan;
 mod planes;
+mod progress;
 mod row_pairs;
 mod row_sums;
 mod rows;

@@ -14,6 +14,7 @@ use super::congruence::allowance;
 use super::members::Members;
 use super::plan::{Congruence, Plan};
 use super::planes::Sight;
+use super::progress::Progress;
 use super::shifts::Shifts;
 use super::tally::{PlanSummary, Tally, Unreached};
 use super::{NamedPatch, Scene, SceneError};
@@ -28,6 +29,7 @@ pub struct ScenePairs {
     pub(super) members: Members,
     pub(super) aspects: Aspects,
     pub(super) shifts: Shifts,
+    pub(super) progress: Progress,
     polygons: Vec<Polygon>,
     /// Of the rows.
     areas: Vec<f64>,
@@ -78,6 +80,7 @@ impl ScenePairs {
         let mut pairs = Self {
             aspects: Aspects::of(&members, &plan.planes),
             shifts: Shifts::of(scene, &members.patches),
+            progress: Progress::default(),
             plan,
             members,
             polygons: shapes
@@ -147,6 +150,7 @@ impl ScenePairs {
     }
 
     /// What a pair of polygons exchanges whose planes see each other.
+    #[inline]
     pub(super) fn look(
         &self,
         first: usize,

@@ -68,12 +68,13 @@ impl ScenePairs {
     ) -> Result<Answer, SceneError> {
         match self.sight(first, second) {
             Sight::Open => self.open(first, second, tally),
-            Sight::Coplanar => Ok(nothing(Route::Coplanar)),
-            Sight::BackFacing => Ok(nothing(Route::BackFacing)),
+            Sight::BackFacing if first != second => Ok(nothing(Route::BackFacing)),
+            Sight::BackFacing | Sight::Coplanar => Ok(nothing(Route::Coplanar)),
         }
     }
 
     /// Two rows that see each other.
+    #[inline]
     pub(super) fn open(
         &self,
         first: usize,

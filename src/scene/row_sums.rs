@@ -67,7 +67,14 @@ impl ScenePairs {
                 .into_par_iter()
                 .zip(&chunks[index..])
                 .enumerate()
-                .filter(|(_, (_, columns))| self.may_see(rows, columns))
+                .filter(|(_, (_, columns))| {
+                    let may_see = self.may_see(rows, columns);
+                    if !may_see {
+                        let skipped = rows.places.clone().map(|row| after(row, columns).len());
+                        self.progress.done(skipped.sum());
+                    }
+                    may_see
+                })
                 .map(|(at, (sums, columns))| (at, self.tile(&order, rows, columns, sums, &term)))
                 .collect();
             for (_, tile) in tiles {
@@ -135,8 +142,16 @@ impl ScenePairs {
         let is_mixed = rows.aspect.is_none() || columns.aspect.is_none();
         for (row, row_sums) in rows.places.clone().zip(&mut row_sums) {
             let first = order[row];
-            let from = columns.places.start.max(row)..columns.places.end;
-            for column in from {
+            if columns.places.contains(&row) && self.sight(first, first) == Sight::Open {
+                let answer = self.open(first, first, &mut tally)?;
+                let terms = term(first, first, &answer.exchange);
+                for (sum, term) in row_sums.iter_mut().zip(terms) {
+                    sum.add(term);
+                }
+            }
+            let after = after(row, columns);
+            let pairs = after.len();
+            for column in after {
                 let second = order[column];
                 if is_mixed && self.sight(first, second) != Sight::Open {
                     continue;
@@ -146,14 +161,19 @@ impl ScenePairs {
                 let column_sums = &mut column_sums[column - columns.places.start];
                 for ((row, column), term) in row_sums.iter_mut().zip(column_sums).zip(terms) {
                     row.add(term);
-                    if first != second {
-                        column.add(term);
-                    }
+                    column.add(term);
                 }
             }
+            self.progress.done(pairs);
         }
         Ok((row_sums, tally))
     }
+}
+
+/// The columns of a chunk that come after a row.
+fn after(row: usize, columns: &Chunk) -> Range<usize> {
+    let end = columns.places.end;
+    columns.places.start.max(row + 1).min(end)..end
 }
 
 /// The sums of each chunk, the first of which starts where `sums` does.

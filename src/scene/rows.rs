@@ -44,6 +44,9 @@ impl ScenePairs {
                 tally.merge(&counts);
             }
             visit(from, &row)?;
+            // all rows take the same time, n/2 pairs of the n²/2
+            self.progress
+                .done((from + 1) * (n - 1) / 2 - from * (n - 1) / 2);
         }
         Ok(self.account(tally))
     }
@@ -91,7 +94,7 @@ impl ScenePairs {
                 let counts = if is_new { &mut tally } else { &mut again };
                 let answer = self.between(from, to, counts)?;
                 let polygons = self.members.pairs(from, to);
-                let counted = polygons.filter(|pair| is_new && pair.iter().all(|m| m.sign > 0.0));
+                let counted = polygons.filter(|pair| is_part && pair.iter().all(|m| m.sign > 0.0));
                 for [one, other] in counted.map(|pair| pair.map(|member| member.polygon)) {
                     pairs += 1;
                     match self.plan.sight(one, other) {
@@ -103,9 +106,11 @@ impl ScenePairs {
                 entries.push(Entry { from, to, answer });
             }
         }
-        Ok((
-            entries,
-            self.account_of(pairs, left_out, classes.len(), tally),
-        ))
+        let account = if is_part {
+            self.account_of(pairs, left_out, classes.len(), tally)
+        } else {
+            self.account(tally)
+        };
+        Ok((entries, account))
     }
 }

@@ -4,18 +4,23 @@
 //! [`accuracy`] sets the error of every route to a form factor against its run time, on the [families](polygon_pairs) of
 //! pairs too; [`stability`] measures what naive forms of the gain lose, [`extreme_pairs`] what the routes
 //! keep of stiff and extreme pairs, [`transport_stability`] what solvers keep of radiosities, [`precision`] what an enclosure costs. [`Truth`] judges.
+//! [`gradient_limits`] follows the cuts of §4.2 to their limits, [`profiles`] sets both cuts side by side for other radiosities,
+//! [`directions`] turns the cut.
 //!
 //! **Not here**: printing.
 
 pub mod accuracy;
+pub mod directions;
 mod error;
 mod exact_gain;
 pub mod extreme_pairs;
 #[cfg(feature = "proptest")]
 pub mod fuzz;
 mod gauss_order;
+pub mod gradient_limits;
 pub mod polygon_pairs;
 pub mod precision;
+pub mod profiles;
 pub mod stability;
 pub mod transport_stability;
 mod truth;

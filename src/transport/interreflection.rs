@@ -198,7 +198,7 @@ impl<'e> Interreflection<'e> {
             count,
             values: &values,
         };
-        let sums: Vec<DoubleDouble> = flows.gathered(&vec![DoubleDouble::from(1.0); count]);
+        let sums = flows.gathered(&vec![1.0; count]);
         let row_bounds = match &error_bounds {
             Some(bounds) => {
                 let bounds = Flows {
@@ -206,7 +206,10 @@ impl<'e> Interreflection<'e> {
                     values: bounds,
                 };
                 let sums = bounds.gathered(&vec![1.0; count]);
-                sums.iter().zip(&own_bounds).map(|(a, b)| a + b).collect()
+                sums.iter()
+                    .zip(&own_bounds)
+                    .map(|(a, b)| a.high() + b)
+                    .collect()
             }
             None => own_bounds,
         };

@@ -109,8 +109,8 @@ impl Interreflection<'_> {
             .map(|source| Scaled::new(*source).times_power(-power))
             .collect();
         let solved = self.solve(&sources);
-        let received = self.received(&solved.values);
-        let values: Vec<f64> = solved.values.iter().map(|value| value.high()).collect();
+        let values = leading(&solved.values);
+        let received = self.received(&values);
         let form_factor_errors = self.form_factor_errors(&values, &sources);
         let rows = values.iter().zip(&received).zip(&sources).enumerate();
         let residual = rows
@@ -145,11 +145,11 @@ impl Interreflection<'_> {
     }
 
     /// `Σ_j F_ij B_j`.
-    fn received(&self, values: &[DoubleDouble]) -> Vec<DoubleDouble> {
+    fn received(&self, values: &[f64]) -> Vec<DoubleDouble> {
         let gathered = self.flows().gathered(values);
         let rows = gathered.into_iter().enumerate();
         rows.map(|(i, others)| {
-            let own = DoubleDouble::from(self.own[i]) * values[i];
+            let own = DoubleDouble::from(self.own[i] * values[i]);
             if self.areas[i].high() > 0.0 {
                 (others + own) / self.areas[i]
             } else {
@@ -181,7 +181,7 @@ impl Interreflection<'_> {
         let mut known = lit(&sum);
         while bounces < limit && (given.is_some() || known < sum.len()) {
             let gathered = self.flows().gathered(&last);
-            last = self.over_diagonal(&gathered);
+            last = self.over_diagonal(&leading(&gathered));
             for (sum, last) in sum.iter_mut().zip(&last) {
                 *sum += last;
             }
@@ -203,11 +203,13 @@ impl Interreflection<'_> {
 
     /// `A_i (E_i − (1−R_i) B_i)/R_i − e_i B_i − Σ_j J_ij (B_i − B_j)` and a bound on its rounding.
     fn residual(&self, values: &[DoubleDouble], sources: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let differences = self.flows().differences(values);
-        let leading: Vec<f64> = values.iter().map(|value| value.high()).collect();
-        let sizes = self.flows().absolute_differences(&leading);
+        let differences = self.flows().precise_differences(values);
+        let sizes = self.flows().absolute_differences(&leading(values));
         #[allow(clippy::cast_precision_loss, reason = "no scene has 2^53 patches")]
-        let unit = (4 * values.len() + 100) as f64 * SQUARED_EPSILON;
+        let unit = {
+            let n = values.len() as f64;
+            (n * n + 100.0) * SQUARED_EPSILON
+        };
         let rows = differences.into_iter().zip(sizes).enumerate();
         rows.map(|(i, (difference, size))| {
             let reflectance = self.reflectances[i];
@@ -280,7 +282,7 @@ impl Interreflection<'_> {
             count: self.own.len(),
             values: self.error_bounds.as_deref()?,
         };
-        let (between, from_others) = (bounds.absolute_differences(x), bounds.gathered(x));
+        let (between, from_others) = (bounds.absolute_differences(x), leading(&bounds.gathered(x)));
         let row = |i: usize| {
             let reflectance = self.reflectances[i];
             if reflectance <= 0.0 {
@@ -321,6 +323,10 @@ impl Interreflection<'_> {
         let is_safe = share > 0.0 && reaction.iter().all(|x| *x >= 0.0);
         is_safe.then(|| reaction.into_iter().map(|x| x / share).collect())
     }
+}
+
+fn leading(numbers: &[DoubleDouble]) -> Vec<f64> {
+    numbers.iter().map(|number| number.high()).collect()
 }
 
 /// `max a_i/b_i`, 0/0 being 0.

@@ -92,7 +92,8 @@ fn curves_are_where_the_data_say() {
             .as_ref()
             .is_some_and(|finding| !finding.curve.is_empty());
         assert_eq!(
-            judgement.claim.has_curve, has_curve,
+            judgement.claim.curve_axes.is_some(),
+            has_curve,
             "{}",
             judgement.claim.id
         );

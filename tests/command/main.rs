@@ -6,6 +6,7 @@
 )]
 
 mod fuzzing;
+mod gradient_cuts;
 mod keys;
 mod refusals;
 mod scene_files;

@@ -25,27 +25,15 @@ fn bad_arguments_are_refused() {
     }
     assert_refused(&["cut", "--exponent", "one"], "invalid value");
     assert_refused(&["cut"], "--exponent");
-    assert_refused(
-        &["split", "sphere", "--patch", "0"],
-        "two-squares, three-squares or cube:N",
-    );
+    let of_first = |scene, more: &[&str], says| {
+        assert_refused(&[&["split", scene, "--patch", "0"], more].concat(), says);
+    };
+    of_first("sphere", &[], "two-squares, three-squares or cube:N");
     assert_refused(&["split", "cube:1", "--patch", "6"], "patches 0 to 5");
-    assert_refused(
-        &["split", "cube:1", "--patch", "0", "--against", "0"],
-        "against itself",
-    );
-    assert_refused(
-        &["split", "cube:2", "--patch", "0", "--against", "1"],
-        "exchanges nothing",
-    );
-    assert_refused(
-        &["split", "two-squares", "--patch", "0", "--parts", "1"],
-        "2..=64",
-    );
-    assert_refused(
-        &["split", "two-squares", "--patch", "0", "--against", "7"],
-        "no patch 7",
-    );
+    of_first("cube:1", &["--against", "0"], "against itself");
+    of_first("cube:2", &["--against", "1"], "exchanges nothing");
+    of_first("two-squares", &["--parts", "1"], "2..=64");
+    of_first("two-squares", &["--against", "7"], "no patch 7");
     assert_refused(
         &["reproduce", "theorem-1", "--printed"],
         "none of the claims named",

@@ -1,8 +1,6 @@
 //! What every best cut has in common.
 
-use infoscene::discretize::{
-    ContactShadow, CubeGrid, GradientCut, PatchSplit, StraightCut, regular_positions,
-};
+use infoscene::discretize::{ContactShadow, CubeGrid, GradientCut, PatchSplit, regular_positions};
 use infoscene::geometry::SplitAxis;
 use infoscene::scene::Scene;
 
@@ -87,30 +85,6 @@ fn gradient_cuts_are_maxima() {
                 "{n} {m}"
             );
         }
-    }
-}
-
-/// A straight cut across the gradient is the cut of the closed form.
-#[test]
-fn straight_cuts_agree_with_the_closed_form() {
-    for (n, m) in [(1.0, 1.0), (3.0, 1.0), (2.0, 2.0)] {
-        let cut = GradientCut::try_new(n, m).unwrap();
-        let best = cut.mutual_information_cut().unwrap();
-        let straight = StraightCut {
-            middle: best.position,
-            lean: 0.0,
-        }
-        .gain(n, m)
-        .unwrap();
-        approx::assert_relative_eq!(straight, best.value, epsilon = 0.0, max_relative = 1e-12);
-        // nearly across: quadrature and closed form meet
-        let leaning = StraightCut {
-            middle: best.position,
-            lean: 1e-6,
-        }
-        .gain(n, m)
-        .unwrap();
-        approx::assert_relative_eq!(leaning, straight, epsilon = 0.0, max_relative = 1e-9);
     }
 }
 

@@ -1,7 +1,7 @@
 //! Enclosures against the independent values, to one unit of their last printed digit.
 
 use crate::support::references::{Row, rows};
-use infoscene::discretize::{CertifiedGrid, CubeGrid, GradientCut, PatchSplit};
+use infoscene::discretize::{CertifiedGrid, CubeGrid, GradientCut, GradientLimit, PatchSplit};
 use infoscene::form_factor::perpendicular::{self, Plate};
 use infoscene::form_factor::{RectanglePair, parallel};
 use infoscene::geometry::{Rectangle, Span, SplitAxis};
@@ -155,7 +155,7 @@ fn curves_are_enclosed_to_28_digits() {
     assert_eq!(count, 10, "rows of curves");
 }
 
-/// Every row of §4.2: n = 1, 2, 3, 4, 8, 64.
+/// Every row of §4.2: n = 1, 2, 3, 4, 8, 64 as printed, n = 1, 2, 3, 4 where irradiance grows as radiosity, the limits.
 #[test]
 fn cuts_of_section_4_2_are_enclosed_to_28_digits() {
     let mut count = 0;
@@ -175,6 +175,24 @@ fn cuts_of_section_4_2_are_enclosed_to_28_digits() {
             assert_row(&enclosure, "section_4_2.csv", &id);
             count += 1;
         }
+    }
+    for n in [1, 2, 3, 4] {
+        let cut = GradientCut::try_new(n.into(), n.into()).unwrap();
+        let cut = cut.certified_mutual_information_cut(BITS).unwrap();
+        for (enclosure, quantity) in [
+            (cut.position, "l"),
+            (cut.complement, "1ml"),
+            (cut.value, "f_bits"),
+        ] {
+            let id = format!("mi42same_n{n}_{quantity}");
+            assert_row(&enclosure, "section_4_2.csv", &id);
+            count += 1;
+        }
+    }
+    for (limit, id) in GradientLimit::ALL.into_iter().zip(["mi", "same", "mse"]) {
+        let enclosure = limit.enclosed(BITS).unwrap().limit;
+        assert_row(&enclosure, "section_4_2.csv", &format!("limit42_{id}"));
+        count += 1;
     }
     assert_eq!(count, rows("section_4_2.csv").len());
 }

@@ -5,6 +5,7 @@
     reason = "a test may panic, and compares what is exact"
 )]
 
+mod bases;
 mod cornell_box;
 mod fuzzing;
 mod parts;

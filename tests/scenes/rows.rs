@@ -1,7 +1,8 @@
-//! Exchange areas of bases without their parts, and of rows that are summed.
+//! Exchange areas of rows that are summed of several patches.
 
-use glam::{DQuat, DVec3};
-use infoscene::chain::{ReversibleChain, visibility_chain};
+use super::bases::square;
+use glam::DVec3;
+use infoscene::chain::{ReversibleChain, open_visibility_chain, visibility_chain};
 use infoscene::geometry::Patch;
 use infoscene::information::{Surroundings, mutual_information, scene_information};
 use infoscene::numeric::tolerance;
@@ -9,6 +10,8 @@ use infoscene::scene::{
     Closure, Congruence, ExchangeAreas, Material, NamedPatch, Scene, SceneError, ScenePairs,
 };
 use nalgebra::DMatrix;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 const TOLERANCE: f64 = 1e-12;
 
@@ -18,127 +21,12 @@ fn opposite() -> f64 {
     2.0 / std::f64::consts::PI * ((2.0 / 3f64.sqrt()).ln() + arc - std::f64::consts::FRAC_PI_2)
 }
 
-fn polygon(name: &str, corners: &[(f64, f64)], z: f64) -> NamedPatch {
-    let corners = corners.iter().map(|(x, y)| DVec3::new(*x, *y, z));
-    NamedPatch::new(name.to_owned(), Patch::try_new(corners.collect()).unwrap())
-}
-
-fn square(name: &str, low: f64, high: f64, z: f64) -> NamedPatch {
-    let corners = [(low, low), (high, low), (high, high), (low, high)];
-    polygon(name, &corners, z)
-}
-
-/// The inside of a unit cube but its floor.
-fn walls() -> Vec<NamedPatch> {
-    Scene::built_in("cube:1").unwrap().patches()[1..].to_vec()
-}
-
-fn with_walls(floor: Vec<NamedPatch>) -> Scene {
-    Scene::try_new([floor, walls()].concat()).unwrap()
-}
-
-fn turned(scene: &Scene, patches: &[NamedPatch]) -> Vec<NamedPatch> {
-    let turn = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 0.7);
-    assert_eq!(scene.patches().len(), patches.len());
-    let turned = patches.iter().map(|patch| {
-        let corners = patch.shape().corners().iter().map(|corner| turn * *corner);
-        let shape = Patch::try_new(corners.collect()).unwrap();
-        NamedPatch::new(patch.name().to_owned(), shape)
-    });
-    turned.collect()
-}
-
 fn pairs(scene: &Scene) -> ScenePairs {
     ScenePairs::try_new(scene, TOLERANCE, Congruence::Shared).unwrap()
 }
 
-fn held(scene: &Scene) -> ExchangeAreas {
+pub fn held(scene: &Scene) -> ExchangeAreas {
     pairs(scene).exchange_areas().unwrap()
-}
-
-/// Rows of both scenes by number: what each exchanges is the same within both bounds, and the bounds are small.
-fn assert_same(one: &ExchangeAreas, other: &ExchangeAreas, most: f64) {
-    let n = one.patches();
-    assert_eq!(n, other.patches());
-    for i in 0..n {
-        let off = (one.areas()[i] - other.areas()[i]).abs();
-        assert!(
-            off <= one.area_bounds()[i] + other.area_bounds()[i],
-            "{i}: {off}"
-        );
-        for j in 0..n {
-            let [a, b] = [one, other].map(|areas| areas.get(i, j).exchange);
-            let bounds = a.error_bound + b.error_bound;
-            assert!((a.value - b.value).abs() <= bounds, "{i} {j}: {a:?} {b:?}");
-            assert!(bounds <= most, "{i} {j}: {bounds}");
-        }
-    }
-}
-
-/// The floor less its middle cell is a ring: two concave polygons by hand, summed.
-#[test]
-fn a_base_counts_without_its_part() {
-    let (a, b) = (1.0 / 3.0, 2.0 / 3.0);
-    let whole = || vec![square("floor", 0.0, 1.0, 0.0), square("mat", a, b, 0.0)];
-    let left = [(0.0, 0.0), (a, 0.0), (a, a), (a, b), (a, 1.0), (0.0, 1.0)];
-    let left = polygon("left", &left, 0.0);
-    let right = [
-        (a, 0.0),
-        (1.0, 0.0),
-        (1.0, 1.0),
-        (a, 1.0),
-        (a, b),
-        (b, b),
-        (b, a),
-        (a, a),
-    ];
-    let right = polygon("right", &right, 0.0);
-    let base = with_walls(whole()).with_base(1, 0).unwrap();
-    let cut = with_walls(vec![left, square("mat", a, b, 0.0), right]);
-    let rows = [0, 1, 0, 2, 3, 4, 5, 6];
-    let cut_rows = cut.clone().with_groups(&rows).unwrap();
-    assert_same(&held(&base), &held(&cut_rows), 1e-13);
-    let turned_base = Scene::try_new(turned(&base, base.patches())).unwrap();
-    let turned_base = turned_base.with_base(1, 0).unwrap();
-    let turned_cut = Scene::try_new(turned(&cut, cut.patches())).unwrap();
-    let turned_cut = turned_cut.with_groups(&rows).unwrap();
-    assert_same(&held(&turned_base), &held(&turned_cut), 1e-11);
-    assert_same(&held(&turned_base), &held(&base), 1e-11);
-    // differences reach the tolerance, too
-    assert_eq!(held(&turned_base).account().unreached, 0);
-    assert_eq!(turned_base.blocker(), None);
-    assert_eq!(turned_base.overlap(), None);
-}
-
-/// A part of a part, against rings of rectangles by hand; the middle ring is a base and a part.
-#[test]
-fn bases_may_be_nested() {
-    let lines: [f64; 3] = [0.0, 0.25, 0.375];
-    let names = ["floor", "mat", "tile"];
-    let squares = names.iter().zip(lines);
-    let squares = squares.map(|(name, low)| square(name, low, 1.0 - low, 0.0));
-    let nested = with_walls(squares.collect());
-    let nested = nested.with_base(2, 1).unwrap().with_base(1, 0).unwrap();
-    let (mut patches, mut rows) = (Vec::new(), Vec::new());
-    for ring in 0..2 {
-        let (out, inn) = (lines[ring], lines[ring + 1]);
-        for [x, y] in [
-            [(out, 1.0 - out), (out, inn)],
-            [(out, 1.0 - out), (1.0 - inn, 1.0 - out)],
-            [(out, inn), (inn, 1.0 - inn)],
-            [(1.0 - inn, 1.0 - out), (inn, 1.0 - inn)],
-        ] {
-            let corners = [(x.0, y.0), (x.1, y.0), (x.1, y.1), (x.0, y.1)];
-            patches.push(polygon(names[ring], &corners, 0.0));
-            rows.push(ring);
-        }
-    }
-    patches.push(square("tile", 0.375, 0.625, 0.0));
-    rows.extend(2..8);
-    let cut = with_walls(patches).with_groups(&rows).unwrap();
-    assert_eq!(cut.group_names(), nested.group_names());
-    assert_same(&held(&nested), &held(&cut), 1e-13);
-    assert_eq!(nested.overlap(), None);
 }
 
 /// A_g F_gh = Σ Σ A_i F_ij, and twice each pair within the row on the diagonal.
@@ -253,7 +141,17 @@ fn a_summed_scene_is_the_coarser_chain() {
 /// As they come, held, by rows and by entries: the same values, sums, counts and information; on any number of threads.
 #[test]
 fn all_ways_to_the_rows_agree() {
-    for scene in [furnished(false), furnished(true)] {
+    // a roof over the room that is summed with its floor, and a mast: open, with planes behind each other
+    let mut patches = furnished(true).patches().to_vec();
+    patches.push(square("roof", 0.0, 1.0, 1.5));
+    patches.push(square("mast", 0.0, 0.5, 3.0));
+    let left = 2;
+    let open = Scene::try_new(patches).unwrap().with_base(6, 0).unwrap();
+    let open = open.with_base(7, left).unwrap().with_base(8, 7).unwrap();
+    let open = open
+        .with_groups(&[0, 1, 2, 3, 4, 6, 6, 2, 1, 0, 7])
+        .unwrap();
+    for scene in [furnished(false), furnished(true), open] {
         let pairs = pairs(&scene);
         let held = pairs.exchange_areas().unwrap();
         let (sums, account) = pairs.row_sums(|_, _, exchange| [exchange.value]).unwrap();
@@ -278,15 +176,15 @@ fn all_ways_to_the_rows_agree() {
         let parts = plan.untouched + plan.congruent + plan.computed;
         assert_eq!(parts, plan.pairs);
         assert_eq!(plan.routes.values().sum::<usize>(), plan.pairs);
-        let chain = visibility_chain(&scene).unwrap();
-        let measured = scene_information(&pairs, Surroundings::None).unwrap();
+        let chain = open_visibility_chain(&scene).unwrap();
+        let measured = scene_information(&pairs, Surroundings::Outside).unwrap();
         let off = (measured.mutual_information - mutual_information(&chain)).abs();
         assert!(off <= tolerance::IDENTITY, "{off}");
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(5)
             .build()
             .unwrap();
-        let again = pool.install(|| scene_information(&pairs, Surroundings::None).unwrap());
+        let again = pool.install(|| scene_information(&pairs, Surroundings::Outside).unwrap());
         assert_eq!(again, measured);
     }
     // nine patches, the window is summed with its wall and is in no pair
@@ -294,86 +192,9 @@ fn all_ways_to_the_rows_agree() {
     assert_eq!((counted(false), counted(true)), (36, 28));
 }
 
-/// A strip of this width is left of the floor: as a patch of its own it exchanges what the difference says, within its bound.
-#[test]
-fn what_cancels_keeps_an_honest_bound() {
-    for width in [1e-3, 1e-6, 1e-9, 1e-12, 4e-15] {
-        let edge = 1.0 - width;
-        let strip = |low, high| {
-            let corners = [(low, 0.0), (high, 0.0), (high, 1.0), (low, 1.0)];
-            polygon("strip", &corners, 0.0)
-        };
-        let floor = vec![square("floor", 0.0, 1.0, 0.0), strip(0.0, edge)];
-        let base = held(&with_walls(floor).with_base(1, 0).unwrap());
-        let cut = held(&with_walls(vec![strip(edge, 1.0), strip(0.0, edge)]));
-        let off = (base.areas()[0] - cut.areas()[0]).abs();
-        assert!(off <= base.area_bounds()[0], "{width}: {off}");
-        for wall in 2..7 {
-            let [left, alone] = [&base, &cut].map(|areas| areas.get(0, wall).exchange);
-            let off = (left.value - alone.value).abs();
-            assert!(
-                off <= left.error_bound + alone.error_bound,
-                "{width} {wall}: {off}"
-            );
-            assert!((0.0..=base.areas()[0]).contains(&left.value));
-            assert!(
-                left.error_bound < 2e-14,
-                "{width} {wall}: {}",
-                left.error_bound
-            );
-        }
-    }
-}
-
-/// Off the plane by what is accepted: the base lacks the part's projection, and the bound covers the difference; the part hides
-/// nothing of its base, and is hidden by nothing of it.
-#[test]
-fn a_part_may_lie_off_the_plane_within_rounding() {
-    let scene = |height: f64| {
-        let lid = [(0.0, 0.0), (0.0, 1.0), (1.0, 1.0), (1.0, 0.0)];
-        let lid = polygon("lid", &lid, 0.125);
-        let patches = vec![
-            square("floor", 0.0, 1.0, 0.0),
-            square("mat", 0.25, 0.5, height),
-            lid,
-        ];
-        Scene::try_new(patches).unwrap().with_base(1, 0).unwrap()
-    };
-    let flat = held(&scene(0.0));
-    for height in [9e-13, -9e-13] {
-        let off = scene(height);
-        assert_eq!(off.blocker(), None);
-        let off = held(&off);
-        let [a, b] = [&flat, &off].map(|areas| areas.get(0, 2).exchange);
-        assert!((a.value - b.value).abs() <= a.error_bound + b.error_bound);
-        assert!(b.error_bound < 1e-11);
-        assert_eq!(off.get(0, 1).exchange.value, 0.0);
-    }
-}
-
-#[test]
-fn parts_that_overlap_are_refused_by_name() {
-    let at = |name, low, high| square(name, low, high, 0.0);
-    let patches = vec![
-        at("floor", 0.0, 1.0),
-        at("mat", 0.1, 0.6),
-        at("rug", 0.5, 0.9),
-    ];
-    let scene = Scene::try_new(patches).unwrap();
-    let scene = scene.with_base(1, 0).unwrap().with_base(2, 0).unwrap();
-    let refusal = scene.check_overlap().unwrap_err().to_string();
-    assert!(
-        refusal.contains("(mat)") && refusal.contains("(rug)"),
-        "{refusal}"
-    );
-    let scene = Scene::try_new(vec![at("floor", 0.0, 1.0), at("mat", 0.1, 0.6)]).unwrap();
-    assert_eq!(scene.overlap(), Some((0, 1)));
-    assert_eq!(scene.with_base(1, 0).unwrap().overlap(), None);
-}
-
 #[test]
 fn a_row_has_a_material_if_its_patches_agree() {
-    let mut patches = walls();
+    let mut patches = Scene::built_in("cube:1").unwrap().patches()[1..].to_vec();
     let paint = Material::try_new(0.5, 1.0).unwrap();
     patches[0] = patches[0].clone().with_material(paint);
     patches[3] = patches[3].clone().with_material(paint);
@@ -392,4 +213,26 @@ fn a_row_has_a_material_if_its_patches_agree() {
         refusal.contains("(ceiling 0,0)") && refusal.contains("(right 0,0)"),
         "{refusal}"
     );
+}
+
+/// Every pass tells of each pair once, whether it is left out or not.
+#[test]
+fn progress_ends_with_all_pairs() {
+    for scene in [furnished(true), Scene::built_in("cube:6").unwrap()] {
+        let done = Arc::new(AtomicUsize::new(0));
+        let so_far = Arc::clone(&done);
+        let pairs = pairs(&scene).with_progress(move |more| {
+            so_far.fetch_add(more, Ordering::Relaxed);
+        });
+        let n = pairs.patches();
+        assert_eq!(pairs.pairs(), n * (n - 1) / 2);
+        let all = || assert_eq!(done.swap(0, Ordering::Relaxed), pairs.pairs());
+        pairs.exchange_areas().unwrap();
+        all();
+        pairs.row_sums(|_, _, exchange| [exchange.value]).unwrap();
+        all();
+        let visited = pairs.for_each_row(|_, _| Ok::<(), SceneError>(()));
+        visited.unwrap();
+        all();
+    }
 }

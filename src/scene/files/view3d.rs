@@ -7,8 +7,9 @@
 //! ```
 //!
 //! The front is the side from which the corners run counter-clockwise; the reflectance is 1 − emit. A surface with a
-//! base lies in that one ([`Scene::with_base`]); one with `cmb` is summed into a row with the surface of that number
-//! and all others that name it ([`Scene::with_groups`]). `!` and `/` begin a comment, letters are of any case.
+//! base lies in that one, which counts without it ([`Scene::with_base`]); one with `cmb` is summed into a row with the surface of that
+//! number and all others that name it ([`Scene::with_groups`]), and the row is called as the first of them. As in View3D, what lies in a
+//! base is separated from it before rows are summed, and `cmb` does not chain. `!` and `/` begin a comment, letters are of any case.
 //! Patches are the surfaces `S` in the order of the file, whatever their numbers.
 //!
 //! The keys of `C` say how View3D is to compute, and change nothing here: they are noted as ignored.
@@ -17,7 +18,7 @@
 //! formats other than `F 3`.
 //!
 //! # Source
-//! Walton, *Calculation of Obstructed View Factors by Adaptive Integration*, NISTIR 6925, and the View3D 3.3 manual.
+//! Walton, *Calculation of Obstructed View Factors by Adaptive Integration*, NISTIR 6925, and the View3D 3.3 manual, §4 and §5.2.
 
 use super::decimal::complement;
 use super::error::{Fault, FileError, excerpt};
