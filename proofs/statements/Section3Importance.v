@@ -1,9 +1,9 @@
 (* Section 3.5: importance. *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From Infoscene Require Import Sums Information FiniteSums DividedScene Grouping Importance ImportanceDivision
-  IntegralChain IntegralScenes MarkovChains PiecewiseScenes Radiosity Refinement StateRefinement Theorem1
-  WeightedScene.
+From Infoscene Require Import Sums Information FiniteSums ConstantOnPatches DividedScene Grouping Importance
+  ImportanceDivision IntegralChain IntegralScenes MarkovChains NullVariance NullVarianceWalks PiecewiseScenes Radiosity
+  Refinement StateRefinement Theorem1 WalkMeans WeightedScene.
 Open Scope R_scope.
 
 (* ==== Section 3.5: importance ==== *)
@@ -77,6 +77,159 @@ Theorem importance_chain_is_markov : forall n area form_factor reflectance initi
     (importance_transition form_factor reflectance initial_importance importance).
 Proof. exact Importance.importance_chain_is_markov. Qed.
 
+(* I, V and R constant on each patch: the integrals are the discrete formulas, with the mean form factors. *)
+Theorem importance_with_integrals_extends_discrete : forall point n over integrable form_factor patch,
+  integrals point n over integrable ->
+  integrals_are_local n over integrable patch ->
+  integrable_form_factor point n over integrable form_factor ->
+  forall reflectance initial_importance importance : nat -> R,
+  exchange_kernel point n over integrable form_factor (fun x => reflectance (patch x) * importance (patch x)) ->
+  (forall x, importance (patch x) = initial_importance (patch x)
+     + sum n (fun j => over j (fun y => form_factor x y * (reflectance (patch y) * importance (patch y))))) ->
+  let brightness := fun x => reflectance (patch x) * importance (patch x) in
+  let received := fun x => importance (patch x) - initial_importance (patch x) in
+  let mean := mean_form_factor over form_factor in
+  (forall i, (i < n)%nat -> integral_weight n over brightness received i
+     = importance_weight n (integral_of_one over) reflectance initial_importance importance i) /\
+  (forall i j, (i < n)%nat -> (j < n)%nat -> reflectance i * importance i <> 0 -> importance i <> initial_importance i ->
+     integral_transition over form_factor brightness received i j
+     = reflectance j * mean i j * importance j / (importance i - initial_importance i)) /\
+  importance_equation n mean reflectance initial_importance importance.
+Proof. exact ConstantOnPatches.importance_with_integrals_extends_discrete. Qed.
+
+(* Null variance. A walk shoots: it starts on i with probability A_i E_i I_i over the sum of all, with the weight A_i E_i
+   over that probability, goes from i to j with probability P_ij, multiplies its weight by R_j F_ij / P_ij and adds weight
+   times V. For V = 1 on one patch and 0 elsewhere it finds the power of that patch. *)
+Theorem words_of_shooting : forall n area emittance importance i,
+  emitted_importance n area emittance importance = sum n (fun l => area l * emittance l * importance l) /\
+  shooting_start n area emittance importance i =
+    area i * emittance i * importance i / emitted_importance n area emittance importance /\
+  shooting_weight n area emittance importance i = emitted_importance n area emittance importance / importance i.
+Proof. easy. Qed.
+
+Theorem shooting_starts_are_probabilities : forall n area emittance importance,
+  emitted_importance n area emittance importance <> 0 ->
+  sum n (shooting_start n area emittance importance) = 1 /\
+  forall i, shooting_start n area emittance importance i <> 0 ->
+    area i * emittance i / shooting_start n area emittance importance i
+    = shooting_weight n area emittance importance i.
+Proof. exact NullVariance.shooting_starts_are_probabilities. Qed.
+
+Theorem emitted_importance_is_received_power : forall n area form_factor reflectance emittance radiosity
+    initial_importance importance,
+  scene n area form_factor ->
+  radiosity_equation n form_factor reflectance emittance radiosity ->
+  importance_equation n form_factor reflectance initial_importance importance ->
+  sum n (fun i => area i * emittance i * importance i) = sum n (fun i => area i * initial_importance i * radiosity i).
+Proof. exact NullVariance.emitted_importance_is_received_power. Qed.
+
+Theorem emitted_importance_of_one_patch_is_its_power : forall n area form_factor reflectance emittance radiosity
+    importance patch, (patch < n)%nat ->
+  scene n area form_factor ->
+  radiosity_equation n form_factor reflectance emittance radiosity ->
+  importance_equation n form_factor reflectance (fun i => if Nat.eqb i patch then 1 else 0) importance ->
+  sum n (fun i => area i * emittance i * importance i) = area patch * radiosity patch.
+Proof. exact NullVariance.emitted_importance_of_one_patch_is_its_power. Qed.
+
+Theorem shooting_step_is_possible_iff : forall n area form_factor reflectance initial_importance importance,
+  importance_solution n area form_factor reflectance initial_importance importance ->
+  forall i j, (i < n)%nat -> (j < n)%nat ->
+  0 < importance_transition form_factor reflectance initial_importance importance i j <-> 0 < form_factor i j.
+Proof. exact NullVariance.shooting_step_is_possible_iff. Qed.
+
+Theorem shooting_walk_adds_up_to_total :
+  forall n area form_factor reflectance emittance initial_importance importance,
+  let T := fun i j => reflectance j * form_factor i j in
+  let P := importance_transition form_factor reflectance initial_importance importance in
+  let total := emitted_importance n area emittance importance in
+  forall path K, importance (path 0%nat) <> 0 -> (forall k, (k < K)%nat -> 0 < P (path k) (path (S k))) ->
+  walk_score (total / importance (path 0%nat)) T P initial_importance path K
+    + walk_rest (total / importance (path 0%nat)) T P initial_importance importance path K = total.
+Proof. exact NullVariance.shooting_walk_adds_up_to_total. Qed.
+
+Theorem shooting_rest_is_product :
+  forall n area form_factor reflectance emittance initial_importance importance,
+  let T := fun i j => reflectance j * form_factor i j in
+  let P := importance_transition form_factor reflectance initial_importance importance in
+  let total := emitted_importance n area emittance importance in
+  forall path K, importance (path 0%nat) <> 0 -> (forall k, (k < K)%nat -> 0 < P (path k) (path (S k))) ->
+  walk_rest (total / importance (path 0%nat)) T P initial_importance importance path K
+  = total * prod_f_R0 (fun k => 1 - initial_importance (path k) / importance (path k)) K.
+Proof. exact NullVariance.shooting_rest_is_product. Qed.
+
+Theorem shooting_walk_finds_total_iff :
+  forall n area form_factor reflectance emittance initial_importance importance,
+  let T := fun i j => reflectance j * form_factor i j in
+  let P := importance_transition form_factor reflectance initial_importance importance in
+  let total := emitted_importance n area emittance importance in
+  forall path, total <> 0 -> importance (path 0%nat) <> 0 -> (forall k, 0 < P (path k) (path (S k))) ->
+  Un_cv (walk_score (total / importance (path 0%nat)) T P initial_importance path) total <->
+  Un_cv (prod_f_R0 (fun k => 1 - initial_importance (path k) / importance (path k))) 0.
+Proof. exact NullVariance.shooting_walk_finds_total_iff. Qed.
+
+Theorem shooting_walk_that_meets_sources_again_finds_total :
+  forall n area form_factor reflectance emittance initial_importance importance,
+  importance_solution n area form_factor reflectance initial_importance importance ->
+  let T := fun i j => reflectance j * form_factor i j in
+  let P := importance_transition form_factor reflectance initial_importance importance in
+  let total := emitted_importance n area emittance importance in
+  forall path, (forall k, (path k < n)%nat) -> (forall k, 0 < P (path k) (path (S k))) ->
+  (forall m, exists k, (m <= k)%nat /\ 0 < initial_importance (path k)) ->
+  Un_cv (walk_score (total / importance (path 0%nat)) T P initial_importance path) total.
+Proof. exact NullVariance.shooting_walk_that_meets_sources_again_finds_total. Qed.
+
+(* The mean over starts and walks. *)
+Theorem shooting_walks_have_no_variance :
+  forall n area form_factor reflectance emittance initial_importance importance,
+  importance_solution n area form_factor reflectance initial_importance importance ->
+  let T := fun i j => reflectance j * form_factor i j in
+  let P := importance_transition form_factor reflectance initial_importance importance in
+  let total := emitted_importance n area emittance importance in
+  forall K, total <> 0 ->
+  sum n (fun i => shooting_start n area emittance importance i * walk_mean n P K i (fun path =>
+    walk_score (total / importance i) T P initial_importance path K
+      + walk_rest (total / importance i) T P initial_importance importance path K)) = total /\
+  sum n (fun i => shooting_start n area emittance importance i * walk_mean n P K i (fun path =>
+    (walk_score (total / importance i) T P initial_importance path K
+      + walk_rest (total / importance i) T P initial_importance importance path K - total) ^ 2)) = 0.
+Proof. exact NullVariance.shooting_walks_have_no_variance. Qed.
+
+Theorem shooting_mean_square_falls_geometrically :
+  forall n area form_factor reflectance emittance initial_importance importance,
+  importance_solution n area form_factor reflectance initial_importance importance ->
+  let T := fun i j => reflectance j * form_factor i j in
+  let P := importance_transition form_factor reflectance initial_importance importance in
+  let total := emitted_importance n area emittance importance in
+  forall rho bound, (forall i, (i < n)%nat -> 0 <= emittance i) -> 0 < total ->
+  (forall i, (i < n)%nat -> sum n (fun j => form_factor i j) <= 1) ->
+  (forall i, (i < n)%nat -> reflectance i <= rho) -> (forall i, (i < n)%nat -> importance i <= bound) ->
+  forall K,
+  sum n (fun i => shooting_start n area emittance importance i * walk_mean n P K i (fun path =>
+    (walk_score (total / importance i) T P initial_importance path K - total) ^ 2))
+  <= total * sum n (fun i => area i * emittance i) * bound * rho ^ S K.
+Proof. exact NullVariance.shooting_mean_square_falls_geometrically. Qed.
+
+Theorem null_variance_shooting_step_iff : forall (form_factor : nat -> nat -> R)
+    (reflectance initial_importance importance : nat -> R) i j Q,
+  Q <> 0 -> importance i <> initial_importance i ->
+  initial_importance i + reflectance j * form_factor i j / Q * importance j = importance i <->
+  Q = reflectance j * form_factor i j * importance j / (importance i - initial_importance i).
+Proof. exact NullVariance.null_variance_shooting_step_iff. Qed.
+
+(* What the walks need can be met, here and in section 3.4. *)
+Theorem walk_to_and_fro_fulfils_hypotheses :
+  let form_factor := fun i j => if Nat.eqb i j then 0 else 1 in
+  let source := fun i => match i with O => 1 | _ => 0 end in
+  let solution := fun i => match i with O => 4 / 3 | _ => 2 / 3 end in
+  let path := fun k => if Nat.even k then 0%nat else 1%nat in
+  radiosity_solution 2 (fun _ => 1) form_factor (fun _ => 1 / 2) source solution /\
+  importance_solution 2 (fun _ => 1) form_factor (fun _ => 1 / 2) source solution /\
+  0 < emitted_importance 2 (fun _ => 1) source solution /\
+  (forall k, (path k < 2)%nat /\ 0 < form_factor (path k) (path (S k))) /\
+  (forall m, exists k, (m <= k)%nat /\ 0 < source (path k)).
+Proof. exact NullVariance.walk_to_and_fro_fulfils_hypotheses. Qed.
+
+(* Reversion to visibility. *)
 Theorem uniform_reflected_importance_solves_iff : forall n form_factor reflectance initial_importance k,
   closed n form_factor -> (forall i, (i < n)%nat -> reflectance i <> 0) ->
   importance_equation n form_factor reflectance initial_importance (fun i => k / reflectance i) <->

@@ -1,9 +1,9 @@
 (* Section 3.4: radiosity. *)
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
-From Infoscene Require Import Sums Information FiniteSums DividedScene Grouping IntegralChain IntegralScenes
-  MarkovChains PiecewiseScenes Radiosity RadiosityDivision Refinement StateRefinement Theorem1 UniformRadiosity
-  WeightedScene.
+From Infoscene Require Import Sums Information FiniteSums ConstantOnPatches DividedScene Grouping IntegralChain
+  IntegralScenes MarkovChains NullVariance NullVarianceWalks PiecewiseScenes Radiosity RadiosityDivision Refinement
+  StateRefinement Theorem1 UniformRadiosity WalkMeans WeightedScene.
 Open Scope R_scope.
 
 (* ==== Section 3.4: radiosity ==== *)
@@ -85,6 +85,139 @@ Theorem radiosity_chain_is_markov : forall n area form_factor reflectance emitta
   markov_chain n (radiosity_weight n area reflectance emittance radiosity)
     (radiosity_transition form_factor reflectance emittance radiosity).
 Proof. exact Radiosity.radiosity_chain_is_markov. Qed.
+
+(* B, E and R constant on each patch: the integrals are the discrete formulas, with the mean form factors. *)
+Theorem words_of_constants_on_patches :
+  forall (point : Type) n (over : nat -> (point -> R) -> R) integrable (patch : point -> nat) form_factor i j,
+  (integrals_are_local n over integrable patch <-> forall i f g, (i < n)%nat -> integrable f -> integrable g ->
+    (forall x, patch x = i -> f x = g x) -> over i f = over i g) /\
+  integral_of_one over i = over i (fun _ => 1) /\
+  mean_form_factor over form_factor i j = over i (fun x => over j (form_factor x)) / over i (fun _ => 1) /\
+  (integrable_form_factor point n over integrable form_factor <->
+    integrable (fun _ => 1) /\ (forall x, integrable (form_factor x)) /\
+    (forall j, (j < n)%nat -> integrable (fun x => over j (form_factor x))) /\
+    (forall i, (i < n)%nat -> over i (fun _ => 1) <> 0)).
+Proof. repeat (split; [easy|]). split; [intros []|intros [? [? []]]; constructor]; auto. Qed.
+
+Theorem radiosity_with_integrals_extends_discrete : forall point n over integrable form_factor patch,
+  integrals point n over integrable ->
+  integrals_are_local n over integrable patch ->
+  integrable_form_factor point n over integrable form_factor ->
+  forall reflectance emittance radiosity : nat -> R,
+  exchange_kernel point n over integrable form_factor (fun x => radiosity (patch x)) ->
+  (forall x, reflectance (patch x) <> 0) ->
+  (forall x, radiosity (patch x) = emittance (patch x)
+     + reflectance (patch x) * sum n (fun j => over j (fun y => form_factor x y * radiosity (patch y)))) ->
+  let received := fun x => (radiosity (patch x) - emittance (patch x)) / reflectance (patch x) in
+  let mean := mean_form_factor over form_factor in
+  (forall i, (i < n)%nat -> integral_weight n over (fun x => radiosity (patch x)) received i
+     = radiosity_weight n (integral_of_one over) reflectance emittance radiosity i) /\
+  (forall i j, (i < n)%nat -> (j < n)%nat -> reflectance i <> 0 -> radiosity i <> 0 -> radiosity i <> emittance i ->
+     integral_transition over form_factor (fun x => radiosity (patch x)) received i j
+     = reflectance i * mean i j * radiosity j / (radiosity i - emittance i)) /\
+  ((forall i, (i < n)%nat -> reflectance i <> 0) -> radiosity_equation n mean reflectance emittance radiosity).
+Proof. exact ConstantOnPatches.radiosity_with_integrals_extends_discrete. Qed.
+
+Theorem sums_over_elements_are_local : forall (n N : nat) (patch : nat -> nat) (area : nat -> R),
+  integrals_are_local n (fun i f => part_sum N patch i (fun k => area k * f k)) (fun _ => True) patch.
+Proof. exact ConstantOnPatches.sums_over_elements_are_local. Qed.
+
+Theorem constants_on_two_patches_fulfil_hypotheses :
+  let patch := fun x => match x with O => O | _ => 1%nat end in
+  let over := fun i f => part_sum 2 patch i (fun k => 1 * f k) in
+  let integrable := fun _ : nat -> R => True in
+  let form_factor := fun x y => if Nat.eqb (patch x) (patch y) then 0 else 1 in
+  let emittance := fun i => match i with O => 1 | _ => 0 end in
+  let radiosity := fun i => match i with O => 4 / 3 | _ => 2 / 3 end in
+  integrals nat 2 over integrable /\ integrals_are_local 2 over integrable patch /\
+  integrable_form_factor nat 2 over integrable form_factor /\
+  exchange_kernel nat 2 over integrable form_factor (fun x => radiosity (patch x)) /\
+  (forall x, radiosity (patch x) = emittance (patch x)
+     + 1 / 2 * sum 2 (fun j => over j (fun y => form_factor x y * radiosity (patch y)))).
+Proof. exact ConstantOnPatches.constants_on_two_patches_fulfil_hypotheses. Qed.
+
+(* Null variance. A walk gathers: it goes from i to j with probability P_ij, multiplies its weight by R_i F_ij / P_ij and
+   adds weight times E. The theorems hold for each walk that is possible, not for the mean of many only. *)
+Theorem words_of_walks : forall start transfer P source solution path n k i f,
+  walk_weight start transfer P path 0 = start /\
+  walk_weight start transfer P path (S k) =
+    walk_weight start transfer P path k * (transfer (path k) (path (S k)) / P (path k) (path (S k))) /\
+  walk_score start transfer P source path k = sum (S k) (fun l => walk_weight start transfer P path l * source (path l)) /\
+  walk_rest start transfer P source solution path k =
+    walk_weight start transfer P path k * (solution (path k) - source (path k)) /\
+  share_left source solution path k = 1 - source (path k) / solution (path k) /\
+  walk_mean n P 0 i f = f (fun _ => i) /\
+  walk_mean n P (S k) i f = sum n (fun j => P i j *
+    walk_mean n P k j (fun path => f (fun l => match l with O => i | S m => path m end))).
+Proof. easy. Qed.
+
+Theorem gathering_step_is_possible_iff : forall form_factor reflectance emittance radiosity n area,
+  radiosity_solution n area form_factor reflectance emittance radiosity ->
+  forall i j, (i < n)%nat -> (j < n)%nat ->
+  0 < radiosity_transition form_factor reflectance emittance radiosity i j <-> 0 < form_factor i j.
+Proof. exact NullVariance.gathering_step_is_possible_iff. Qed.
+
+Theorem gathering_walk_adds_up_to_radiosity : forall form_factor reflectance emittance radiosity,
+  let T := fun i j => reflectance i * form_factor i j in
+  let P := radiosity_transition form_factor reflectance emittance radiosity in
+  forall path K, (forall k, (k < K)%nat -> 0 < P (path k) (path (S k))) ->
+  walk_score 1 T P emittance path K + walk_rest 1 T P emittance radiosity path K = radiosity (path 0%nat).
+Proof. exact NullVariance.gathering_walk_adds_up_to_radiosity. Qed.
+
+Theorem gathering_rest_is_product : forall form_factor reflectance emittance radiosity,
+  let T := fun i j => reflectance i * form_factor i j in
+  let P := radiosity_transition form_factor reflectance emittance radiosity in
+  forall path K, radiosity (path 0%nat) <> 0 -> (forall k, (k < K)%nat -> 0 < P (path k) (path (S k))) ->
+  walk_rest 1 T P emittance radiosity path K
+  = radiosity (path 0%nat) * prod_f_R0 (fun k => 1 - emittance (path k) / radiosity (path k)) K.
+Proof. exact NullVariance.gathering_rest_is_product. Qed.
+
+Theorem gathering_walk_finds_radiosity_iff : forall form_factor reflectance emittance radiosity,
+  let T := fun i j => reflectance i * form_factor i j in
+  let P := radiosity_transition form_factor reflectance emittance radiosity in
+  forall path, radiosity (path 0%nat) <> 0 -> (forall k, 0 < P (path k) (path (S k))) ->
+  Un_cv (walk_score 1 T P emittance path) (radiosity (path 0%nat)) <->
+  Un_cv (prod_f_R0 (fun k => 1 - emittance (path k) / radiosity (path k))) 0.
+Proof. exact NullVariance.gathering_walk_finds_radiosity_iff. Qed.
+
+Theorem gathering_walk_that_meets_lamps_again_finds_radiosity :
+  forall form_factor reflectance emittance radiosity n area,
+  radiosity_solution n area form_factor reflectance emittance radiosity ->
+  let T := fun i j => reflectance i * form_factor i j in
+  let P := radiosity_transition form_factor reflectance emittance radiosity in
+  forall path, (forall k, (path k < n)%nat) -> (forall k, 0 < P (path k) (path (S k))) ->
+  (forall m, exists k, (m <= k)%nat /\ 0 < emittance (path k)) ->
+  Un_cv (walk_score 1 T P emittance path) (radiosity (path 0%nat)).
+Proof. exact NullVariance.gathering_walk_that_meets_lamps_again_finds_radiosity. Qed.
+
+Theorem gathering_walks_have_no_variance : forall form_factor reflectance emittance radiosity n area,
+  radiosity_solution n area form_factor reflectance emittance radiosity ->
+  let T := fun i j => reflectance i * form_factor i j in
+  let P := radiosity_transition form_factor reflectance emittance radiosity in
+  forall K i, (i < n)%nat ->
+  walk_mean n P K i (fun path =>
+    walk_score 1 T P emittance path K + walk_rest 1 T P emittance radiosity path K) = radiosity i /\
+  walk_mean n P K i (fun path =>
+    (walk_score 1 T P emittance path K + walk_rest 1 T P emittance radiosity path K - radiosity i) ^ 2) = 0.
+Proof. exact NullVariance.gathering_walks_have_no_variance. Qed.
+
+Theorem gathering_mean_square_falls_geometrically : forall form_factor reflectance emittance radiosity n area,
+  radiosity_solution n area form_factor reflectance emittance radiosity ->
+  let T := fun i j => reflectance i * form_factor i j in
+  let P := radiosity_transition form_factor reflectance emittance radiosity in
+  forall rho bound, (forall i, (i < n)%nat -> sum n (fun j => form_factor i j) <= 1) ->
+  (forall i, (i < n)%nat -> reflectance i <= rho) -> (forall i, (i < n)%nat -> radiosity i <= bound) ->
+  forall K i, (i < n)%nat ->
+  walk_mean n P K i (fun path => (walk_score 1 T P emittance path K - radiosity i) ^ 2)
+  <= radiosity i * bound * rho ^ S K.
+Proof. exact NullVariance.gathering_mean_square_falls_geometrically. Qed.
+
+Theorem null_variance_gathering_step_iff : forall (form_factor : nat -> nat -> R)
+    (reflectance emittance radiosity : nat -> R) i j Q,
+  Q <> 0 -> radiosity i <> emittance i ->
+  emittance i + reflectance i * form_factor i j / Q * radiosity j = radiosity i <->
+  Q = reflectance i * form_factor i j * radiosity j / (radiosity i - emittance i).
+Proof. exact NullVariance.null_variance_gathering_step_iff. Qed.
 
 (* The transition probabilities as printed, with B_i in the numerator, are none. *)
 Theorem words_of_radiosity_examples : forall (i j : nat),
