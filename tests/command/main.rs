@@ -8,6 +8,7 @@
 mod fuzzing;
 mod gradient_cuts;
 mod keys;
+mod light;
 mod refusals;
 mod scene_files;
 mod scenes;

@@ -2,7 +2,7 @@
 
 use crate::infoscene;
 
-fn assert_refused(arguments: &[&str], message: &str) {
+pub(crate) fn assert_refused(arguments: &[&str], message: &str) {
     let assertion = infoscene(arguments).assert().code(2);
     let output = assertion.get_output();
     let error = String::from_utf8_lossy(&output.stderr);
