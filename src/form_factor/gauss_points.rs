@@ -89,17 +89,15 @@ impl Rule {
     /// `n × n` points on each cell.
     pub(super) fn fill(&mut self, shape: &Shape, corner_heights: &[f64], origin: DVec3, n: usize) {
         let square = Square::with(n);
-        let (each, all) = (
-            square.weights.len(),
-            square.weights.len() * shape.cells.len(),
-        );
-        // what fills the last vector lies at the middle, and weighs nothing
-        let all = padded(all);
+        let each = square.weights.len();
+        let used = each * shape.cells.len();
+        let all = padded(used);
         let Self {
             points: Points { x, y, z },
             weights,
             heights,
         } = self;
+        // what fills the last vector lies at the middle, and weighs nothing
         let middle = shape.centre - origin;
         for (column, value) in [
             (&mut *x, middle.x),
@@ -108,8 +106,8 @@ impl Rule {
             (weights, 0.0),
             (heights, 0.0),
         ] {
-            column.clear();
             column.resize(all, value);
+            column[used..].fill(value);
         }
         let cells = shape.cells.iter().zip(&shape.jacobians).enumerate();
         vectorised(
@@ -117,11 +115,16 @@ impl Rule {
             || {
                 for (i, (cell, [j, js, jt])) in cells {
                     let part = i * each..(i + 1) * each;
-                    let corners = cell.map(|i| shape.corners[i] - origin);
-                    square.interpolate(corners.map(|c| c.x), &mut x[part.clone()]);
-                    square.interpolate(corners.map(|c| c.y), &mut y[part.clone()]);
-                    square.interpolate(corners.map(|c| c.z), &mut z[part.clone()]);
-                    square.interpolate(cell.map(|i| corner_heights[i]), &mut heights[part.clone()]);
+                    let [a, b, c, d] = *cell;
+                    let corner = |i: usize| shape.corners[i] - origin;
+                    let corners = [corner(a), corner(b), corner(c), corner(d)];
+                    let [p, q, r, s] = corners;
+                    square.interpolate([p.x, q.x, r.x, s.x], &mut x[part.clone()]);
+                    square.interpolate([p.y, q.y, r.y, s.y], &mut y[part.clone()]);
+                    square.interpolate([p.z, q.z, r.z, s.z], &mut z[part.clone()]);
+                    let above = |i: usize| corner_heights[i];
+                    let above = [above(a), above(b), above(c), above(d)];
+                    square.interpolate(above, &mut heights[part.clone()]);
                     let at = square.s.iter().zip(&square.t).zip(&square.weights);
                     for (out, ((s, t), weight)) in weights[part].iter_mut().zip(at) {
                         *out = weight * (j + js * s + jt * t);
@@ -135,27 +138,34 @@ impl Rule {
 /// Ratios γ that bounds are kept for: 16 to the octave, from 1/8 to 1024.
 const SMALLEST: f64 = 0.125;
 const STEPS: usize = 13 * 16;
+/// Points per direction from which on other routes are cheaper.
+pub(super) const MOST: usize = 17;
 
-/// The bound on the error of `n × n` points on a polygon's cells, relative to
-/// `area × area × h_max g_max / (π gap⁴)`; infinite where `gamma`, gap over half-length, is below 1/8.
-pub(super) fn error(n: usize, gamma: f64) -> f64 {
-    static BOUNDS: [OnceLock<Vec<f64>>; MOST_POINTS + 1] =
-        [const { OnceLock::new() }; MOST_POINTS + 1];
-    let n = n.clamp(1, MOST_POINTS);
+/// Bounds on the errors of `n × n` points on a polygon's cells for n up to [`MOST`], relative to
+/// `area × area × h_max g_max / (π gap⁴)`; none where `gamma`, gap over half-length, is below 1/8.
+fn bounds(gamma: f64) -> Option<&'static [f64; MOST + 1]> {
+    static BOUNDS: [OnceLock<[f64; MOST + 1]>; STEPS] = [const { OnceLock::new() }; STEPS];
     let step = |gamma: f64| gamma.to_bits() >> 48;
     if gamma < SMALLEST || gamma.is_nan() {
-        return f64::INFINITY;
+        return None;
     }
-    let index =
-        usize::try_from(step(gamma) - step(SMALLEST)).map_or(STEPS - 1, |i| i.min(STEPS - 1));
-    let bounds = BOUNDS[n].get_or_init(|| {
-        let first = step(SMALLEST);
-        // the bound at a ratio holds for all above it
-        (0..STEPS as u64)
-            .map(|i| bound(n, f64::from_bits((first + i) << 48)))
-            .collect()
-    });
-    bounds[index]
+    let above = step(gamma) - step(SMALLEST);
+    let index = usize::try_from(above).map_or(STEPS - 1, |i| i.min(STEPS - 1));
+    // the bound at a ratio holds for all above it
+    let at = f64::from_bits((step(SMALLEST) + index as u64) << 48);
+    let row = || std::array::from_fn(|n| if n == 0 { f64::INFINITY } else { bound(n, at) });
+    Some(BOUNDS[index].get_or_init(row))
+}
+
+/// The bound for `n` points, at most [`MOST`]; infinite where there is none.
+pub(super) fn error(n: usize, gamma: f64) -> f64 {
+    bounds(gamma).map_or(f64::INFINITY, |bounds| bounds[n.min(MOST)])
+}
+
+/// The fewest points from 2 on whose error is certain to be below `wanted`; [`MOST`] if less than that do not do.
+pub(super) fn points(gamma: f64, wanted: f64) -> usize {
+    let found = bounds(gamma).and_then(|bounds| (2..MOST).find(|n| bounds[*n] <= wanted));
+    found.unwrap_or(MOST)
 }
 
 /// Over all places of a zero at least `gamma` from the line, in pieces within which ρ is least at one end and φ at the other.

@@ -74,11 +74,7 @@ impl Side {
 /// Where a polygon lies to another one's plane, and how far its corners may be from where they should be.
 pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
     let (shape, origin) = (&polygon.shape, plane.shape.corners[0]);
-    let reach = shape
-        .corners
-        .iter()
-        .map(|c| c.abs().max_element())
-        .fold(0.0, f64::max);
+    let reach = shape.largest;
     // what the rounding of coordinates may do to a height
     let noise = 4.0 * f64::EPSILON * (reach + origin.abs().max_element());
     let distance = shape.centre.distance(origin) + shape.radius;

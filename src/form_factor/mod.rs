@@ -27,17 +27,20 @@
 
 mod choice;
 mod contour;
-mod edge_pair;
+mod coplanar_edges;
+mod edge;
 mod error;
 mod exchange;
 mod gauss_points;
 mod horizon;
 mod kernel;
+mod panels;
 pub mod parallel;
 pub mod perpendicular;
 mod point_to_polygon;
 mod polygon;
 mod potential;
+mod precise_contour;
 mod rectangle_kernel;
 mod rectangle_pair;
 pub mod reference;

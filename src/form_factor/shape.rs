@@ -5,6 +5,7 @@
 //!   dA = J ds dt,   J = J0 + Js s + Jt t      (c2 = c3 for a triangle)
 //! ```
 
+use super::edge::Edge;
 use crate::geometry::{Vector, triangulated};
 use crate::numeric::{DoubleDouble, Scalar};
 use glam::DVec3;
@@ -17,6 +18,8 @@ pub(super) type Cell = [usize; 4];
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Shape {
     pub corners: SmallVec<[DVec3; 4]>,
+    /// From each corner to the next.
+    pub edges: SmallVec<[Edge<f64>; 4]>,
     pub cells: SmallVec<[Cell; 1]>,
     /// `J0, Js, Jt` of each cell, from 106 bits.
     pub jacobians: SmallVec<[[f64; 3]; 1]>,
@@ -24,6 +27,8 @@ pub(super) struct Shape {
     pub perimeter: f64,
     pub longest_edge: f64,
     pub centre: DVec3,
+    /// The largest of all coordinates.
+    pub largest: f64,
     /// Half the longest line of a cell along which a rule runs.
     pub half_length: f64,
     /// Largest distance of a corner from the centre.
@@ -66,14 +71,20 @@ impl Shape {
             .sum();
         #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
         let centre = corners.iter().sum::<DVec3>() / n as f64;
-        let edges = (0..n).map(|i| (corners[(i + 1) % n] - corners[i]).length());
+        let at = |i: usize| Vector(corners[i % n].to_array());
+        let edges: SmallVec<[Edge<f64>; 4]> = (0..n).map(|i| Edge::new(at(i), at(i + 1))).collect();
         let radius = corners
             .iter()
             .map(|c| c.distance(centre))
             .fold(0.0, f64::max);
         Some(Self {
-            perimeter: edges.clone().sum(),
-            longest_edge: edges.fold(0.0, f64::max),
+            perimeter: edges.iter().map(|edge| edge.length).sum(),
+            longest_edge: edges.iter().map(|edge| edge.length).fold(0.0, f64::max),
+            edges,
+            largest: corners
+                .iter()
+                .map(|c| c.abs().max_element())
+                .fold(0.0, f64::max),
             half_length: half_length(&corners, &cells),
             corners,
             cells,
