@@ -11,15 +11,14 @@
 //! plane is clipped.
 
 use super::contour::{Scratch, contour};
-use super::gauss_points::{MOST, Rule};
+use super::gauss_points::{Block, MOST};
 use super::horizon::{Off, precise_outline};
-use super::potential::padded;
 use super::precise_contour::precise_contour;
 use super::shape::Shape;
 use super::view::{View, seen};
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, RectanglePair, Route};
-use crate::numeric::elementary::ln;
-use crate::numeric::{DoubleDouble, SQUARED_EPSILON};
+use crate::numeric::elementary::rough_ln;
+use crate::numeric::{DoubleDouble, LANES, SQUARED_EPSILON};
 use smallvec::SmallVec;
 use std::cell::RefCell;
 use std::f64::consts::PI;
@@ -35,8 +34,7 @@ thread_local! {
 #[derive(Debug, Default)]
 pub(super) struct Work {
     pub scratch: Scratch,
-    pub rules: [Rule; 2],
-    pub sums: Vec<f64>,
+    pub blocks: [Vec<Block>; 2],
 }
 
 impl Polygon {
@@ -287,7 +285,7 @@ impl View<'_> {
             return plans;
         }
         let points = [self.points(0), self.points(1)];
-        let on = |k: usize| padded(points[k] * points[k] * self.shapes[k].cells.len()) as f64;
+        let on = |k: usize| (LANES * self.blocks(k, points[k])) as f64;
         let corners = self.shapes.map(|shape| shape.corners.len() as f64);
         if points[0].max(points[1]) < MOST {
             let work = 1.0 * (on(0) + on(1)) + on(0) * on(1) * 0.2;
@@ -315,7 +313,7 @@ impl View<'_> {
         #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
         let corners = (first.corners.len() * second.corners.len()) as f64;
         let ratio = 1.0 + 2.0 * self.gap / first.longest_edge.min(second.longest_edge);
-        let digits = 2.0 * ln(ratio + (ratio * ratio - 1.0).sqrt());
+        let digits = 2.0 * rough_ln(ratio + (ratio * ratio - 1.0).sqrt());
         100.0 + corners * 4.5 * 32.0 / digits.max(1.5)
     }
 
@@ -327,7 +325,7 @@ impl View<'_> {
                     self.shapes[0],
                     self.shapes[1],
                     range,
-                    self.wanted(),
+                    0.4 * self.wanted(),
                     &mut work.scratch,
                 )
             }

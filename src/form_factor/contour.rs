@@ -11,10 +11,10 @@
 //! In units of u = ε/2, beside the [potential's](super::potential) own error:
 //!
 //! ```text
-//!   coefficients w e_a·u_b      12 u of Σ |w e_a|: 3 u for w e_a, 6 u for u_b, 3 u for the product
-//!   length of u_b               5 u of U_b + L_b, common to all its coordinates: u_b = (1 + η) times what it should be
-//!   sums                        u of Σ |w e_a| |U_b| for each addition
-//!   nodes off by δ              δ L_a |∇U_b|,  δ ≤ 2 u (√3 max |x| + L_a),  |∇U_b| ≤ L_b/r and ≤ π + ln(1 + L_b/r)
+//!   coefficients w e_a·u_b      8 u of |w e_a| |U_b|: 3 u for w e_a, 2 u for u_b, 3 u for the product
+//!   length of u_b               5 u of U_b + L_b: common to all its coordinates
+//!   sums                        u of |w e_a| |U_b| for each addition
+//!   nodes off by δ              δ L_a |∇U_b|,  δ ≤ 2 u (max |x| + L_a),  |∇U_b| ≤ L_b/r and ≤ π + ln(1 + L_b/r)
 //!   u_a·u_b lost in rounding    28 u L_a max |U_b|, in place of the pair
 //! ```
 //!
@@ -25,19 +25,19 @@
 use super::ExchangeArea;
 use super::coplanar_edges::{Coplanar, Relation, Rounding, coplanar, relation};
 use super::edge::{Edge, Precision};
-use super::panels::{ellipse, gauss_error, panels, points_for};
+use super::panels::{CLEARANCE, ellipse, gauss_error, panels, points_for};
 use super::potential::{Batch, Nodes, Seen, Sums};
 use super::shape::Shape;
 use super::view::widening;
 use crate::geometry::Vector;
-use crate::numeric::elementary::{ln, ln_1p};
-use crate::numeric::{GaussLegendre, MOST_POINTS};
+use crate::numeric::elementary::{ROUGH_LN_ERROR, rough_ln};
+use crate::numeric::{DoubleDouble, GaussLegendre};
 use glam::DVec3;
 use smallvec::SmallVec;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::{LN_2, PI, TAU};
 
 /// Edges at least this far from each other, as a sum of half-axes, take a Gauss rule in one piece.
-const APART: f64 = 1.4;
+const APART: f64 = 1.2;
 /// And no more points than about this.
 const MOST: f64 = 24.0;
 /// Cosines up to this, in ε, are those of a right angle.
@@ -50,18 +50,22 @@ pub(super) struct Scratch {
     batch: Batch,
 }
 
-/// The edges of a shape, from a new origin.
-fn placed(shape: &Shape, origin: DVec3) -> SmallVec<[Edge<f64>; 8]> {
+type Edges = SmallVec<[Edge<f64>; 4]>;
+
+/// The edges of a shape from a new origin, and whether they have the same places there exactly.
+fn placed(shape: &Shape, origin: DVec3) -> (Edges, bool) {
     let origin = Vector(origin.to_array());
-    let mut edges = SmallVec::with_capacity(shape.edges.len());
+    let mut edges = Edges::with_capacity(shape.edges.len());
+    let mut is_exact = true;
     for edge in &shape.edges {
-        let [start, end] = edge.ends;
-        edges.push(Edge {
-            ends: [start.minus(origin), end.minus(origin)],
-            ..*edge
-        });
+        let ends = [edge.ends[0].minus(origin), edge.ends[1].minus(origin)];
+        for k in 0..3 {
+            let difference = DoubleDouble::difference(edge.ends[0].0[k], origin.0[k]);
+            is_exact &= difference.low() == 0.0;
+        }
+        edges.push(Edge { ends, ..*edge });
     }
-    edges
+    (edges, is_exact)
 }
 
 /// In `f64`; distances are from `gap` to `reach`, `wanted` is the absolute error that truncation may have. `None` if edges come too near to each other
@@ -79,19 +83,21 @@ pub(super) fn contour(
     } else {
         (second, first)
     };
-    // far from the origin, coordinates are taken from a corner; each is then rounded once more
+    // coordinates are taken from a corner if that moves nothing, or if they are far larger than the distances
     let farthest = outer.largest.max(inner.largest);
-    let (origin, shifted, largest) = if farthest > 4.0 * reach {
-        let perimeters = outer.perimeter + inner.perimeter;
-        (
-            outer.corners[0],
-            f64::EPSILON * reach * 2.0 * perimeters,
-            2.0 * outer.radius,
-        )
-    } else {
-        (DVec3::ZERO, 0.0, outer.largest)
-    };
-    let (a_edges, b_edges) = (placed(outer, origin), placed(inner, origin));
+    let mut origin = outer.corners[0];
+    let ((mut a_edges, exact), (mut b_edges, also)) =
+        (placed(outer, origin), placed(inner, origin));
+    let (mut moved, mut largest) = (0.0, 2.0 * outer.radius);
+    if !(exact && also) {
+        if farthest > 4.0 * reach {
+            moved = f64::EPSILON * reach * 2.0 * (outer.perimeter + inner.perimeter);
+        } else {
+            origin = DVec3::ZERO;
+            (a_edges, b_edges) = (outer.edges.clone(), inner.edges.clone());
+            largest = 1.75 * outer.largest;
+        }
+    }
     let precision = Precision::new(gap, reach, 1.0, f64::EPSILON);
     let per_length = wanted * TAU / (outer.perimeter * inner.perimeter);
     let middle = Vector((outer.centre - origin).to_array());
@@ -105,13 +111,14 @@ pub(super) fn contour(
     let mut sum = EdgeSum {
         precision,
         per_length,
+        log_per_length: rough_ln(per_length),
         largest,
         error: 0.0,
         sums: Sums::default(),
     };
     let Scratch { nodes, batch } = scratch;
     nodes.clear();
-    let apart = apart_from(per_length);
+    let apart = apart_from(sum.log_per_length);
     let mut near: SmallVec<[usize; 8]> = SmallVec::new();
     for (i, a) in a_edges.iter().enumerate() {
         let middle = a.ends[0].plus(a.direction, 0.5 * a.length);
@@ -119,7 +126,7 @@ pub(super) fn contour(
             (b_edges.iter().map(|b| b.squared_distance(middle))).fold(f64::INFINITY, f64::min);
         let nearest = 2.0 * square.sqrt() / a.length;
         if nearest >= apart {
-            sum.rule(a, inner.perimeter, nearest, nodes, &chain);
+            sum.rule(a, [inner.perimeter; 2], nearest, nodes, &chain);
         } else {
             near.push(i);
         }
@@ -139,14 +146,15 @@ pub(super) fn contour(
                     continue;
                 }
                 let middle = a.ends[0].plus(a.direction, 0.5 * a.length);
-                let distance = 2.0 * b.squared_distance(middle).sqrt() / a.length;
-                if distance >= apart {
-                    sum.rule(a, b.length, distance, nodes, only);
+                let outside = b.outside([a.ends[0], middle, a.ends[1]], a.length);
+                if outside >= apart {
+                    let lengths = [b.length, cosine.abs() * b.length];
+                    sum.rule(a, lengths, outside, nodes, only);
                     continue;
                 }
                 match relation([a, b], rounding) {
                     Relation::Coplanar(relation) => in_a_plane.push((*i, j, relation)),
-                    Relation::Skew => sum.panels(a, b, nodes, only)?,
+                    Relation::Skew => sum.panels([a, b], cosine.abs(), nodes, only)?,
                 }
             }
             nodes.sum(only, precision.inverse_square, &mut sum.sums);
@@ -176,42 +184,44 @@ pub(super) fn contour(
             sum.sums.value += cosine * pair.value;
             sum.error += cosine.abs() * pair.error + 8.0 * f64::EPSILON * pair.value.abs();
             sum.sums.size += pair.value.abs();
-            sum.sums.terms += 1;
+            sum.sums.sums += 1;
         }
     }
-    let (
+    let Sums {
+        value,
+        size,
         error,
-        Sums {
-            value,
-            size,
-            error: potentials,
-            terms,
-        },
-    ) = (sum.error, sum.sums);
+        depth,
+        sums,
+    } = sum.sums;
     #[allow(clippy::cast_precision_loss, reason = "a number of additions")]
-    let rounding = (17.0 + terms as f64) * 0.5 * f64::EPSILON * size;
+    let rounding = (16.0 + (depth + sums) as f64) * 0.5 * f64::EPSILON * size;
     Some(ExchangeArea {
         value: value / TAU,
-        error_bound: (error + potentials + rounding) / TAU + shifted,
+        error_bound: (sum.error + error + rounding) / TAU + moved,
     })
 }
 
 /// How far from a rule's edge others must be, as a sum of half-axes: [`APART`], or where the largest rule does.
-fn apart_from(per_length: f64) -> f64 {
-    let narrowest = -ln(2.0 * per_length) / (2.0 * MOST);
-    if narrowest <= 0.86 {
-        // ln ρ of APART is 0.867
+fn apart_from(log_per_length: f64) -> f64 {
+    let log_rho = -(log_per_length + LN_2) / (2.0 * MOST);
+    if log_rho <= 0.62 {
+        // ln ρ of APART is 0.622
         APART
     } else {
-        APART.max(0.5 * (narrowest.exp() + (-narrowest).exp()))
+        // near cosh ln ρ: a point more or less does not matter
+        let square = log_rho * log_rho;
+        1.0 + square * (0.5 + square * (1.0 / 24.0 + square / 720.0))
     }
 }
 
 /// The sum over pairs of edges, as far as it has come.
 struct EdgeSum {
     precision: Precision<f64>,
+    /// The error that truncation may have per length of both edges.
     per_length: f64,
-    /// The largest coordinate of the outer polygon.
+    log_per_length: f64,
+    /// The largest distance of a node from the origin.
     largest: f64,
     error: f64,
     sums: Sums,
@@ -220,37 +230,44 @@ struct EdgeSum {
 impl EdgeSum {
     /// How far a node on an edge may be from where it should be.
     fn displaced(&self, a: &Edge<f64>) -> f64 {
-        f64::EPSILON * (1.75 * self.largest + a.length)
+        f64::EPSILON * (self.largest + a.length)
     }
 
-    /// One rule on an edge for others of this length together, at least so far away.
-    fn rule(&mut self, a: &Edge<f64>, length: f64, sum: f64, nodes: &mut Nodes, chain: &[Seen]) {
+    /// One rule on an edge for others, at least so far away as a sum of half-axes; their lengths together, and the same with
+    /// each cosine.
+    fn rule(
+        &mut self,
+        a: &Edge<f64>,
+        [length, projected]: [f64; 2],
+        sum: f64,
+        nodes: &mut Nodes,
+        chain: &[Seen],
+    ) {
         let rho = ellipse(sum);
-        let points = points_for(2.0 * self.per_length, rho).min(MOST_POINTS);
+        let points = points_for(self.log_per_length + LN_2, rho);
         // the nearest point of the edge is this far from the others
         let distance = 0.5 * (sum - 1.0) * a.length;
-        self.error +=
-            a.length * length * (0.5 * gauss_error(points, rho) + self.displaced(a) / distance);
+        let truncation = 0.5 * length * gauss_error(points, rho);
+        self.error += a.length * (truncation + self.displaced(a) * projected / distance);
         self.add(a, [0.5, 0.5], points, nodes, chain);
     }
 
-    /// Graded panels on one of two skew edges; `None` if there are too many.
+    /// Graded panels on the first of two skew edges; `None` if there are too many.
     fn panels(
         &mut self,
-        a: &Edge<f64>,
-        b: &Edge<f64>,
+        [a, b]: [&Edge<f64>; 2],
+        cosine: f64,
         nodes: &mut Nodes,
         only: &[Seen],
     ) -> Option<()> {
-        let displaced = self.displaced(a);
-        for panel in panels(a, b, self.per_length, f64::EPSILON)? {
-            // the ends of b are at least 0.7 times half a panel away from it
-            let gradient = PI + ln_1p(1.5 * b.length / (panel.half * a.length));
-            self.error +=
-                a.length * (b.length * panel.error + 2.0 * panel.half * displaced * gradient);
+        let displaced = cosine * self.displaced(a);
+        panels(a, b, self.per_length, f64::EPSILON, |panel| {
+            let clearance = CLEARANCE * panel.half * a.length;
+            let gradient = PI + rough_ln(1.0 + b.length / clearance) + ROUGH_LN_ERROR;
+            let truncation = b.length * panel.error;
+            self.error += a.length * (truncation + 2.0 * panel.half * displaced * gradient);
             self.add(a, [panel.middle, panel.half], panel.points, nodes, only);
-        }
-        Some(())
+        })
     }
 
     fn add(

@@ -8,7 +8,7 @@
 use super::potential::{log_distance, potential};
 use crate::geometry::Vector;
 use crate::numeric::Scalar;
-use crate::numeric::elementary::ln;
+use crate::numeric::elementary::{ROUGH_LN_ERROR, rough_ln};
 use std::f64::consts::PI;
 
 /// An edge, from start to end.
@@ -57,14 +57,18 @@ impl<S: Scalar + Copy> Edge<S> {
         beside.dot(beside).to_f64() * (1.0 - 16.0 * f64::EPSILON)
     }
 
-    /// A lower bound on the distance of a point, as a double.
+    /// A lower bound on the sum of half-axes of ellipses about a line that leave this edge outside: for a point y of it,
+    /// `(|y − start| + |y − end|)² = 2 |y − middle|² + length²/2 + 2 |y − start| |y − end|`.
     #[inline(always)]
-    pub(super) fn distance(&self, point: Vector<S>) -> f64 {
-        let from_start = point.minus(self.ends[0]);
-        let along = from_start.dot(self.direction).to_f64();
-        let nearest = along.clamp(0.0, self.length.to_f64());
-        let foot = self.ends[0].plus(self.direction, self.length.constant(nearest));
-        point.minus(foot).length().to_f64() * (1.0 - 4.0 * f64::EPSILON)
+    pub(super) fn outside(&self, [start, middle, end]: [Vector<S>; 3], length: f64) -> f64 {
+        let [from_start, from_middle, from_end] = [
+            self.squared_distance(start),
+            self.squared_distance(middle),
+            self.squared_distance(end),
+        ];
+        let to_ends = (from_start * from_end).sqrt();
+        let square = 2.0 * from_middle + 0.5 * length * length + 2.0 * to_ends;
+        square.max(4.0 * from_middle).sqrt() / length * (1.0 - 8.0 * f64::EPSILON)
     }
 }
 
@@ -82,34 +86,44 @@ pub(super) struct Precision<S> {
     pub inverse_square: S,
     /// `max r |ln(r/unit)|` over all distances.
     pub largest_log: f64,
-    /// The largest `|ln(r/unit)|`, where it is known.
+    /// The largest `|ln(r/unit)|`, infinite if they touch.
     largest_ratio: f64,
     reach: f64,
     pub epsilon: f64,
 }
 
 impl<S: Scalar + Copy> Precision<S> {
-    /// For distances from `gap` (0 if they touch) to `reach`: `x |ln x|` is at most 1/e below 1.
+    /// For distances from `gap` (0 if they touch) to `reach`.
+    ///
+    /// `r |ln(r/unit)|` is at most `reach ln(reach/unit)` beyond the unit, and `unit/e` below it, or what it is at the gap. The
+    /// two are equal for `ln(reach/unit) = 0.2785`, or where the gap is larger than that leaves open, `gap/(gap + reach)`
+    /// times the logarithm of their ratio.
     pub(super) fn new(gap: f64, reach: f64, like: S, epsilon: f64) -> Self {
-        const BELOW_ONE: f64 = 0.368;
-        let half_range = if gap > 0.0 {
-            0.5 * ln(reach / gap)
+        const BALANCE: f64 = 0.2785;
+        let above = if gap > BALANCE * reach {
+            gap / (gap + reach) * rough_ln(reach / gap)
         } else {
-            f64::INFINITY
+            BALANCE
         };
-        let (unit, log) = if half_range < BELOW_ONE {
-            ((gap * reach).sqrt(), half_range)
+        // near e^−above; what it is exactly does not matter
+        let unit = reach / (1.0 + above * (1.0 + 0.5 * above));
+        let log = |ratio: f64| {
+            if ratio < f64::INFINITY {
+                rough_ln(ratio) + ROUGH_LN_ERROR
+            } else {
+                ratio
+            }
+        };
+        let (beyond, below) = (log(reach / unit), log(unit / gap));
+        let lowest = if below < 1.0 {
+            gap * below
         } else {
-            (reach, BELOW_ONE)
+            0.368 * unit
         };
         Self {
             inverse_square: like.constant(1.0 / (unit * unit)),
-            largest_log: reach * log,
-            largest_ratio: if half_range < BELOW_ONE {
-                half_range
-            } else {
-                f64::INFINITY
-            },
+            largest_log: f64::max(reach * beyond, lowest),
+            largest_ratio: f64::max(beyond, below),
             reach,
             epsilon,
         }

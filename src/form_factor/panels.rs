@@ -14,7 +14,8 @@
 )]
 
 use super::edge::Edge;
-use crate::numeric::elementary::ln;
+use crate::geometry::Vector;
+use crate::numeric::elementary::rough_ln;
 use crate::numeric::{MOST_POINTS, Scalar};
 use smallvec::SmallVec;
 
@@ -24,7 +25,7 @@ use smallvec::SmallVec;
 #[allow(clippy::cast_precision_loss, reason = "some points")]
 pub(super) fn gauss_error(points: usize, rho: f64) -> f64 {
     let n = points as f64;
-    2.05 / n * rho.powi(-2 * i32::try_from(points).unwrap_or(i32::MAX)) / (1.0 - rho.powi(-2))
+    2.05 / n * power(rho, points) / (1.0 - 1.0 / (rho * rho))
 }
 
 /// The ellipse through a point whose distances from the ends of an edge are `sum` edge lengths together.
@@ -32,19 +33,16 @@ pub(super) fn ellipse(sum: f64) -> f64 {
     sum + (sum * sum - 1.0).max(0.0).sqrt()
 }
 
-/// The number of points for which [`gauss_error`] is below `error`.
+/// The number of points for which [`gauss_error`] is near an error with this logarithm: its factor is 1/5 for ten points.
+#[inline(always)]
 #[allow(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     reason = "small"
 )]
-pub(super) fn points_for(error: f64, rho: f64) -> usize {
-    let points = (-ln(error) / (2.0 * ln(rho))).clamp(1.0, 200.0) as usize + 1;
-    if points > 2 && gauss_error(points - 1, rho) <= error {
-        points - 1
-    } else {
-        points
-    }
+pub(super) fn points_for(log_error: f64, rho: f64) -> usize {
+    let points = (-1.5 - log_error) / (2.0 * rough_ln(rho));
+    points.clamp(1.0, MOST_POINTS as f64 - 1.0) as usize + 1
 }
 
 /// A piece of an edge, relative to it, with a rule that is certain there.
@@ -57,81 +55,110 @@ pub(super) struct Panel<S> {
     pub error: f64,
 }
 
-/// Panels of `outer`, graded towards `inner`; `None` if there are too many. `wanted` is per length of both edges.
+/// Sum of half-axes of an ellipse about each panel that holds nothing singular.
+const SUM: f64 = 1.5;
+
+/// No point of a panel is nearer than this to the other edge's ends, in halves of its length.
+pub(super) const CLEARANCE: f64 = SUM - 1.0;
+
+/// Hands over panels of `outer`, graded towards `inner`; `None` if there are too many. `wanted` is per length of both edges.
 #[inline(always)]
 pub(super) fn panels<S: Scalar + Copy>(
     outer: &Edge<S>,
     inner: &Edge<S>,
     wanted: f64,
     epsilon: f64,
-) -> Option<SmallVec<[Panel<S>; 16]>> {
+    mut take: impl FnMut(Panel<S>),
+) -> Option<()> {
     const MOST_PANELS: usize = 600;
-    /// All points of the other edge are outside the ellipse with this sum of half-axes.
-    const SUM: f64 = 1.7;
     let length = outer.length.to_f64();
-    let (along, aside, unsure) = pinch(outer, inner, epsilon);
     let number = |x: f64| outer.length.constant(x);
-    let mut open: SmallVec<[(S, S); 64]> = SmallVec::new();
+    let (log_wanted, mut near_pinch) = (rough_ln(wanted), None);
+    let mut open: SmallVec<[(S, S); 16]> = SmallVec::new();
     open.push((number(0.0), number(1.0)));
-    let mut panels = SmallVec::new();
+    let mut count = 0;
     while let Some((from, to)) = open.pop() {
         let middle = (from + to) * number(0.5);
         let half = 0.5 * (to - from).to_f64();
         // short panels may have a larger share of what is wanted than their length is of the whole
-        let share = wanted / half.max(1e-3).sqrt();
-        let sum = inner.distance(outer.at(middle)) / (half * length);
-        if sum >= SUM {
+        let log_share = log_wanted - 0.5 * rough_ln(half.max(1e-3));
+        let ends = [outer.at(from), outer.at(to)];
+        let sum = inner.outside([ends[0], outer.at(middle), ends[1]], 2.0 * half * length);
+        let rule = if sum >= SUM {
             let rho = ellipse(sum);
-            let points = points_for(share, rho).min(MOST_POINTS);
-            let error = gauss_error(points, rho) * half;
-            panels.push(Panel {
+            let points = points_for(log_share, rho);
+            Some((points, gauss_error(points, rho)))
+        } else {
+            // beside the other edge, but apart from what is singular
+            let pinch = match near_pinch {
+                Some(pinch) => pinch,
+                None => pinch(outer, inner, epsilon),
+            };
+            near_pinch = Some(pinch);
+            beside(outer, inner, [from, to], ends, pinch, log_share)
+        };
+        count += 1;
+        if let Some((points, error)) = rule {
+            let error = error * half;
+            take(Panel {
                 middle,
                 half,
                 points,
                 error,
             });
-            continue;
-        }
-        // beside the other edge, but apart from what is singular
-        let (mut to_ends, mut to_pinch) = ([0.0; 2], -2.0 * unsure);
-        for t in [from, to] {
-            let x = outer.at(t);
-            for (sum, end) in to_ends.iter_mut().zip(inner.ends) {
-                *sum += end.minus(x).length().to_f64();
-            }
-            let from_pinch = (along - t * outer.length).to_f64();
-            to_pinch += (from_pinch * from_pinch + aside * aside).sqrt();
-        }
-        let sum = to_ends[0].min(to_ends[1]).min(to_pinch) / (2.0 * half * length);
-        if sum >= SUM {
-            let rho = 1.0 + 0.85 * (ellipse(sum) - 1.0);
-            let reach =
-                (to_ends[0].max(to_ends[1]) + 2.0 * inner.length.to_f64()) / inner.length.to_f64();
-            let largest = 64.0 / 15.0 * 60.0 * reach / (1.0 - rho.powi(-2));
-            #[allow(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "small"
-            )]
-            let points = (ln(largest / share) / (2.0 * ln(rho)))
-                .ceil()
-                .clamp(2.0, MOST_POINTS as f64) as usize;
-            let error = half * largest * rho.powi(-2 * i32::try_from(points).unwrap_or(i32::MAX));
-            panels.push(Panel {
-                middle,
-                half,
-                points,
-                error,
-            });
-            continue;
-        }
-        if panels.len() + open.len() > MOST_PANELS || half < 1e-34 {
+        } else if count > 2 * MOST_PANELS || half < 1e-34 {
             return None;
+        } else {
+            open.push((from, middle));
+            open.push((middle, to));
         }
-        open.push((from, middle));
-        open.push((middle, to));
     }
-    Some(panels)
+    Some(())
+}
+
+/// A rule for a panel beside the other edge, and its error; `None` if something singular is too near.
+#[inline(always)]
+#[allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "small"
+)]
+fn beside<S: Scalar + Copy>(
+    outer: &Edge<S>,
+    inner: &Edge<S>,
+    [from, to]: [S; 2],
+    ends: [Vector<S>; 2],
+    (along, aside, unsure): (S, f64, f64),
+    log_share: f64,
+) -> Option<(usize, f64)> {
+    let length = (to - from).to_f64() * outer.length.to_f64();
+    let (mut to_ends, mut to_pinch) = ([0.0; 2], -2.0 * unsure);
+    for (t, x) in [(from, ends[0]), (to, ends[1])] {
+        for (sum, end) in to_ends.iter_mut().zip(inner.ends) {
+            *sum += end.minus(x).length().to_f64();
+        }
+        let from_pinch = (along - t * outer.length).to_f64();
+        to_pinch += (from_pinch * from_pinch + aside * aside).sqrt();
+    }
+    let sum = to_ends[0].min(to_ends[1]).min(to_pinch) / length;
+    // no such comparison holds for what is not a number
+    if sum.is_nan() || sum < SUM {
+        return None;
+    }
+    let rho = 1.0 + 0.85 * (ellipse(sum) - 1.0);
+    let inner_length = inner.length.to_f64();
+    let reach = (to_ends[0].max(to_ends[1]) + 2.0 * inner_length) / inner_length;
+    let largest = 64.0 / 15.0 * 60.0 * reach / (1.0 - rho.powi(-2));
+    let points = ((rough_ln(largest) - log_share) / (2.0 * rough_ln(rho)))
+        .clamp(1.0, MOST_POINTS as f64 - 1.0);
+    let points = points as usize + 1;
+    Some((points, largest * power(rho, points)))
+}
+
+/// `ρ^(−2n)`.
+#[inline(always)]
+fn power(rho: f64, points: usize) -> f64 {
+    rho.powi(-2 * i32::try_from(points).unwrap_or(i32::MAX))
 }
 
 /// Where the lines' distance vanishes: how far along the outer line from its start, how far beside it, and how uncertain both

@@ -16,8 +16,7 @@
 
 use super::edge::Edge;
 use crate::geometry::Vector;
-use crate::numeric::{GaussLegendre, MOST_POINTS, Scalar, vectorised};
-use glam::DVec3;
+use crate::numeric::{GaussLegendre, LANES, Lanes, MOST_POINTS, Scalar, across, vectorised};
 
 /// The potential of an edge at a point, from the vectors `a`, `c` to its ends, its direction and length,
 /// and `ln|a|`, `ln|c|`.
@@ -49,43 +48,6 @@ pub(super) fn log_distance<S: Scalar + Copy>(a: Vector<S>, inverse_square: S) ->
     square.ln() * square.constant(0.5)
 }
 
-/// Points as three columns.
-#[derive(Debug, Default, Clone)]
-pub(super) struct Points {
-    pub x: Vec<f64>,
-    pub y: Vec<f64>,
-    pub z: Vec<f64>,
-}
-
-impl Points {
-    pub(super) fn push(&mut self, point: DVec3) {
-        self.x.push(point.x);
-        self.y.push(point.y);
-        self.z.push(point.z);
-    }
-
-    pub(super) fn len(&self) -> usize {
-        self.x.len()
-    }
-
-    /// Repeats the last point until the processor's vectors are full: what is left over would take as long as all of them.
-    pub(super) fn pad(&mut self) {
-        for column in [&mut self.x, &mut self.y, &mut self.z] {
-            let last = column.last().copied().unwrap_or(0.0);
-            column.resize(padded(column.len()), last);
-        }
-    }
-}
-
-/// The next multiple of eight doubles, a vector of today's widest processors.
-pub(super) const fn padded(len: usize) -> usize {
-    len.next_multiple_of(8)
-}
-
-/// Numbers in a vector of today's widest processors.
-const LANES: usize = 8;
-type Lanes = [f64; LANES];
-
 /// Points of rules along edges, so many at a time.
 const ROOM: usize = 2 * MOST_POINTS;
 
@@ -112,12 +74,13 @@ impl Default for Nodes {
 pub(super) struct Sums {
     /// `Σ (W·u) U`.
     pub value: f64,
-    /// `Σ (|W_x| + |W_y| + |W_z|) |U|`, what the rounding of coefficients and of the sum is relative to.
+    /// `Σ |W| |U|`, what the rounding of coefficients and of the sum is relative to.
     pub size: f64,
     /// `Σ |W·u| e`.
     pub error: f64,
-    /// A bound on the terms that one addition after the other took in.
-    pub terms: usize,
+    /// Most additions that a term went through before its vector was summed, and how many such sums there are.
+    pub depth: usize,
+    pub sums: usize,
 }
 
 /// An edge, and a bound on the error of its potential.
@@ -186,7 +149,8 @@ impl Nodes {
         sums.value += value;
         sums.size += size;
         sums.error += error;
-        sums.terms += blocks * chain.len() + 3;
+        sums.depth = sums.depth.max(blocks * chain.len());
+        sums.sums += 1;
         self.len = 0;
     }
 }
@@ -205,7 +169,8 @@ fn lanes(column: &[f64; ROOM], at: usize) -> Lanes {
 #[inline(always)]
 #[allow(
     clippy::inline_always,
-    reason = "vector code is made where it is called"
+    clippy::needless_range_loop,
+    reason = "vector code is made where it is called, of loops over lanes"
 )]
 fn add_block(
     [values, sizes, errors]: &mut [Lanes; 3],
@@ -215,7 +180,10 @@ fn add_block(
     inverse_square: f64,
 ) {
     let from = |corner: Vector<f64>, l: usize| corner.minus(Vector([x[l], y[l], z[l]]));
-    let mut before = [0.0; LANES];
+    let (mut before, mut lengths) = ([0.0; LANES], [0.0; LANES]);
+    for l in 0..LANES {
+        lengths[l] = (wx[l] * wx[l] + wy[l] * wy[l] + wz[l] * wz[l]).sqrt();
+    }
     if let Some((first, _)) = chain.first() {
         for l in 0..LANES {
             before[l] = log_distance(from(first.ends[0], l), inverse_square);
@@ -229,17 +197,11 @@ fn add_block(
             let potential = potential(a, c, direction, length, [before[l], after]);
             let weight = Vector([wx[l], wy[l], wz[l]]).dot(direction);
             values[l] += weight * potential;
-            sizes[l] += (wx[l].abs() + wy[l].abs() + wz[l].abs()) * potential.abs();
+            sizes[l] += lengths[l] * potential.abs();
             errors[l] += weight.abs() * error;
             before[l] = after;
         }
     }
-}
-
-/// The sum of all lanes, halves first.
-fn across(lanes: Lanes) -> f64 {
-    let [a, b, c, d, e, f, g, h] = lanes;
-    ((a + e) + (c + g)) + ((b + f) + (d + h))
 }
 
 /// Potentials of single edges at single points, a vector of them at a time.

@@ -8,7 +8,7 @@
 use super::ExchangeArea;
 use super::coplanar_edges::{Relation, Rounding, coplanar, relation};
 use super::edge::{Edge, PairIntegral, Precision};
-use super::panels::panels;
+use super::panels::{Panel, panels};
 use crate::geometry::Vector;
 use crate::numeric::{DoubleDouble, GaussLegendre, SQUARED_EPSILON, Scalar, vectorised};
 use smallvec::SmallVec;
@@ -93,18 +93,25 @@ pub(super) fn skew<S: Scalar + Copy>(
     let (outer, inner) = if a.length <= b.length { (a, b) } else { (b, a) };
     let number = |x: f64| a.length.constant(x);
     let (mut value, mut error) = (number(0.0), 0.0);
-    for panel in panels(outer, inner, wanted, precision.epsilon)? {
-        let half = number(panel.half);
-        let mut sum = number(0.0);
-        for [x, weight] in &GaussLegendre::with(panel.points).precise {
-            let t = number(x.high()) + number(x.low());
-            let weight = number(weight.high()) + number(weight.low());
-            let point = outer.at(panel.middle + half * t);
-            sum = sum + weight * inner.potential(point, precision.inverse_square);
-        }
-        value = value + sum * half * outer.length;
-        error += panel.error;
-    }
+    panels(
+        outer,
+        inner,
+        wanted,
+        precision.epsilon,
+        #[inline(always)]
+        |panel: Panel<S>| {
+            let half = number(panel.half);
+            let mut sum = number(0.0);
+            for [x, weight] in &GaussLegendre::with(panel.points).precise {
+                let t = number(x.high()) + number(x.low());
+                let weight = number(weight.high()) + number(weight.low());
+                let point = outer.at(panel.middle + half * t);
+                sum = sum + weight * inner.potential(point, precision.inverse_square);
+            }
+            value = value + sum * half * outer.length;
+            error += panel.error;
+        },
+    )?;
     let mut reach = 0.0;
     for x in a.ends {
         for y in b.ends {

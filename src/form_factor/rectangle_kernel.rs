@@ -16,7 +16,7 @@
 //! at most twice its mean there, and no piece is longer than the longer side. Nothing cancels.
 
 use super::ExchangeArea;
-use super::gauss_points;
+use super::gauss_points::Lines;
 use crate::geometry::Span;
 use crate::numeric::{GaussLegendre, vectorised};
 use std::f64::consts::PI;
@@ -83,16 +83,29 @@ pub(super) fn exchange_area(sides: &Sides, tolerance: f64) -> Option<ExchangeAre
     let largest = area * high / (PI * least * least);
     let smallest = area * low.max(0.25 * high) / (PI * most * most);
     let longest = lengths.iter().copied().fold(0.0, f64::max);
-    // a rule's bound is for two directions: differences of two pairs of sides, or of one and two depths
-    let directions = match sides {
-        Sides::Parallel { .. } => 1.0,
-        Sides::Perpendicular { .. } => 1.5,
+    // the weights of differences rise from 0 to twice their mean; a depth is itself a height
+    let lines = |height: f64, jacobian: f64| Lines {
+        gamma: 2.0 * gap / longest * (1.0 - 8.0 * f64::EPSILON),
+        height,
+        jacobian,
     };
-    let gamma = 2.0 * gap / longest * (1.0 - 8.0 * f64::EPSILON);
-    let points = gauss_points::points(gamma, 0.3 * tolerance * smallest / (directions * largest));
-    if points > MOST {
-        return None;
-    }
+    let directions = match sides {
+        Sides::Parallel { .. } => [(4.0, lines(0.0, 0.5)), (0.0, lines(0.0, 0.0))],
+        Sides::Perpendicular { depths: [x, z], .. } => {
+            let slope = |depth: &Span| 0.5 * depth.length() / depth.upper();
+            [
+                (2.0, lines(0.0, 0.5)),
+                (2.0, lines(slope(x).max(slope(z)), 0.0)),
+            ]
+        }
+    };
+    let error = |n: usize| {
+        let errors = directions
+            .iter()
+            .map(|(peaks, lines)| peaks * lines.error(n));
+        errors.sum::<f64>() * largest
+    };
+    let points = (2..=MOST).find(|n| error(*n) <= 0.3 * tolerance * smallest)?;
     let rule = GaussLegendre::with(points);
     let (mut squares, mut weights) = ([1.0; MOST_NODES], [0.0; MOST_NODES]);
     let mut used = 0;
@@ -134,7 +147,7 @@ pub(super) fn exchange_area(sides: &Sides, tolerance: f64) -> Option<ExchangeAre
     let rounding = (32.0 + terms as f64) * f64::EPSILON * value;
     Some(ExchangeArea {
         value,
-        error_bound: rounding + directions * gauss_points::error(points, gamma) * largest,
+        error_bound: rounding + error(points),
     })
 }
 

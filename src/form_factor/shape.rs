@@ -23,6 +23,9 @@ pub(super) struct Shape {
     pub cells: SmallVec<[Cell; 1]>,
     /// `J0, Js, Jt` of each cell, from 106 bits.
     pub jacobians: SmallVec<[[f64; 3]; 1]>,
+    /// The largest Jacobian of a cell over its mean, and how much one changes along half a line, over its largest.
+    pub peak: f64,
+    pub slope: f64,
     pub area: f64,
     pub perimeter: f64,
     pub longest_edge: f64,
@@ -65,6 +68,12 @@ impl Shape {
             .iter()
             .map(|cell| jacobian(cell.map(|i| corners[i]), normal))
             .collect();
+        let (mut peak, mut slope) = (1.0, 0.0);
+        for [j, js, jt] in &jacobians {
+            let largest = j + f64::max(*js, 0.0) + f64::max(*jt, 0.0);
+            peak = f64::max(peak, largest / (j + 0.5 * (js + jt)));
+            slope = f64::max(slope, 0.5 * js.abs().max(jt.abs()) / largest);
+        }
         let area = jacobians
             .iter()
             .map(|[j, js, jt]| j + 0.5 * (js + jt))
@@ -85,6 +94,9 @@ impl Shape {
                 .iter()
                 .map(|c| c.abs().max_element())
                 .fold(0.0, f64::max),
+            // the Jacobian's rounding
+            peak: peak * (1.0 + 8.0 * f64::EPSILON),
+            slope: slope + 8.0 * f64::EPSILON,
             half_length: half_length(&corners, &cells),
             corners,
             cells,

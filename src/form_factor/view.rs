@@ -1,6 +1,6 @@
 //! A pair as the routes see it: what of each polygon is in front of the other's plane, and measures of both.
 
-use super::gauss_points;
+use super::gauss_points::{self, Lines};
 use super::horizon::{Off, Side, side_of};
 use super::shape::Shape;
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
@@ -148,13 +148,30 @@ impl<'a> View<'a> {
 
     /// Gauss points per direction on one of the shapes.
     pub(super) fn points(&self, k: usize) -> usize {
-        let gamma = self.gap / self.shapes[k].half_length;
-        gauss_points::points(gamma, self.wanted() / self.largest())
+        let most = self.wanted() / (self.largest() * 2.0 * self.shapes[k].peak);
+        self.lines(k).points(most)
+    }
+
+    /// The lines along which a rule on one of the shapes runs.
+    fn lines(&self, k: usize) -> Lines {
+        let Shape {
+            half_length, slope, ..
+        } = self.shapes[k];
+        Lines {
+            gamma: self.gap / half_length,
+            height: (half_length / self.highest[k]).min(0.5),
+            jacobian: *slope,
+        }
+    }
+
+    /// Vectors that rules on one of the shapes take.
+    pub(super) fn blocks(&self, k: usize, points: usize) -> usize {
+        gauss_points::blocks(points) * self.shapes[k].cells.len()
     }
 
     /// A bound on the error of a rule on one of the shapes.
     pub(super) fn truncation(&self, k: usize, points: usize, largest: f64) -> f64 {
-        gauss_points::error(points, self.gap / self.shapes[k].half_length) * largest
+        2.0 * self.shapes[k].peak * self.lines(k).error(points) * largest
     }
 
     /// `area × area × h_max g_max / (π gap⁴)`.
