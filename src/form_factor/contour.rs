@@ -162,22 +162,31 @@ pub(super) fn contour(
         batch.clear();
         for (i, j, relation) in &in_a_plane {
             let (a, b) = (&a_edges[*i], &b_edges[*j]);
-            if matches!(relation, Coplanar::Meeting { .. }) {
+            // not at the meeting point, where they have no weight
+            if let Coplanar::Meeting { s, t, .. } = relation {
                 for end in 0..2 {
-                    batch.ask(b, a.ends[end]);
-                    batch.ask(a, b.ends[end]);
+                    if s[end].abs() > 0.0 {
+                        batch.ask(b, a.ends[end]);
+                    }
+                    if t[end].abs() > 0.0 {
+                        batch.ask(a, b.ends[end]);
+                    }
                 }
             }
         }
         batch.answer(precision.inverse_square);
-        let mut asked = batch.values.chunks_exact(4);
+        let mut asked = batch.values.iter();
         for (i, j, relation) in in_a_plane {
             let (a, b) = (&a_edges[i], &b_edges[j]);
             let (mut at_a, mut at_b) = ([0.0; 2], [0.0; 2]);
-            if matches!(relation, Coplanar::Meeting { .. })
-                && let Some([p, r, q, s]) = asked.next()
-            {
-                (at_a, at_b) = ([*p, *q], [*r, *s]);
+            if let Coplanar::Meeting { s, t, .. } = relation {
+                for end in 0..2 {
+                    for (at, weight) in [(&mut at_a, s[end]), (&mut at_b, t[end])] {
+                        if weight.abs() > 0.0 {
+                            at[end] = asked.next().copied().unwrap_or(f64::NAN);
+                        }
+                    }
+                }
             }
             let cosine = a.direction.dot(b.direction);
             let pair = coplanar([a, b], relation, at_a, at_b, precision);

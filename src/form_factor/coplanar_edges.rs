@@ -86,19 +86,27 @@ pub(super) fn relation<S: Scalar + Copy>(
 ) -> Relation<S> {
     let across = a.direction.cross(b.direction);
     let square = across.dot(across);
-    let sine = square.sqrt().to_f64();
-    let (mut reach, mut near) = (0.0, f64::INFINITY);
+    let (mut farthest, mut nearest) = (0.0, f64::INFINITY);
     let (mut i, mut j, mut w) = (0, 0, a.ends[0].minus(b.ends[0]));
     for (k, x) in a.ends.into_iter().enumerate() {
         for (l, y) in b.ends.into_iter().enumerate() {
             let between = x.minus(y);
-            let distance = between.length().to_f64();
-            reach = f64::max(reach, distance);
-            if distance < near {
-                (i, j, w, near) = (k, l, between, distance);
+            let distance = between.dot(between).to_f64();
+            farthest = f64::max(farthest, distance);
+            if distance < nearest {
+                (i, j, w, nearest) = (k, l, between, distance);
             }
         }
     }
+    let (reach, near) = (farthest.sqrt(), nearest.sqrt());
+    let ends = |near: S, k: usize, length: S| {
+        if k == 0 {
+            [near, near + length]
+        } else {
+            [near - length, near]
+        }
+    };
+    let sine = square.to_f64().sqrt();
     if sine <= straight {
         let apart = if near > 0.0 {
             w.cross(a.direction).length()
@@ -106,6 +114,16 @@ pub(super) fn relation<S: Scalar + Copy>(
             a.length.zero()
         };
         return Relation::Coplanar(Coplanar::Parallel { apart, sine });
+    }
+    if near <= 0.0 {
+        let zero = a.length.zero();
+        return Relation::Coplanar(Coplanar::Meeting {
+            s: ends(zero, i, a.length),
+            t: ends(zero, j, b.length),
+            miss: 0.0,
+            shift: 0.0,
+            reach,
+        });
     }
     let miss = w.dot(across).to_f64().abs() / sine;
     if miss > touching {
@@ -118,13 +136,6 @@ pub(super) fn relation<S: Scalar + Copy>(
         return Relation::Skew;
     }
     let shift = 4.0 * epsilon * (near + s.to_f64().abs() + t.to_f64().abs()) / sine;
-    let ends = |near: S, k: usize, length: S| {
-        if k == 0 {
-            [near, near + length]
-        } else {
-            [near - length, near]
-        }
-    };
     let (s, t) = (ends(s, i, a.length), ends(t, j, b.length));
     Relation::Coplanar(Coplanar::Meeting {
         s,
@@ -179,24 +190,40 @@ fn parallel<S: Scalar + Copy>(
     sine: f64,
     precision: Precision<S>,
 ) -> PairIntegral<S> {
-    let number = |x: f64| a.length.constant(x);
     let along = a.direction.dot(b.direction).to_f64() > 0.0;
-    let h2 = apart * apart;
-    let mut sum = number(0.0);
-    let mut size = 0.0;
+    let mut steps = [apart; 4];
     for (i, start) in a.ends.into_iter().enumerate() {
         for (j, end) in b.ends.into_iter().enumerate() {
-            let p = start.minus(end).dot(a.direction);
-            let p2 = p * p;
-            let log = log_distance(Vector([p, apart, number(0.0)]), precision.inverse_square);
-            let term =
-                (p2 - h2) * number(0.5) * log + apart * p * p.atan2(&apart) - p2 * number(0.75);
-            // + for the differences p1 − q_min and p0 − q_max
-            let positive = (i == j) != along;
-            sum = if positive { sum + term } else { sum - term };
-            size += (p2 + h2).to_f64() * (log.to_f64().abs() + 4.0);
+            steps[2 * i + j] = start.minus(end).dot(a.direction);
         }
     }
+    let (mut terms, mut sizes) = ([apart; 4], [0.0; 4]);
+    let (out, inverse_square) = ((&mut terms, &mut sizes), precision.inverse_square);
+    S::vectorised(
+        #[inline(always)]
+        move || {
+            let (mut terms, mut sizes) = ([apart; 4], [0.0; 4]);
+            let h2 = apart * apart;
+            for l in 0..4 {
+                let p = steps[l];
+                let p2 = p * p;
+                let log = log_distance(Vector([p, apart, apart.zero()]), inverse_square);
+                terms[l] = (p2 - h2) * p.constant(0.5) * log + apart * p * p.atan2(&apart)
+                    - p2 * p.constant(0.75);
+                sizes[l] = (p2 + h2).to_f64() * (log.to_f64().abs() + 4.0);
+            }
+            (*out.0, *out.1) = (terms, sizes);
+        },
+    );
+    // + for the differences p1 − q_min and p0 − q_max
+    let same = terms[0] + terms[3];
+    let opposite = terms[1] + terms[2];
+    let sum = if along {
+        opposite - same
+    } else {
+        same - opposite
+    };
+    let size = sizes[0] + sizes[1] + sizes[2] + sizes[3];
     // a turn by the sine moves a point of one by at most that times its length, against all of the other
     let turned = 2.0 * PI * sine * a.length.to_f64() * b.length.to_f64();
     PairIntegral {
