@@ -25,7 +25,7 @@
 use super::ExchangeArea;
 use super::coplanar_edges::{Coplanar, Relation, Rounding, coplanar, relation};
 use super::edge::{Edge, Precision};
-use super::panels::{CLEARANCE, ellipse, gauss_error, panels, points_for};
+use super::panels::{ellipse, gauss_error, panels, points_for};
 use super::potential::{Batch, Nodes, Seen, Sums};
 use super::shape::Shape;
 use super::view::widening;
@@ -37,9 +37,9 @@ use smallvec::SmallVec;
 use std::f64::consts::{LN_2, PI, TAU};
 
 /// Edges at least this far from each other, as a sum of half-axes, take a Gauss rule in one piece.
-const APART: f64 = 1.2;
+const APART: f64 = 1.1;
 /// And no more points than about this.
-const MOST: f64 = 24.0;
+const MOST: f64 = 40.0;
 /// Cosines up to this, in ε, are those of a right angle.
 const RIGHT_ANGLE: f64 = 8.0;
 
@@ -126,7 +126,7 @@ pub(super) fn contour(
             (b_edges.iter().map(|b| b.squared_distance(middle))).fold(f64::INFINITY, f64::min);
         let nearest = 2.0 * square.sqrt() / a.length;
         if nearest >= apart {
-            sum.rule(a, [inner.perimeter; 2], nearest, nodes, &chain);
+            sum.rule(a, [inner.perimeter, 1.0], nearest, nodes, &chain);
         } else {
             near.push(i);
         }
@@ -148,8 +148,8 @@ pub(super) fn contour(
                 let middle = a.ends[0].plus(a.direction, 0.5 * a.length);
                 let outside = b.outside([a.ends[0], middle, a.ends[1]], a.length);
                 if outside >= apart {
-                    let lengths = [b.length, cosine.abs() * b.length];
-                    sum.rule(a, lengths, outside, nodes, only);
+                    let length = [b.length, cosine.abs()];
+                    sum.rule(a, length, outside, nodes, only);
                     continue;
                 }
                 match relation([a, b], rounding) {
@@ -214,14 +214,19 @@ pub(super) fn contour(
 /// How far from a rule's edge others must be, as a sum of half-axes: [`APART`], or where the largest rule does.
 fn apart_from(log_per_length: f64) -> f64 {
     let log_rho = -(log_per_length + LN_2) / (2.0 * MOST);
-    if log_rho <= 0.62 {
-        // ln ρ of APART is 0.622
+    if log_rho <= 0.44 {
+        // ln ρ of APART is 0.444
         APART
     } else {
         // near cosh ln ρ: a point more or less does not matter
         let square = log_rho * log_rho;
         1.0 + square * (0.5 + square * (1.0 / 24.0 + square / 720.0))
     }
+}
+
+/// A bound on the gradient of the potential of an edge so many times as long as it is far.
+fn gradient(ratio: f64) -> f64 {
+    PI + rough_ln(1.0 + ratio) + ROUGH_LN_ERROR
 }
 
 /// The sum over pairs of edges, as far as it has come.
@@ -242,12 +247,12 @@ impl EdgeSum {
         f64::EPSILON * (self.largest + a.length)
     }
 
-    /// One rule on an edge for others, at least so far away as a sum of half-axes; their lengths together, and the same with
-    /// each cosine.
+    /// One rule on an edge for others, at least so far away as a sum of half-axes, with their length together and the largest
+    /// cosine.
     fn rule(
         &mut self,
         a: &Edge<f64>,
-        [length, projected]: [f64; 2],
+        [length, cosine]: [f64; 2],
         sum: f64,
         nodes: &mut Nodes,
         chain: &[Seen],
@@ -257,7 +262,10 @@ impl EdgeSum {
         // the nearest point of the edge is this far from the others
         let distance = 0.5 * (sum - 1.0) * a.length;
         let truncation = 0.5 * length * gauss_error(points, rho);
-        self.error += a.length * (truncation + self.displaced(a) * projected / distance);
+        #[allow(clippy::cast_precision_loss, reason = "a number of edges")]
+        let gradient = chain.len() as f64 * gradient(length / distance);
+        let gradient = cosine * gradient.min(length / distance);
+        self.error += a.length * (truncation + self.displaced(a) * gradient);
         self.add(a, [0.5, 0.5], points, nodes, chain);
     }
 
@@ -270,9 +278,9 @@ impl EdgeSum {
         only: &[Seen],
     ) -> Option<()> {
         let displaced = cosine * self.displaced(a);
-        panels(a, b, self.per_length, f64::EPSILON, |panel| {
-            let clearance = CLEARANCE * panel.half * a.length;
-            let gradient = PI + rough_ln(1.0 + b.length / clearance) + ROUGH_LN_ERROR;
+        panels(a, b, self.per_length, f64::EPSILON, APART, |panel| {
+            let clearance = (APART - 1.0) * panel.half * a.length;
+            let gradient = gradient(b.length / clearance);
             let truncation = b.length * panel.error;
             self.error += a.length * (truncation + 2.0 * panel.half * displaced * gradient);
             self.add(a, [panel.middle, panel.half], panel.points, nodes, only);

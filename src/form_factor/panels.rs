@@ -55,19 +55,17 @@ pub(super) struct Panel<S> {
     pub error: f64,
 }
 
-/// Sum of half-axes of an ellipse about each panel that holds nothing singular.
-const SUM: f64 = 1.5;
-
-/// No point of a panel is nearer than this to the other edge's ends, in halves of its length.
-pub(super) const CLEARANCE: f64 = SUM - 1.0;
-
-/// Hands over panels of `outer`, graded towards `inner`; `None` if there are too many. `wanted` is per length of both edges.
+/// Hands over panels of `outer`, graded towards `inner`; `None` if there are too many.
+///
+/// **Arguments** `wanted`: the error per length of both edges; `apart`: sum of half-axes of an ellipse about each panel that
+/// holds nothing singular: more of it, fewer points per panel, and more panels.
 #[inline(always)]
 pub(super) fn panels<S: Scalar + Copy>(
     outer: &Edge<S>,
     inner: &Edge<S>,
     wanted: f64,
     epsilon: f64,
+    apart: f64,
     mut take: impl FnMut(Panel<S>),
 ) -> Option<()> {
     const MOST_PANELS: usize = 600;
@@ -84,7 +82,7 @@ pub(super) fn panels<S: Scalar + Copy>(
         let log_share = log_wanted - 0.5 * rough_ln(half.max(1e-3));
         let ends = [outer.at(from), outer.at(to)];
         let sum = inner.outside([ends[0], outer.at(middle), ends[1]], 2.0 * half * length);
-        let rule = if sum >= SUM {
+        let rule = if sum >= apart {
             let rho = ellipse(sum);
             let points = points_for(log_share, rho);
             Some((points, gauss_error(points, rho)))
@@ -95,7 +93,7 @@ pub(super) fn panels<S: Scalar + Copy>(
                 None => pinch(outer, inner, epsilon),
             };
             near_pinch = Some(pinch);
-            beside(outer, inner, [from, to], ends, pinch, log_share)
+            beside([outer, inner], [from, to], ends, pinch, [log_share, apart])
         };
         count += 1;
         if let Some((points, error)) = rule {
@@ -124,12 +122,11 @@ pub(super) fn panels<S: Scalar + Copy>(
     reason = "small"
 )]
 fn beside<S: Scalar + Copy>(
-    outer: &Edge<S>,
-    inner: &Edge<S>,
+    [outer, inner]: [&Edge<S>; 2],
     [from, to]: [S; 2],
     ends: [Vector<S>; 2],
     (along, aside, unsure): (S, f64, f64),
-    log_share: f64,
+    [log_share, apart]: [f64; 2],
 ) -> Option<(usize, f64)> {
     let length = (to - from).to_f64() * outer.length.to_f64();
     let (mut to_ends, mut to_pinch) = ([0.0; 2], -2.0 * unsure);
@@ -142,7 +139,7 @@ fn beside<S: Scalar + Copy>(
     }
     let sum = to_ends[0].min(to_ends[1]).min(to_pinch) / length;
     // no such comparison holds for what is not a number
-    if sum.is_nan() || sum < SUM {
+    if sum.is_nan() || sum < apart {
         return None;
     }
     let rho = 1.0 + 0.85 * (ellipse(sum) - 1.0);

@@ -27,6 +27,9 @@ pub(super) fn precise_contour(
     exchange
 }
 
+/// Panels are this far from what is singular, as a sum of half-axes: potentials cost more than panels.
+const APART: f64 = 1.5;
+
 type Edges = SmallVec<[Edge<DoubleDouble>; 4]>;
 
 #[inline(always)]
@@ -98,6 +101,7 @@ pub(super) fn skew<S: Scalar + Copy>(
         inner,
         wanted,
         precision.epsilon,
+        APART,
         #[inline(always)]
         |panel: Panel<S>| {
             let half = number(panel.half);
