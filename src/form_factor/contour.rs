@@ -101,12 +101,12 @@ pub(super) fn contour(
     let precision = Precision::new(gap, reach, 1.0, f64::EPSILON);
     let per_length = wanted * TAU / (outer.perimeter * inner.perimeter);
     let middle = Vector((outer.centre - origin).to_array());
-    let mut chain: SmallVec<[Seen; 8]> = SmallVec::with_capacity(b_edges.len());
+    let mut seen: SmallVec<[Seen; 8]> = SmallVec::with_capacity(b_edges.len());
     for b in &b_edges {
         let [start, end] = b.ends.map(|end| end.minus(middle).dot(b.direction).abs());
         let projected = start.max(end) + outer.radius;
         let error = precision.of_potential(projected, b.length, widening(b.length, gap));
-        chain.push((*b, error + 2.5 * f64::EPSILON * b.length));
+        seen.push((*b, error + 2.5 * f64::EPSILON * b.length));
     }
     let mut sum = EdgeSum {
         precision,
@@ -126,17 +126,17 @@ pub(super) fn contour(
             (b_edges.iter().map(|b| b.squared_distance(middle))).fold(f64::INFINITY, f64::min);
         let nearest = 2.0 * square.sqrt() / a.length;
         if nearest >= apart {
-            sum.rule(a, [inner.perimeter, 1.0], nearest, nodes, &chain);
+            sum.rule(a, [inner.perimeter, 1.0], nearest, nodes, &seen);
         } else {
             near.push(i);
         }
     }
-    nodes.sum(&chain, precision.inverse_square, &mut sum.sums);
+    nodes.sum(&seen, precision.inverse_square, &mut sum.sums);
     if !near.is_empty() {
         let rounding = Rounding::new(f64::EPSILON, 16.0, reach + farthest.min(4.0 * reach));
         let mut in_a_plane: SmallVec<[(usize, usize, Coplanar<f64>); 8]> = SmallVec::new();
         for (j, b) in b_edges.iter().enumerate() {
-            let only = &chain[j..=j];
+            let only = &seen[j..=j];
             for i in &near {
                 let a = &a_edges[*i];
                 let cosine = a.direction.dot(b.direction);
@@ -255,7 +255,7 @@ impl EdgeSum {
         [length, cosine]: [f64; 2],
         sum: f64,
         nodes: &mut Nodes,
-        chain: &[Seen],
+        seen: &[Seen],
     ) {
         let rho = ellipse(sum);
         let points = points_for(self.log_per_length + LN_2, rho);
@@ -263,10 +263,10 @@ impl EdgeSum {
         let distance = 0.5 * (sum - 1.0) * a.length;
         let truncation = 0.5 * length * gauss_error(points, rho);
         #[allow(clippy::cast_precision_loss, reason = "a number of edges")]
-        let gradient = chain.len() as f64 * gradient(length / distance);
+        let gradient = seen.len() as f64 * gradient(length / distance);
         let gradient = cosine * gradient.min(length / distance);
         self.error += a.length * (truncation + self.displaced(a) * gradient);
-        self.add(a, [0.5, 0.5], points, nodes, chain);
+        self.add(a, [0.5, 0.5], points, nodes, seen);
     }
 
     /// Graded panels on the first of two skew edges; `None` if there are too many.
@@ -293,11 +293,11 @@ impl EdgeSum {
         part: [f64; 2],
         points: usize,
         nodes: &mut Nodes,
-        chain: &[Seen],
+        seen: &[Seen],
     ) {
         let rule = GaussLegendre::with(points);
         if !nodes.has_room_for(rule) {
-            nodes.sum(chain, self.precision.inverse_square, &mut self.sums);
+            nodes.sum(seen, self.precision.inverse_square, &mut self.sums);
         }
         nodes.add(a, part, rule);
     }

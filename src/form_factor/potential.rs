@@ -113,7 +113,7 @@ impl Nodes {
 
     /// Sums over all nodes and a chain of edges, each of which starts where the one before ends; afterwards there are no
     /// nodes.
-    pub(super) fn sum(&mut self, chain: &[Seen], inverse_square: f64, sums: &mut Sums) {
+    pub(super) fn sum(&mut self, edges: &[Seen], inverse_square: f64, sums: &mut Sums) {
         let blocks = self.len.div_ceil(LANES);
         let end = blocks * LANES;
         for k in 0..3 {
@@ -140,7 +140,7 @@ impl Nodes {
                         lanes(&weights[1], at),
                         lanes(&weights[2], at),
                     ];
-                    add_block(&mut sums, x, w, chain, inverse_square);
+                    add_block(&mut sums, x, w, edges, inverse_square);
                 }
                 *out = sums;
             },
@@ -149,7 +149,7 @@ impl Nodes {
         sums.value += value;
         sums.size += size;
         sums.error += error;
-        sums.depth = sums.depth.max(blocks * chain.len());
+        sums.depth = sums.depth.max(blocks * edges.len());
         sums.sums += 1;
         self.len = 0;
     }
@@ -176,7 +176,7 @@ fn add_block(
     [values, sizes, errors]: &mut [Lanes; 3],
     [x, y, z]: [Lanes; 3],
     [wx, wy, wz]: [Lanes; 3],
-    chain: &[Seen],
+    edges: &[Seen],
     inverse_square: f64,
 ) {
     let from = |corner: Vector<f64>, l: usize| corner.minus(Vector([x[l], y[l], z[l]]));
@@ -184,12 +184,12 @@ fn add_block(
     for l in 0..LANES {
         lengths[l] = (wx[l] * wx[l] + wy[l] * wy[l] + wz[l] * wz[l]).sqrt();
     }
-    if let Some((first, _)) = chain.first() {
+    if let Some((first, _)) = edges.first() {
         for l in 0..LANES {
             before[l] = log_distance(from(first.ends[0], l), inverse_square);
         }
     }
-    for (edge, error) in chain {
+    for (edge, error) in edges {
         let ([start, end], direction, length) = (edge.ends, edge.direction, edge.length);
         for l in 0..LANES {
             let (a, c) = (from(start, l), from(end, l));
