@@ -11,7 +11,8 @@
 //! ```text
 //!   parallel, perpendicular    aligned rectangles in closed form, at any offset
 //!   rectangle_kernel           aligned rectangles far apart: Gauss rules along their sides
-//!   contour                    both outlines: closed forms of edge pairs, Gauss rules for skew ones; also in double-double
+//!   contour                    both outlines: closed forms of coplanar edges, Gauss rules (`panels`) for skew ones
+//!   precise_contour            the same in double-double
 //!   point_to_polygon           Lambert's formula, with a Gauss rule over one polygon
 //!   kernel                     Gauss rules over both
 //! ```
