@@ -5,31 +5,14 @@
 )]
 #![allow(clippy::unwrap_used, reason = "a bench may panic")]
 
+mod textbook;
+
 use criterion::{Criterion, criterion_group, criterion_main};
 use infoscene::form_factor::perpendicular::Plate;
 use infoscene::form_factor::{parallel, perpendicular};
 use infoscene::geometry::Span;
 use std::hint::black_box;
-
-/// The sum of Howell's C-13 as it is usually typed in, without a thought for cancellation.
-fn textbook_parallel(x: [f64; 2], y: [f64; 2], xi: [f64; 2], eta: [f64; 2], z: f64) -> f64 {
-    let mut sum = 0.0;
-    for (i, x) in x.into_iter().enumerate() {
-        for (j, y) in y.into_iter().enumerate() {
-            for (k, xi) in xi.into_iter().enumerate() {
-                for (l, eta) in eta.into_iter().enumerate() {
-                    let (u, v) = (x - xi, y - eta);
-                    let (p, q) = (u.hypot(z), v.hypot(z));
-                    let sign = if (i + j + k + l) % 2 == 0 { 1.0 } else { -1.0 };
-                    sum += sign
-                        * (v * p * (v / p).atan() + u * q * (u / q).atan()
-                            - 0.5 * z * z * (u * u + v * v + z * z).ln());
-                }
-            }
-        }
-    }
-    sum / std::f64::consts::TAU
-}
+use textbook::textbook_parallel;
 
 fn rectangles(criterion: &mut Criterion) {
     let span = |lower, upper| Span::try_new(lower, upper).unwrap();

@@ -10,14 +10,15 @@
 //! Before any of them: polygons that face away or lie in one plane exchange nothing, and what lies behind the other's
 //! plane is clipped.
 
-use super::contour::{Scratch, contour, precise_contour};
-use super::gauss_points::Rule;
+use super::contour::{Scratch, contour};
+use super::gauss_points::{Block, MOST};
 use super::horizon::{Off, precise_outline};
-use super::potential::padded;
+use super::precise_contour::precise_contour;
 use super::shape::Shape;
-use super::view::{MOST, View, seen};
+use super::view::{View, seen};
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, RectanglePair, Route};
-use crate::numeric::{DoubleDouble, SQUARED_EPSILON};
+use crate::numeric::elementary::rough_ln;
+use crate::numeric::{DoubleDouble, LANES, SQUARED_EPSILON};
 use smallvec::SmallVec;
 use std::cell::RefCell;
 use std::f64::consts::PI;
@@ -33,8 +34,7 @@ thread_local! {
 #[derive(Debug, Default)]
 pub(super) struct Work {
     pub scratch: Scratch,
-    pub rules: [Rule; 2],
-    pub sums: Vec<f64>,
+    pub blocks: [Vec<Block>; 2],
 }
 
 impl Polygon {
@@ -189,16 +189,27 @@ impl Polygon {
 
 impl View<'_> {
     fn answer(&self, work: &mut Work) -> Result<Answer, FormFactorError> {
-        let mut plans: SmallVec<[(f64, Plan); 4]> = SmallVec::new();
-        plans.push((self.contour_work(), Plan::Contour));
-        if self.gap > 0.0 {
-            plans.extend(self.plans_apart());
-        }
-        // what is not expected to do is tried last, before the precise one: expectations rest on an estimate
-        plans.sort_by(|a, b| a.0.total_cmp(&b.0));
-        plans.push((f64::INFINITY, Plan::Precise));
         let mut best: Option<Answer> = None;
-        for (_, plan) in plans {
+        let mut left = self.plans();
+        // what is not expected to do is tried last, before the precise one: expectations rest on an estimate
+        let mut put_off: SmallVec<[Plan; 2]> = SmallVec::new();
+        while let Some(k) = cheapest(&left) {
+            let (cost, plan) = left.swap_remove(k);
+            let is_hopeless = match plan {
+                Plan::PointToPolygon { over, .. } => {
+                    self.lambert_rounding(over) > 0.7 * self.tolerance * self.estimate
+                }
+                _ => cost == f64::INFINITY,
+            };
+            if is_hopeless {
+                put_off.push(plan);
+            } else if let Some(done) = self.settle(self.follow(plan, work), plan.route(), &mut best)
+            {
+                return done.in_range();
+            }
+        }
+        put_off.push(Plan::Precise);
+        for plan in put_off {
             if let Some(done) = self.settle(self.follow(plan, work), plan.route(), &mut best) {
                 return done.in_range();
             }
@@ -265,60 +276,45 @@ impl View<'_> {
         None
     }
 
-    /// Rough work of the contour, in nanoseconds; infinite if cancellation leaves too little.
+    /// Routes with their rough work in nanoseconds; infinite if cancellation leaves too little.
+    #[allow(clippy::cast_precision_loss, reason = "some points")]
+    fn plans(&self) -> SmallVec<[(f64, Plan); 3]> {
+        let mut plans = SmallVec::new();
+        if self.gap <= 0.0 {
+            plans.push((0.0, Plan::Contour));
+            return plans;
+        }
+        let points = [self.points(0), self.points(1)];
+        let on = |k: usize| (LANES * self.blocks(k, points[k])) as f64;
+        let corners = self.shapes.map(|shape| shape.corners.len() as f64);
+        if points[0].max(points[1]) < MOST {
+            let work = 1.0 * (on(0) + on(1)) + on(0) * on(1) * 0.2;
+            plans.push((work, Plan::Kernel { points }));
+            if work < CHEAP {
+                return plans;
+            }
+        }
+        let over = usize::from(on(1) * corners[0] < on(0) * corners[1]);
+        if points[over] < MOST {
+            let work = on(over) * (1.0 + corners[1 - over] * 3.0);
+            let points = points[over];
+            plans.push((work, Plan::PointToPolygon { over, points }));
+        }
+        plans.push((self.contour_work(), Plan::Contour));
+        plans
+    }
+
     fn contour_work(&self) -> f64 {
         let [first, second] = self.shapes;
         let rounding = f64::EPSILON * self.reach * first.perimeter * second.perimeter;
         if rounding > self.tolerance * self.estimate {
             return f64::INFINITY;
         }
-        let (longest, corners) = if first.longest_edge <= second.longest_edge {
-            (
-                first.longest_edge,
-                first.corners.len() * second.corners.len(),
-            )
-        } else {
-            (
-                second.longest_edge,
-                first.corners.len() * second.corners.len(),
-            )
-        };
-        let ratio = 1.0 + 2.0 * self.gap / longest;
         #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
-        let corners = corners as f64;
-        300.0 + corners * 3.5 * 32.0 / (2.0 * (ratio + (ratio * ratio - 1.0).sqrt()).ln()).max(1.5)
-    }
-
-    /// Routes for polygons apart, with their rough work in nanoseconds.
-    #[allow(clippy::cast_precision_loss, reason = "some points")]
-    fn plans_apart(&self) -> SmallVec<[(f64, Plan); 2]> {
-        let mut plans = SmallVec::new();
-        let points = [0, 1].map(|k| self.points(k));
-        let on = |k: usize| padded(points[k] * points[k] * self.shapes[k].cells.len()) as f64;
-        let k = usize::from(
-            on(1) * (self.shapes[0].corners.len() as f64)
-                < on(0) * (self.shapes[1].corners.len() as f64),
-        );
-        let corners = self.shapes[1 - k].corners.len() as f64;
-        if points[k] < MOST {
-            let work = 150.0 + on(k) * corners * 3.7;
-            let is_hopeless = self.lambert_rounding(k) > 0.7 * self.tolerance * self.estimate;
-            let work = if is_hopeless { f64::INFINITY } else { work };
-            plans.push((
-                work,
-                Plan::PointToPolygon {
-                    over: k,
-                    points: points[k],
-                },
-            ));
-        }
-        if points[0].max(points[1]) < MOST {
-            plans.push((
-                150.0 + 2.0 * (on(0) + on(1)) + on(0) * on(1) * 0.2,
-                Plan::Kernel { points },
-            ));
-        }
-        plans
+        let corners = (first.corners.len() * second.corners.len()) as f64;
+        let ratio = 1.0 + 2.0 * self.gap / first.longest_edge.min(second.longest_edge);
+        let digits = 2.0 * rough_ln(ratio + (ratio * ratio - 1.0).sqrt());
+        100.0 + corners * 4.5 * 32.0 / digits.max(1.5)
     }
 
     fn follow(&self, plan: Plan, work: &mut Work) -> Option<ExchangeArea> {
@@ -329,7 +325,7 @@ impl View<'_> {
                     self.shapes[0],
                     self.shapes[1],
                     range,
-                    self.wanted(),
+                    0.4 * self.wanted(),
                     &mut work.scratch,
                 )
             }
@@ -355,6 +351,14 @@ impl View<'_> {
         exchange.error_bound += self.slack(off, exchange.value, Route::DoubleDouble);
         Some(exchange)
     }
+}
+
+/// Work in nanoseconds below which no other route is asked for.
+const CHEAP: f64 = 200.0;
+
+/// Which of some plans has the least work.
+fn cheapest(plans: &[(f64, Plan)]) -> Option<usize> {
+    (0..plans.len()).min_by(|i, j| plans[*i].0.total_cmp(&plans[*j].0))
 }
 
 /// A route, and how many points it takes.

@@ -4,64 +4,68 @@
 //!   A F = (1/2π) ∮∮ ln r dx·dy = (1/2π) Σ_ab (u_a·u_b) ∫_a ∫_b ln r        (u: edge directions)
 //! ```
 //!
-//! Pairs of edges apart from each other take a Gauss rule on one of them, all in one pass over all points; the others
-//! are [closed forms](super::edge_pair) or graded panels. What limits it is cancellation: the terms are of the size of
-//! perimeter × perimeter, and the sum falls like 1/distance².
+//! An edge apart from all of the other polygon's takes one Gauss rule for all of them. Of the other pairs of edges each
+//! has a rule of its own, [graded panels](super::panels) or a [closed form](super::coplanar_edges). What limits it is
+//! cancellation: the terms are of the size of perimeter × perimeter, and the sum falls like 1/distance².
+//!
+//! In units of u = ε/2, beside the [potential's](super::potential) own error:
+//!
+//! ```text
+//!   coefficients w e_a·u_b      8 u of |w e_a| |U_b|: 3 u for w e_a, 2 u for u_b, 3 u for the product
+//!   length of u_b               5 u of U_b + L_b: common to all its coordinates
+//!   sums                        u of |w e_a| |U_b| for each addition
+//!   nodes off by δ              δ L_a |∇U_b|,  δ ≤ 2 u (max |x| + L_a),  |∇U_b| ≤ L_b/r and ≤ π + ln(1 + L_b/r)
+//!   u_a·u_b lost in rounding    28 u L_a max |U_b|, in place of the pair
+//! ```
+//!
+//! (the gradient's component along b is the logarithm of the ends' distances' ratio, that across it the angle.)
 //!
 //! Reference: Sparrow, "A new and simpler formulation for radiative angle factors", *J. Heat Transfer* 85 (1963), 81–87.
 
-#![allow(
-    clippy::inline_always,
-    reason = "the machine code is made where it is called"
-)]
-
 use super::ExchangeArea;
-use super::edge_pair::{
-    Edge, Precision, Relation, Rounding, coplanar, ellipse, gauss_error, panels, points_for,
-    relation, skew,
-};
-use super::potential::{Points, padded, potentials};
+use super::coplanar_edges::{Coplanar, Relation, Rounding, coplanar, relation};
+use super::edge::{Edge, Precision};
+use super::panels::{ellipse, gauss_error, panels, points_for};
+use super::potential::{Batch, Nodes, Seen, Sums};
 use super::shape::Shape;
 use super::view::widening;
 use crate::geometry::Vector;
-use crate::numeric::{DoubleDouble, GaussLegendre, SQUARED_EPSILON, Scalar, vectorised};
+use crate::numeric::elementary::{ROUGH_LN_ERROR, rough_ln};
+use crate::numeric::{DoubleDouble, GaussLegendre};
 use glam::DVec3;
 use smallvec::SmallVec;
-use std::f64::consts::TAU;
-use std::ops::Range;
+use std::f64::consts::{LN_2, PI, TAU};
 
 /// Edges at least this far from each other, as a sum of half-axes, take a Gauss rule in one piece.
-const APART: f64 = 1.4;
+const APART: f64 = 1.1;
 /// And no more points than about this.
-const MOST: u32 = 24;
+const MOST: f64 = 40.0;
+/// Cosines up to this, in ε, are those of a right angle.
+const RIGHT_ANGLE: f64 = 8.0;
 
 /// Room for the work on a pair.
 #[derive(Debug, Default)]
 pub(super) struct Scratch {
-    points: Points,
-    weights: Vec<f64>,
-    runs: Vec<Run>,
-    logs: Vec<f64>,
-    seen: Vec<f64>,
-    seen_back: Vec<f64>,
+    nodes: Nodes,
+    batch: Batch,
 }
 
-/// The points of a rule on an edge: for one edge of the other polygon, or for all that are apart from it.
-#[derive(Debug)]
-struct Run {
-    edge: usize,
-    only: Option<usize>,
-    points: Range<usize>,
-}
+type Edges = SmallVec<[Edge<f64>; 4]>;
 
-type Edges<S> = SmallVec<[Edge<S>; 4]>;
-
-#[inline(always)]
-fn edges<S: Scalar + Copy>(corners: &[Vector<S>]) -> Edges<S> {
-    let n = corners.len();
-    (0..n)
-        .map(|i| Edge::new(corners[i], corners[(i + 1) % n]))
-        .collect()
+/// The edges of a shape from a new origin, and whether they have the same places there exactly.
+fn placed(shape: &Shape, origin: DVec3) -> (Edges, bool) {
+    let origin = Vector(origin.to_array());
+    let mut edges = Edges::with_capacity(shape.edges.len());
+    let mut is_exact = true;
+    for edge in &shape.edges {
+        let ends = [edge.ends[0].minus(origin), edge.ends[1].minus(origin)];
+        for k in 0..3 {
+            let difference = DoubleDouble::difference(edge.ends[0].0[k], origin.0[k]);
+            is_exact &= difference.low() == 0.0;
+        }
+        edges.push(Edge { ends, ..*edge });
+    }
+    (edges, is_exact)
 }
 
 /// In `f64`; distances are from `gap` to `reach`, `wanted` is the absolute error that truncation may have. `None` if edges come too near to each other
@@ -79,198 +83,222 @@ pub(super) fn contour(
     } else {
         (second, first)
     };
-    let farthest = outer.centre.abs().max_element() + inner.centre.abs().max_element();
-    // far from the origin, coordinates are taken from a corner; each is then rounded once more
-    let (shift, shifted) = if farthest > 4.0 * reach {
-        let perimeters = outer.perimeter + inner.perimeter;
-        (outer.corners[0], f64::EPSILON * reach * 2.0 * perimeters)
-    } else {
-        (DVec3::ZERO, 0.0)
-    };
-    let place = |shape: &Shape| -> SmallVec<[DVec3; 8]> {
-        shape.corners.iter().map(|corner| *corner - shift).collect()
-    };
-    let (p, q) = (place(outer), place(inner));
-    let lift = |corners: &[DVec3]| -> SmallVec<[Vector<f64>; 8]> {
-        corners
-            .iter()
-            .map(|corner| Vector(corner.to_array()))
-            .collect()
-    };
-    let (a_edges, b_edges) = (edges(&lift(&p)), edges(&lift(&q)));
+    // coordinates are taken from a corner if that moves nothing, or if they are far larger than the distances
+    let farthest = outer.largest.max(inner.largest);
+    let mut origin = outer.corners[0];
+    let ((mut a_edges, exact), (mut b_edges, also)) =
+        (placed(outer, origin), placed(inner, origin));
+    let (mut moved, mut largest) = (0.0, 2.0 * outer.radius);
+    if !(exact && also) {
+        if farthest > 4.0 * reach {
+            moved = f64::EPSILON * reach * 2.0 * (outer.perimeter + inner.perimeter);
+        } else {
+            origin = DVec3::ZERO;
+            (a_edges, b_edges) = (outer.edges.clone(), inner.edges.clone());
+            largest = 1.75 * outer.largest;
+        }
+    }
     let precision = Precision::new(gap, reach, 1.0, f64::EPSILON);
     let per_length = wanted * TAU / (outer.perimeter * inner.perimeter);
-    let rounding = Rounding::new(
-        f64::EPSILON,
-        16.0,
-        reach + (farthest - shift.abs().max_element()).max(0.0),
-    );
-
-    let Scratch {
-        points,
-        weights,
-        runs,
-        logs,
-        seen,
-        seen_back,
-    } = scratch;
-    points.clear();
-    weights.clear();
-    runs.clear();
-    let (m, k) = (p.len(), q.len());
-    // the ellipse for which the largest rule does
-    let narrowest = (-(2.0 * per_length).ln() / (2.0 * f64::from(MOST)))
-        .exp()
-        .max(ellipse(APART));
-    let mut relations: SmallVec<[Option<Relation<f64>>; 16]> = SmallVec::with_capacity(m * k);
-    let mut error = 0.0;
-    let mut run = |i: usize, only: Option<usize>, (middle, half): (f64, f64), n: usize| {
-        let (start, along) = (p[i], p[(i + 1) % m] - p[i]);
-        let rule = GaussLegendre::with(n);
-        let from = weights.len();
-        for (x, weight) in rule.nodes.iter().zip(&rule.weights) {
-            points.push(start + (middle + half * x) * along);
-            weights.push(half * weight * a_edges[i].length);
-        }
-        runs.push(Run {
-            edge: i,
-            only,
-            points: from..weights.len(),
-        });
+    let middle = Vector((outer.centre - origin).to_array());
+    let mut seen: SmallVec<[Seen; 8]> = SmallVec::with_capacity(b_edges.len());
+    for b in &b_edges {
+        let [start, end] = b.ends.map(|end| end.minus(middle).dot(b.direction).abs());
+        let projected = start.max(end) + outer.radius;
+        let error = precision.of_potential(projected, b.length, widening(b.length, gap));
+        seen.push((*b, error + 2.5 * f64::EPSILON * b.length));
+    }
+    let mut sum = EdgeSum {
+        precision,
+        per_length,
+        log_per_length: rough_ln(per_length),
+        largest,
+        error: 0.0,
+        sums: Sums::default(),
     };
+    let Scratch { nodes, batch } = scratch;
+    nodes.clear();
+    let apart = apart_from(sum.log_per_length);
+    let mut near: SmallVec<[usize; 8]> = SmallVec::new();
     for (i, a) in a_edges.iter().enumerate() {
-        let middle = Vector(((p[i] + p[(i + 1) % m]) * 0.5).to_array());
-        let mut nearest = f64::INFINITY;
+        let middle = a.ends[0].plus(a.direction, 0.5 * a.length);
+        let square =
+            (b_edges.iter().map(|b| b.squared_distance(middle))).fold(f64::INFINITY, f64::min);
+        let nearest = 2.0 * square.sqrt() / a.length;
+        if nearest >= apart {
+            sum.rule(a, [inner.perimeter, 1.0], nearest, nodes, &seen);
+        } else {
+            near.push(i);
+        }
+    }
+    nodes.sum(&seen, precision.inverse_square, &mut sum.sums);
+    if !near.is_empty() {
+        let rounding = Rounding::new(f64::EPSILON, 16.0, reach + farthest.min(4.0 * reach));
+        let mut in_a_plane: SmallVec<[(usize, usize, Coplanar<f64>); 8]> = SmallVec::new();
         for (j, b) in b_edges.iter().enumerate() {
-            let sum = 2.0 * b.distance(middle) / a.length;
-            if sum > 1.0 && ellipse(sum) >= narrowest {
-                nearest = nearest.min(sum);
-                relations.push(None);
-                continue;
-            }
-            let near = relation([a, b], rounding);
-            if matches!(near, Relation::Skew) {
-                for panel in panels(a, b, per_length, f64::EPSILON)? {
-                    run(i, Some(j), (panel.middle, panel.half), panel.points);
-                    error += a.length * b.length * panel.error;
+            let only = &seen[j..=j];
+            for i in &near {
+                let a = &a_edges[*i];
+                let cosine = a.direction.dot(b.direction);
+                if cosine.abs() <= RIGHT_ANGLE * f64::EPSILON {
+                    sum.error +=
+                        14.0 * f64::EPSILON * a.length * precision.largest_potential(b.length);
+                    continue;
+                }
+                let middle = a.ends[0].plus(a.direction, 0.5 * a.length);
+                let outside = b.outside([a.ends[0], middle, a.ends[1]], a.length);
+                if outside >= apart {
+                    let length = [b.length, cosine.abs()];
+                    sum.rule(a, length, outside, nodes, only);
+                    continue;
+                }
+                match relation([a, b], rounding) {
+                    Relation::Coplanar(relation) => in_a_plane.push((*i, j, relation)),
+                    Relation::Skew => sum.panels([a, b], cosine.abs(), nodes, only)?,
                 }
             }
-            relations.push(Some(near));
+            nodes.sum(only, precision.inverse_square, &mut sum.sums);
         }
-        if nearest < f64::INFINITY {
-            let rho = ellipse(nearest);
-            let n = points_for(2.0 * per_length, rho);
-            run(i, None, (0.5, 0.5), n);
-            error += 0.5 * a.length * inner.perimeter * gauss_error(n, rho);
+        batch.clear();
+        for (i, j, relation) in &in_a_plane {
+            let (a, b) = (&a_edges[*i], &b_edges[*j]);
+            // not at the meeting point, where they have no weight
+            if let Coplanar::Meeting { s, t, .. } = relation {
+                for end in 0..2 {
+                    if s[end].abs() > 0.0 {
+                        batch.ask(b, a.ends[end]);
+                    }
+                    if t[end].abs() > 0.0 {
+                        batch.ask(a, b.ends[end]);
+                    }
+                }
+            }
         }
-    }
-    let ruled = weights.len();
-    let all_apart = relations.iter().all(Option::is_none);
-    if !all_apart {
-        p.iter().for_each(|corner| points.push(*corner));
-    }
-    points.pad();
-    potentials(points, &q, precision.inverse_square, logs, seen);
-    let stride = points.len();
-    if !all_apart {
-        points.clear();
-        q.iter().for_each(|corner| points.push(*corner));
-        points.pad();
-        potentials(points, &p, precision.inverse_square, logs, seen_back);
-    }
-    let middle = Vector((outer.centre - shift).to_array());
-    let mut sum = 0.0;
-    for (j, b) in b_edges.iter().enumerate() {
-        let row = &seen[j * stride..(j + 1) * stride];
-        let projected = b.ends.map(|end| end.minus(middle).dot(b.direction).abs());
-        let projected = projected[0].max(projected[1]) + outer.radius;
-        let widening = widening(b.length, gap);
-        let of_potential = precision.of_potential(projected, b.length, widening);
-        for (i, a) in a_edges.iter().enumerate() {
+        batch.answer(precision.inverse_square);
+        let mut asked = batch.values.iter();
+        for (i, j, relation) in in_a_plane {
+            let (a, b) = (&a_edges[i], &b_edges[j]);
+            let (mut at_a, mut at_b) = ([0.0; 2], [0.0; 2]);
+            if let Coplanar::Meeting { s, t, .. } = relation {
+                for end in 0..2 {
+                    for (at, weight) in [(&mut at_a, s[end]), (&mut at_b, t[end])] {
+                        if weight.abs() > 0.0 {
+                            at[end] = asked.next().copied().unwrap_or(f64::NAN);
+                        }
+                    }
+                }
+            }
             let cosine = a.direction.dot(b.direction);
-            if let Some(Relation::Coplanar(relation)) = relations[i * k + j] {
-                let at_a = [row[ruled + i], row[ruled + (i + 1) % m]];
-                let back = &seen_back[i * padded(k)..(i + 1) * padded(k)];
-                let at_b = [back[j], back[(j + 1) % k]];
-                let pair = coplanar([a, b], relation, at_a, at_b, precision);
-                sum += cosine * pair.value;
-                error += cosine.abs() * pair.error + 4.0 * f64::EPSILON * pair.value.abs();
-            } else {
-                error += cosine.abs() * a.length * (of_potential + 4.0 * f64::EPSILON * b.length);
-            }
-        }
-        for Run { edge, only, points } in runs.iter() {
-            let serves = match only {
-                Some(other) => *other == j,
-                None => relations[edge * k + j].is_none(),
-            };
-            if serves {
-                let potentials = weights[points.clone()].iter().zip(&row[points.clone()]);
-                let integral: f64 = potentials
-                    .map(|(weight, potential)| weight * potential)
-                    .sum();
-                sum += integral * a_edges[*edge].direction.dot(b.direction);
-            }
+            let pair = coplanar([a, b], relation, at_a, at_b, precision);
+            sum.sums.value += cosine * pair.value;
+            sum.error += cosine.abs() * pair.error + 8.0 * f64::EPSILON * pair.value.abs();
+            sum.sums.size += pair.value.abs();
+            sum.sums.sums += 1;
         }
     }
+    let Sums {
+        value,
+        size,
+        error,
+        depth,
+        sums,
+    } = sum.sums;
+    #[allow(clippy::cast_precision_loss, reason = "a number of additions")]
+    let rounding = (16.0 + (depth + sums) as f64) * 0.5 * f64::EPSILON * size;
     Some(ExchangeArea {
-        value: sum / TAU,
-        error_bound: error / TAU + shifted,
+        value: value / TAU,
+        error_bound: (sum.error + error + rounding) / TAU + moved,
     })
 }
 
-/// To 106 bits, from corners known that well.
-pub(super) fn precise_contour(
-    outlines: [&[Vector<DoubleDouble>]; 2],
-    wanted: f64,
-) -> Option<ExchangeArea> {
-    let mut exchange = None;
-    vectorised(
-        #[inline(always)]
-        || exchange = precise_sum(outlines, wanted),
-    );
-    exchange
+/// How far from a rule's edge others must be, as a sum of half-axes: [`APART`], or where the largest rule does.
+fn apart_from(log_per_length: f64) -> f64 {
+    let log_rho = -(log_per_length + LN_2) / (2.0 * MOST);
+    if log_rho <= 0.44 {
+        // ln ρ of APART is 0.444
+        APART
+    } else {
+        // near cosh ln ρ: a point more or less does not matter
+        let square = log_rho * log_rho;
+        1.0 + square * (0.5 + square * (1.0 / 24.0 + square / 720.0))
+    }
 }
 
-#[inline(always)]
-fn precise_sum([p, q]: [&[Vector<DoubleDouble>]; 2], wanted: f64) -> Option<ExchangeArea> {
-    let distances = p
-        .iter()
-        .flat_map(|x| q.iter().map(|y| x.minus(*y).length().to_f64()));
-    let reach = distances.fold(0.0, f64::max);
-    // functions are within 64 ε², where the double forms count on 2 ε
-    let epsilon = 32.0 * SQUARED_EPSILON;
-    let precision = Precision::new(0.0, reach, DoubleDouble::from(1.0), epsilon);
-    let (a_edges, b_edges) = (edges(p), edges(q));
-    let perimeter =
-        |edges: &Edges<DoubleDouble>| edges.iter().map(|e| e.length.to_f64()).sum::<f64>();
-    let per_length = wanted * TAU / (perimeter(&a_edges) * perimeter(&b_edges));
-    // corners may come from a clip, and edges be short beside their coordinates
-    let coordinates = [p, q]
-        .into_iter()
-        .flatten()
-        .flat_map(|corner| corner.0.map(|x| x.to_f64().abs()));
-    let rounding = Rounding::new(SQUARED_EPSILON, 1e6, coordinates.fold(reach, f64::max));
-    let (mut sum, mut error) = (DoubleDouble::from(0.0), 0.0);
-    for a in &a_edges {
-        for b in &b_edges {
-            let cosine = a.direction.dot(b.direction);
-            let potential = |edge: &Edge<_>, point| edge.potential(point, precision.inverse_square);
-            let pair = match relation([a, b], rounding) {
-                Relation::Skew => skew([a, b], per_length, precision)?,
-                Relation::Coplanar(relation) => {
-                    let at_a = a.ends.map(|end| potential(b, end));
-                    let at_b = b.ends.map(|end| potential(a, end));
-                    coplanar([a, b], relation, at_a, at_b, precision)
-                }
-            };
-            sum = sum + cosine * pair.value;
-            error +=
-                cosine.to_f64().abs() * pair.error + precision.epsilon * pair.value.to_f64().abs();
-        }
+/// A bound on the gradient of the potential of an edge so many times as long as it is far.
+fn gradient(ratio: f64) -> f64 {
+    PI + rough_ln(1.0 + ratio) + ROUGH_LN_ERROR
+}
+
+/// The sum over pairs of edges, as far as it has come.
+struct EdgeSum {
+    precision: Precision<f64>,
+    /// The error that truncation may have per length of both edges.
+    per_length: f64,
+    log_per_length: f64,
+    /// The largest distance of a node from the origin.
+    largest: f64,
+    error: f64,
+    sums: Sums,
+}
+
+impl EdgeSum {
+    /// How far a node on an edge may be from where it should be.
+    fn displaced(&self, a: &Edge<f64>) -> f64 {
+        f64::EPSILON * (self.largest + a.length)
     }
-    Some(ExchangeArea {
-        value: sum.to_f64() / TAU,
-        error_bound: error / TAU + f64::EPSILON * sum.to_f64().abs(),
-    })
+
+    /// One rule on an edge for others, at least so far away as a sum of half-axes, with their length together and the largest
+    /// cosine.
+    fn rule(
+        &mut self,
+        a: &Edge<f64>,
+        [length, cosine]: [f64; 2],
+        sum: f64,
+        nodes: &mut Nodes,
+        seen: &[Seen],
+    ) {
+        let rho = ellipse(sum);
+        let points = points_for(self.log_per_length + LN_2, rho);
+        // the nearest point of the edge is this far from the others
+        let distance = 0.5 * (sum - 1.0) * a.length;
+        let truncation = 0.5 * length * gauss_error(points, rho);
+        #[allow(clippy::cast_precision_loss, reason = "a number of edges")]
+        let gradient = seen.len() as f64 * gradient(length / distance);
+        let gradient = cosine * gradient.min(length / distance);
+        self.error += a.length * (truncation + self.displaced(a) * gradient);
+        self.add(a, [0.5, 0.5], points, nodes, seen);
+    }
+
+    /// Graded panels on the first of two skew edges; `None` if there are too many.
+    fn panels(
+        &mut self,
+        [a, b]: [&Edge<f64>; 2],
+        cosine: f64,
+        nodes: &mut Nodes,
+        only: &[Seen],
+    ) -> Option<()> {
+        let displaced = cosine * self.displaced(a);
+        panels(a, b, self.per_length, f64::EPSILON, APART, |panel| {
+            let clearance = (APART - 1.0) * panel.half * a.length;
+            let gradient = gradient(b.length / clearance);
+            let truncation = b.length * panel.error;
+            self.error += a.length * (truncation + 2.0 * panel.half * displaced * gradient);
+            self.add(a, [panel.middle, panel.half], panel.points, nodes, only);
+        })
+    }
+
+    fn add(
+        &mut self,
+        a: &Edge<f64>,
+        part: [f64; 2],
+        points: usize,
+        nodes: &mut Nodes,
+        seen: &[Seen],
+    ) {
+        let rule = GaussLegendre::with(points);
+        if !nodes.has_room_for(rule) {
+            nodes.sum(seen, self.precision.inverse_square, &mut self.sums);
+        }
+        nodes.add(a, part, rule);
+    }
 }

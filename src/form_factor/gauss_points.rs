@@ -11,156 +11,167 @@
 //! ```text
 //!   r² = (half-length)² |z − z1| |z − z̄1| ≥ (half-length)² ¼ p (1 − 1/(ρρ′))²
 //!   p  = min |(w − w1)(w − w̄1)| = (ρ² − ρ′²) sin φ  where |cos φ| ≤ 2ρρ′/(ρ² + ρ′²),  else ρ² + ρ′² − 2ρρ′ |cos φ|
-//!   |K J| ≤ c² h_max g_max J_max 16 / (π (half-length)⁴ p² (1 − 1/(ρρ′))⁴) = M
-//!   error of n points ≤ (64/15) M ρ′^(−2n) / (1 − ρ′^(−2))
+//!   1/|r²|² ≤ 16 / ((half-length)⁴ p² (1 − 1/(ρρ′))⁴) = M
+//!   error of n points for z^d/r⁴ ≤ (64/15) M c^d ρ′^(−2n) / (1 − ρ′^(−2)),  least over ρ′:  B_d
+//!   h J = (h0 + h1 z)(J0 + J1 z):  |h0 J0| B_0 + (|h0 J1| + |h1 J0|) B_1 + |h1 J1| B_2
 //! ```
 //!
 //! (Trefethen, *Approximation Theory and Approximation Practice*, 2013, theorem 19.3), for each of the directions, and for
-//! every z1 that far away: beside the middle of the line φ is a right angle, off its end φ is less and ρ more.
+//! every z1 that far away: beside the middle of the line φ is a right angle, off its end φ is less and ρ more. A height
+//! ≥ 0 has |h0| ≤ h_max and |h1| ≤ ½ h_max, and |h1| ≤ half-length. (The other polygon's plane is the only one whose height
+//! changes along the line.)
 
-use super::potential::{Points, padded};
 use super::shape::Shape;
-use crate::numeric::{GaussLegendre, MOST_POINTS, vectorised};
+use crate::numeric::{GaussLegendre, LANES, Lanes, MOST_POINTS};
 use glam::DVec3;
 use std::sync::OnceLock;
 
 /// Quadrature points of a polygon, from a common origin.
-#[derive(Debug, Default)]
-pub(super) struct Rule {
-    pub points: Points,
-    /// Weights; their sum is the area. The last ones may be 0.
-    pub weights: Vec<f64>,
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Block {
+    pub points: [Lanes; 3],
+    /// The sum of all is the area; those that only fill the vector are 0.
+    pub weights: Lanes,
     /// Heights above the other plane.
-    pub heights: Vec<f64>,
+    pub heights: Lanes,
 }
 
-/// A product rule on the unit square: at each point the shares of the four corners, s, t and the weight.
+/// A product rule on the unit square: s, t and the weight of each point.
 #[derive(Debug)]
-struct Square {
-    shares: [Vec<f64>; 4],
-    s: Vec<f64>,
-    t: Vec<f64>,
-    weights: Vec<f64>,
-}
+pub(super) struct Square(Vec<[Lanes; 3]>);
 
 impl Square {
     /// With `n × n` points, made once.
-    fn with(n: usize) -> &'static Self {
+    pub(super) fn with(n: usize) -> &'static Self {
         static SQUARES: [OnceLock<Square>; MOST_POINTS + 1] =
             [const { OnceLock::new() }; MOST_POINTS + 1];
         let n = n.clamp(1, MOST_POINTS);
         SQUARES[n].get_or_init(|| {
             let rule = GaussLegendre::with(n);
             let on_unit = || rule.nodes.iter().map(|x| 0.5 + 0.5 * x).zip(&rule.weights);
-            let points: Vec<[f64; 3]> = on_unit()
-                .flat_map(|(s, ws)| on_unit().map(move |(t, wt)| [s, t, 0.25 * ws * wt]))
-                .collect();
-            let column =
-                |of: fn(f64, f64) -> f64| points.iter().map(|[s, t, _]| of(*s, *t)).collect();
-            Self {
-                shares: [
-                    column(|s, t| (1.0 - s) * (1.0 - t)),
-                    column(|s, t| s * (1.0 - t)),
-                    column(|s, t| s * t),
-                    column(|s, t| (1.0 - s) * t),
-                ],
-                s: column(|s, _| s),
-                t: column(|_, t| t),
-                weights: points.iter().map(|[_, _, weight]| *weight).collect(),
+            let points =
+                on_unit().flat_map(|(s, ws)| on_unit().map(move |(t, wt)| [s, t, 0.25 * ws * wt]));
+            // what fills the last vector lies in the middle, and weighs nothing
+            let mut blocks = vec![[[0.5; LANES], [0.5; LANES], [0.0; LANES]]; blocks(n)];
+            for (i, point) in points.enumerate() {
+                for (column, number) in blocks[i / LANES].iter_mut().zip(point) {
+                    column[i % LANES] = number;
+                }
             }
+            Self(blocks)
         })
     }
+}
 
-    /// A bilinear function with these values at the corners, at all points.
-    #[inline(always)]
-    #[allow(
-        clippy::inline_always,
-        reason = "vector code is made where it is called"
-    )]
-    fn interpolate(&self, values: [f64; 4], out: &mut [f64]) {
-        let [a, b, c, d] = &self.shares;
-        for (out, (((a, b), c), d)) in out.iter_mut().zip(a.iter().zip(b).zip(c).zip(d)) {
-            *out = a * values[0] + b * values[1] + c * values[2] + d * values[3];
+/// Vectors that `n × n` points on a cell take.
+pub(super) const fn blocks(n: usize) -> usize {
+    (n * n).div_ceil(LANES)
+}
+
+/// The points of a product rule on each cell of a shape; to be called where vector code is made.
+///
+/// **Arguments** `out`: as many blocks for each cell as the square has.
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+pub(super) fn fill(
+    out: &mut [Block],
+    Square(square): &Square,
+    shape: &Shape,
+    corner_heights: &[f64],
+    origin: DVec3,
+) {
+    let cells = shape.cells.iter().zip(&shape.jacobians);
+    for ((cell, jacobian), out) in cells.zip(out.chunks_exact_mut(square.len())) {
+        let mut corners = [[0.0; 4]; 4];
+        for (k, i) in cell.iter().enumerate() {
+            let corner = shape.corners[*i] - origin;
+            corners[k] = [corner.x, corner.y, corner.z, corner_heights[*i]];
+        }
+        let [
+            [ax, ay, az, ah],
+            [bx, by, bz, bh],
+            [cx, cy, cz, ch],
+            [dx, dy, dz, dh],
+        ] = corners;
+        let [j, js, jt] = *jacobian;
+        for (points, out) in square.iter().zip(out) {
+            let [s, t, weight] = *points;
+            let mut block = Block::default();
+            for l in 0..LANES {
+                let (s, t) = (s[l], t[l]);
+                let (a, b) = ((1.0 - s) * (1.0 - t), s * (1.0 - t));
+                let (c, d) = (s * t, (1.0 - s) * t);
+                block.points[0][l] = a * ax + b * bx + c * cx + d * dx;
+                block.points[1][l] = a * ay + b * by + c * cy + d * dy;
+                block.points[2][l] = a * az + b * bz + c * cz + d * dz;
+                block.heights[l] = a * ah + b * bh + c * ch + d * dh;
+                block.weights[l] = weight[l] * (j + js * s + jt * t);
+            }
+            *out = block;
         }
     }
 }
 
-impl Rule {
-    /// `n × n` points on each cell.
-    pub(super) fn fill(&mut self, shape: &Shape, corner_heights: &[f64], origin: DVec3, n: usize) {
-        let square = Square::with(n);
-        let (each, all) = (
-            square.weights.len(),
-            square.weights.len() * shape.cells.len(),
-        );
-        // what fills the last vector lies at the middle, and weighs nothing
-        let all = padded(all);
-        let Self {
-            points: Points { x, y, z },
-            weights,
-            heights,
-        } = self;
-        let middle = shape.centre - origin;
-        for (column, value) in [
-            (&mut *x, middle.x),
-            (y, middle.y),
-            (z, middle.z),
-            (weights, 0.0),
-            (heights, 0.0),
-        ] {
-            column.clear();
-            column.resize(all, value);
-        }
-        let cells = shape.cells.iter().zip(&shape.jacobians).enumerate();
-        vectorised(
-            #[inline(always)]
-            || {
-                for (i, (cell, [j, js, jt])) in cells {
-                    let part = i * each..(i + 1) * each;
-                    let corners = cell.map(|i| shape.corners[i] - origin);
-                    square.interpolate(corners.map(|c| c.x), &mut x[part.clone()]);
-                    square.interpolate(corners.map(|c| c.y), &mut y[part.clone()]);
-                    square.interpolate(corners.map(|c| c.z), &mut z[part.clone()]);
-                    square.interpolate(cell.map(|i| corner_heights[i]), &mut heights[part.clone()]);
-                    let at = square.s.iter().zip(&square.t).zip(&square.weights);
-                    for (out, ((s, t), weight)) in weights[part].iter_mut().zip(at) {
-                        *out = weight * (j + js * s + jt * t);
-                    }
-                }
-            },
-        );
-    }
+/// What the error of a rule along the lines of a cell depends on, beside their number of points.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Lines {
+    /// The gap over half their length.
+    pub gamma: f64,
+    /// `h1/h_max`: how much the height changes along half a line.
+    pub height: f64,
+    /// `J1/J_max`: the same of the Jacobian.
+    pub jacobian: f64,
 }
 
 /// Ratios γ that bounds are kept for: 16 to the octave, from 1/8 to 1024.
 const SMALLEST: f64 = 0.125;
 const STEPS: usize = 13 * 16;
+/// Points per direction from which on other routes are cheaper.
+pub(super) const MOST: usize = 17;
 
-/// The bound on the error of `n × n` points on a polygon's cells, relative to
-/// `area × area × h_max g_max / (π gap⁴)`; infinite where `gamma`, gap over half-length, is below 1/8.
-pub(super) fn error(n: usize, gamma: f64) -> f64 {
-    static BOUNDS: [OnceLock<Vec<f64>>; MOST_POINTS + 1] =
-        [const { OnceLock::new() }; MOST_POINTS + 1];
-    let n = n.clamp(1, MOST_POINTS);
-    let step = |gamma: f64| gamma.to_bits() >> 48;
-    if gamma < SMALLEST || gamma.is_nan() {
-        return f64::INFINITY;
-    }
-    let index =
-        usize::try_from(step(gamma) - step(SMALLEST)).map_or(STEPS - 1, |i| i.min(STEPS - 1));
-    let bounds = BOUNDS[n].get_or_init(|| {
-        let first = step(SMALLEST);
+/// `B_0, B_1, B_2` by the number of points.
+type Bounds = [[f64; 3]; MOST + 1];
+
+impl Lines {
+    fn bounds(&self) -> Option<&'static Bounds> {
+        static BOUNDS: [OnceLock<Bounds>; STEPS] = [const { OnceLock::new() }; STEPS];
+        let step = |gamma: f64| gamma.to_bits() >> 48;
+        if self.gamma < SMALLEST || self.gamma.is_nan() {
+            return None;
+        }
+        let above = step(self.gamma) - step(SMALLEST);
+        let index = usize::try_from(above).map_or(STEPS - 1, |i| i.min(STEPS - 1));
         // the bound at a ratio holds for all above it
-        (0..STEPS as u64)
-            .map(|i| bound(n, f64::from_bits((first + i) << 48)))
-            .collect()
-    });
-    bounds[index]
+        let at = f64::from_bits((step(SMALLEST) + index as u64) << 48);
+        Some(BOUNDS[index].get_or_init(|| bounds(at)))
+    }
+
+    fn sum(&self, [constant, linear, square]: [f64; 3]) -> f64 {
+        constant + (self.height + self.jacobian) * linear + self.height * self.jacobian * square
+    }
+
+    /// A bound on the error in one direction, relative to `J_max h_max g_max / (π gap⁴)` times the area of the unit square,
+    /// with at most [`MOST`] points; infinite where there is none.
+    pub(super) fn error(&self, points: usize) -> f64 {
+        let bounds = self.bounds();
+        bounds.map_or(f64::INFINITY, |bounds| self.sum(bounds[points.min(MOST)]))
+    }
+
+    /// The fewest points from 2 on whose error is certain to be below `wanted`; [`MOST`] if less than that do not do.
+    pub(super) fn points(&self, wanted: f64) -> usize {
+        let found = self
+            .bounds()
+            .and_then(|bounds| (2..MOST).find(|n| self.sum(bounds[*n]) <= wanted));
+        found.unwrap_or(MOST)
+    }
 }
 
 /// Over all places of a zero at least `gamma` from the line, in pieces within which ρ is least at one end and φ at the other.
 #[allow(clippy::cast_precision_loss, reason = "small")]
-fn bound(n: usize, gamma: f64) -> f64 {
+fn bounds(gamma: f64) -> Bounds {
     const PIECES: usize = 24;
     // beside the line first, then round its end
     let zero = |i: usize| {
@@ -176,23 +187,33 @@ fn bound(n: usize, gamma: f64) -> f64 {
         let sum = 0.5 * ((x - 1.0).hypot(y) + (x + 1.0).hypot(y));
         sum + (sum * sum - 1.0).max(0.0).sqrt()
     };
-    let worst = |i: usize| {
+    let mut worst = [[0.0; 3]; MOST + 1];
+    for i in 0..PIECES {
         let (rho, [_, height]) = (ellipse(zero(i)), zero(i + 1));
         let farther = ellipse(zero(i + 1));
         let sine = (height / (0.5 * (farther - 1.0 / farther))).min(1.0);
-        let best = (1..40).map(|k| {
+        let mut best = [[f64::INFINITY; 3]; MOST + 1];
+        for k in 1..40 {
             let within = 1.0 + (rho - 1.0) * f64::from(k) / 40.0;
-            direction(n, gamma, [rho, within], sine)
-        });
-        best.fold(f64::INFINITY, f64::min)
-    };
-    // two directions; ∫ 1 dz = 2, and the Jacobian is at most twice its mean of area/4
-    2.0 * (0..PIECES).map(worst).fold(0.0, f64::max)
+            let c = 0.5 * (within + 1.0 / within);
+            let mut decayed = largest(gamma, [rho, within], sine) / (1.0 - within.powi(-2));
+            for best in &mut best {
+                // half: two of ∫ 1 dz over the four of ∫∫ 1 dz dz′
+                for (degree, best) in (0..).zip(best) {
+                    *best = best.min(0.5 * 64.0 / 15.0 * decayed * c.powi(degree));
+                }
+                decayed /= within * within;
+            }
+        }
+        for (worst, best) in worst.iter_mut().flatten().zip(best.iter().flatten()) {
+            *worst = f64::max(*worst, *best);
+        }
+    }
+    worst
 }
 
-/// `(64/15) M ρ′^(−2n) / (1 − ρ′^(−2))` for a zero on the ellipse ρ, from ρ′ inside it.
-#[allow(clippy::cast_precision_loss, reason = "small")]
-fn direction(n: usize, gamma: f64, [rho, within]: [f64; 2], sine: f64) -> f64 {
+/// `γ⁴ max 1/|r²|²` for a zero on the ellipse ρ, on ρ′ inside it.
+fn largest(gamma: f64, [rho, within]: [f64; 2], sine: f64) -> f64 {
     let cosine = (1.0 - sine * sine).max(0.0).sqrt();
     let squares = rho * rho + within * within;
     let p = if cosine * squares <= 2.0 * rho * within {
@@ -200,8 +221,6 @@ fn direction(n: usize, gamma: f64, [rho, within]: [f64; 2], sine: f64) -> f64 {
     } else {
         squares - 2.0 * rho * within * cosine
     };
-    let c = 0.5 * (within + 1.0 / within);
     let far = gamma * gamma / (p * (1.0 - 1.0 / (rho * within)).powi(2));
-    let decay = (-2.0 * n as f64 * within.ln()).exp() / (1.0 - within.powi(-2));
-    64.0 / 15.0 * c * c * 16.0 * far * far * decay
+    16.0 * far * far
 }

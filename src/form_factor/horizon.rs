@@ -74,21 +74,13 @@ impl Side {
 /// Where a polygon lies to another one's plane, and how far its corners may be from where they should be.
 pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
     let (shape, origin) = (&polygon.shape, plane.shape.corners[0]);
-    let reach = shape
-        .corners
-        .iter()
-        .map(|c| c.abs().max_element())
-        .fold(0.0, f64::max);
+    let reach = shape.largest;
     // what the rounding of coordinates may do to a height
     let noise = 4.0 * f64::EPSILON * (reach + origin.abs().max_element());
     let distance = shape.centre.distance(origin) + shape.radius;
     let tilted = plane.tilt * distance;
     let mut slack = tilted;
-    let mut refined = |corner: &DVec3, height: f64| -> f64 {
-        // the product is within 3 ε of the distance: on which side it is, is known
-        if height.abs() > 4.0 * f64::EPSILON * distance + 64.0 * noise {
-            return height;
-        }
+    let mut refined = |corner: &DVec3| -> f64 {
         if plane.shape.corners.contains(corner) {
             return 0.0;
         }
@@ -100,34 +92,31 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
             0.0
         }
     };
-    let heights: Heights = shape
-        .corners
-        .iter()
-        .map(|corner| refined(corner, (*corner - origin).dot(plane.normal)))
-        .collect();
-    if heights.iter().all(|h| *h >= 0.0) {
-        let all_in = heights.iter().all(|h| *h <= 0.0);
+    // the product is within 3 ε of the distance: on which side it is, is known
+    let certain = 4.0 * f64::EPSILON * distance + 64.0 * noise;
+    let mut heights = Heights::with_capacity(shape.corners.len());
+    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+    for corner in &shape.corners {
+        let product = (*corner - origin).dot(plane.normal);
+        let height = if product.abs() > certain {
+            product
+        } else {
+            refined(corner)
+        };
+        (least, most) = (least.min(height), most.max(height));
+        heights.push(height);
+    }
+    if least >= 0.0 || most <= 0.0 {
         let off = Off {
             height: slack,
             place: 0.0,
         };
-        return (
-            if all_in {
-                Side::Within
-            } else {
-                Side::Front(heights)
-            },
-            off,
-        );
-    }
-    if heights.iter().all(|h| *h <= 0.0) {
-        return (
-            Side::Behind,
-            Off {
-                height: slack,
-                place: 0.0,
-            },
-        );
+        let side = match (least >= 0.0, most <= 0.0) {
+            (true, true) => Side::Within,
+            (true, false) => Side::Front(heights),
+            _ => Side::Behind,
+        };
+        return (side, off);
     }
     let (corners, heights) = clipped(shape, plane, &heights);
     // a coordinate of a new corner is rounded once

@@ -8,10 +8,10 @@
 
 use super::ExchangeArea;
 use super::choice::Work;
-use super::gauss_points::Rule;
+use super::gauss_points::{Block, Square, fill};
 use super::horizon::Heights;
 use super::view::View;
-use crate::numeric::{Scalar, vectorised};
+use crate::numeric::{LANES, Scalar, across, vectorised};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -20,14 +20,27 @@ impl View<'_> {
     #[allow(clippy::cast_precision_loss, reason = "some points")]
     pub(super) fn kernel(&self, points: [usize; 2], work: &mut Work) -> ExchangeArea {
         let origin = self.shapes[0].centre;
-        for (k, rule) in work.rules.iter_mut().enumerate() {
-            rule.fill(self.shapes[k], &self.precise_heights(k), origin, points[k]);
-        }
-        let [first, second] = &work.rules;
-        let value = sum(first, second, self.reach, &mut work.sums);
+        let squares = points.map(Square::with);
+        let heights = [self.precise_heights(0), self.precise_heights(1)];
+        let [first, second] = &mut work.blocks;
+        first.resize(self.blocks(0, points[0]), Block::default());
+        second.resize(self.blocks(1, points[1]), Block::default());
+        let [first, second] = [first.as_mut_slice(), second.as_mut_slice()];
+        let (unit, mut value) = (self.reach, 0.0);
+        let out = &mut value;
+        let shapes = self.shapes;
+        vectorised(
+            #[inline(always)]
+            move || {
+                fill(first, squares[0], shapes[0], &heights[0], origin);
+                fill(second, squares[1], shapes[1], &heights[1], origin);
+                *out = sum(first, second, unit);
+            },
+        );
         let largest = self.largest();
         let truncation: f64 = (0..2).map(|k| self.truncation(k, points[k], largest)).sum();
-        let terms = 0.5 * (first.weights.len() + second.weights.len()) as f64;
+        let terms = [0, 1].map(|k| self.blocks(k, points[k]));
+        let terms = 4.0 * (terms[0] + terms[1]) as f64;
         let relative = (24.0 + terms) * f64::EPSILON + 2.0 * HEIGHT_ERROR;
         ExchangeArea {
             value,
@@ -61,41 +74,48 @@ const HEIGHT_ERROR: f64 = 48.0 * f64::EPSILON;
 ///
 /// Four points of the first rule share one division: `f1/q1 + f2/q2 = (f1 q2 + f2 q1)/(q1 q2)`, twice over, with q = r⁴ in
 /// units in which four of them stay in range.
-fn sum(first: &Rule, second: &Rule, unit: f64, sums: &mut Vec<f64>) -> f64 {
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+fn sum(first: &[Block], second: &[Block], unit: f64) -> f64 {
     let inverse_square = 1.0 / (unit * unit);
-    sums.clear();
-    sums.resize(second.weights.len(), 0.0);
-    let sums = sums.as_mut_slice();
-    vectorised(
-        #[inline(always)]
-        || {
-            let fluxes = first.weights.iter().zip(&first.heights);
-            let fluxes = fluxes.map(|(weight, height)| weight * height);
-            let points = &first.points;
-            let points = points.x.iter().zip(&points.y).zip(&points.z);
-            let mut points = points.map(|((x, y), z)| [*x, *y, *z]).zip(fluxes);
-            while let (Some(a), Some(b), Some(c), Some(d)) =
-                (points.next(), points.next(), points.next(), points.next())
-            {
-                let others = &second.points;
-                let others = others.x.iter().zip(&others.y).zip(&others.z);
-                for (sum, ((x, y), z)) in sums.iter_mut().zip(others) {
-                    let fourth_power = |[px, py, pz]: [f64; 3]| {
-                        let (dx, dy, dz) = (px - x, py - y, pz - z);
+    let mut total = [0.0; LANES];
+    for block in second {
+        let Block {
+            points: [x, y, z],
+            weights,
+            heights,
+        } = *block;
+        let mut sums = [0.0; LANES];
+        for other in first {
+            for k in [0, LANES / 2] {
+                let flux = |i: usize| other.weights[k + i] * other.heights[k + i];
+                let fluxes = [flux(0), flux(1), flux(2), flux(3)];
+                // what only fills the last vector
+                if fluxes.iter().all(|flux| flux.abs() <= 0.0) {
+                    continue;
+                }
+                let [px, py, pz] = &other.points;
+                for l in 0..LANES {
+                    let fourth_power = |i: usize| {
+                        let (dx, dy, dz) = (px[k + i] - x[l], py[k + i] - y[l], pz[k + i] - z[l]);
                         let square = (dx * dx + dy * dy + dz * dz) * inverse_square;
                         square * square
                     };
-                    let [qa, qb, qc, qd] = [a.0, b.0, c.0, d.0].map(fourth_power);
+                    let (qa, qb) = (fourth_power(0), fourth_power(1));
+                    let (qc, qd) = (fourth_power(2), fourth_power(3));
                     let (ab, cd) = (qa * qb, qc * qd);
-                    let numerator = (a.1 * qb + b.1 * qa) * cd + (c.1 * qd + d.1 * qc) * ab;
-                    *sum += numerator / (ab * cd);
+                    let numerator = (fluxes[0] * qb + fluxes[1] * qa) * cd
+                        + (fluxes[2] * qd + fluxes[3] * qc) * ab;
+                    sums[l] += numerator / (ab * cd);
                 }
             }
-        },
-    );
-    let weighted = sums.iter().zip(&second.weights).zip(&second.heights);
-    let sum: f64 = weighted
-        .map(|((sum, weight), height)| sum * weight * height)
-        .sum();
-    sum * inverse_square * inverse_square / PI
+        }
+        for l in 0..LANES {
+            total[l] += sums[l] * weights[l] * heights[l];
+        }
+    }
+    across(total) * inverse_square * inverse_square / PI
 }

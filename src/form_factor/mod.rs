@@ -11,7 +11,8 @@
 //! ```text
 //!   parallel, perpendicular    aligned rectangles in closed form, at any offset
 //!   rectangle_kernel           aligned rectangles far apart: Gauss rules along their sides
-//!   contour                    both outlines: closed forms of edge pairs, Gauss rules for skew ones; also in double-double
+//!   contour                    both outlines: closed forms of coplanar edges, Gauss rules (`panels`) for skew ones
+//!   precise_contour            the same in double-double
 //!   point_to_polygon           Lambert's formula, with a Gauss rule over one polygon
 //!   kernel                     Gauss rules over both
 //! ```
@@ -27,17 +28,20 @@
 
 mod choice;
 mod contour;
-mod edge_pair;
+mod coplanar_edges;
+mod edge;
 mod error;
 mod exchange;
 mod gauss_points;
 mod horizon;
 mod kernel;
+mod panels;
 pub mod parallel;
 pub mod perpendicular;
 mod point_to_polygon;
 mod polygon;
 mod potential;
+mod precise_contour;
 mod rectangle_kernel;
 mod rectangle_pair;
 pub mod reference;

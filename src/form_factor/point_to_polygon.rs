@@ -11,14 +11,13 @@
 //! Reference: Lambert, *Photometria*, 1760; Baum, Rushmeier and Winget, SIGGRAPH 1989.
 
 use super::choice::Work;
-use super::gauss_points::Rule;
-use super::potential::Points;
+use super::edge::Edge;
+use super::gauss_points::{Block, Square, fill};
 use super::view::{View, widening};
 use super::{ExchangeArea, FormFactorError};
 use crate::geometry::{Patch, Vector};
-use crate::numeric::{elementary::angle, vectorised};
+use crate::numeric::{LANES, across, elementary::angle, vectorised};
 use glam::DVec3;
-use smallvec::SmallVec;
 use std::f64::consts::{PI, TAU};
 
 impl View<'_> {
@@ -31,10 +30,20 @@ impl View<'_> {
     ) -> ExchangeArea {
         let (over, seen) = (self.shapes[k], self.shapes[1 - k]);
         let origin = over.centre;
-        let rule = &mut work.rules[0];
-        rule.fill(over, self.heights[k], origin, points);
-        let corners: SmallVec<[DVec3; 8]> = seen.corners.iter().map(|c| *c - origin).collect();
-        let value = integral(rule, self.polygons[k].normal, &corners, &mut work.sums);
+        let square = Square::with(points);
+        let blocks = &mut work.blocks[0];
+        blocks.resize(self.blocks(k, points), Block::default());
+        let blocks = blocks.as_mut_slice();
+        let (heights, normal, edges) = (self.heights[k], self.polygons[k].normal, &seen.edges);
+        let mut value = 0.0;
+        let out = &mut value;
+        vectorised(
+            #[inline(always)]
+            move || {
+                fill(blocks, square, over, heights, origin);
+                *out = sum(blocks, normal, edges, origin);
+            },
+        );
         let rounding = self.lambert_rounding(k);
         let truncation = self.truncation(k, points, self.largest());
         ExchangeArea {
@@ -50,49 +59,61 @@ impl View<'_> {
         let (over, seen) = (self.shapes[k], self.shapes[1 - k]);
         let n = seen.corners.len();
         let widening = widening(seen.longest_edge, self.gap);
-        let edge = |b: usize| {
-            let (start, end) = (seen.corners[b], seen.corners[(b + 1) % n]);
-            let length = start.distance(end);
+        let mut subtended = 0.0;
+        for b in 0..n {
+            let end = seen.corners[(b + 1) % n];
             let away = (end.distance(over.centre) - over.radius).max(self.gap);
-            (14.0 * widening + 12.0) * length / away
-        };
-        0.5 * f64::EPSILON * over.area * (0..n).map(edge).sum::<f64>() / (2.0 * PI)
+            subtended += seen.edges[b].length / away;
+        }
+        0.5 * f64::EPSILON * over.area * (14.0 * widening + 12.0) * subtended / TAU
     }
 }
 
-/// `Σ_i w_i F_i` over the points of a rule, all on a plane with this normal.
-pub(super) fn integral(rule: &Rule, normal: DVec3, corners: &[DVec3], sums: &mut Vec<f64>) -> f64 {
-    sums.clear();
-    sums.resize(rule.weights.len(), 0.0);
-    add_edges(&rule.points, normal, corners, sums);
-    let weighted = sums.iter().zip(&rule.weights);
-    -weighted.map(|(sum, weight)| sum * weight).sum::<f64>() / TAU
-}
-
-fn add_edges(points: &Points, normal: DVec3, corners: &[DVec3], sums: &mut [f64]) {
-    let (k, normal) = (corners.len(), Vector(normal.to_array()));
+/// `Σ_i w_i F_i` over points on a plane with this normal, from an origin that the edges do not have.
+pub(super) fn integral(blocks: &[Block], normal: DVec3, edges: &[Edge<f64>], origin: DVec3) -> f64 {
+    let mut value = 0.0;
+    let out = &mut value;
     vectorised(
         #[inline(always)]
-        || {
-            for (b, start) in corners.iter().enumerate() {
-                let end = corners[(b + 1) % k];
-                let edge = end - *start;
-                let length = edge.length();
-                let direction = Vector((edge / length).to_array());
-                let coordinates = points.x.iter().zip(&points.y).zip(&points.z);
-                for (sum, ((x, y), z)) in sums.iter_mut().zip(coordinates) {
-                    let a = Vector([start.x - x, start.y - y, start.z - z]);
-                    let c = Vector([end.x - x, end.y - y, end.z - z]);
-                    let across = a.cross(direction);
-                    let height = across.length();
-                    let angle = angle(height * length, a.dot(c));
-                    // on the edge's line, nothing is subtended
-                    let height = if height > 0.0 { height } else { 1.0 };
-                    *sum += angle * across.dot(normal) / height;
-                }
-            }
-        },
+        move || *out = sum(blocks, normal, edges, origin),
     );
+    value
+}
+
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+fn sum(blocks: &[Block], normal: DVec3, edges: &[Edge<f64>], origin: DVec3) -> f64 {
+    let (normal, origin) = (Vector(normal.to_array()), Vector(origin.to_array()));
+    let mut total = [0.0; LANES];
+    for block in blocks {
+        let Block {
+            points: [x, y, z],
+            weights,
+            ..
+        } = *block;
+        let mut sums = [0.0; LANES];
+        for edge in edges {
+            let (start, end) = (edge.ends[0].minus(origin), edge.ends[1].minus(origin));
+            let (direction, length) = (edge.direction, edge.length);
+            for l in 0..LANES {
+                let point = Vector([x[l], y[l], z[l]]);
+                let (a, c) = (start.minus(point), end.minus(point));
+                let across = a.cross(direction);
+                let height = across.length();
+                let angle = angle(height * length, a.dot(c));
+                // on the edge's line, nothing is subtended
+                let height = if height > 0.0 { height } else { 1.0 };
+                sums[l] += angle * across.dot(normal) / height;
+            }
+        }
+        for l in 0..LANES {
+            total[l] += sums[l] * weights[l];
+        }
+    }
+    -across(total) / TAU
 }
 
 /// The fraction of what leaves a point of a surface that reaches a polygon.
@@ -145,12 +166,13 @@ pub fn point_form_factor(
     if visible.len() < 3 {
         return Ok(0.0);
     }
-    let mut points = Points::default();
-    points.push(DVec3::ZERO);
-    let mut sum = [0.0];
-    add_edges(&points, normal, &visible, &mut sum);
+    let n = visible.len();
+    let at = |i: usize| Vector(visible[i % n].to_array());
+    let edges: Vec<_> = (0..n).map(|i| Edge::new(at(i), at(i + 1))).collect();
+    let mut block = Block::default();
+    block.weights[0] = 1.0;
     // rounding may leave the ends of the range by a few ε
-    Ok((-sum[0] / TAU).clamp(0.0, 1.0))
+    Ok(integral(&[block], normal, &edges, DVec3::ZERO).clamp(0.0, 1.0))
 }
 
 /// What two small pieces of surface exchange, per area of both: `cos θ cos θ′ / (π r²)`.

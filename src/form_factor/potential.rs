@@ -14,9 +14,9 @@
 //!   error ≤ u [ 2.5 (|s0| + |s1|) + 18 max r |ln r| + (12 + 12 t) L ]
 //! ```
 
+use super::edge::Edge;
 use crate::geometry::Vector;
-use crate::numeric::{Scalar, vectorised};
-use glam::DVec3;
+use crate::numeric::{GaussLegendre, LANES, Lanes, MOST_POINTS, Scalar, across, vectorised};
 
 /// The potential of an edge at a point, from the vectors `a`, `c` to its ends, its direction and length,
 /// and `ln|a|`, `ln|c|`.
@@ -48,95 +48,216 @@ pub(super) fn log_distance<S: Scalar + Copy>(a: Vector<S>, inverse_square: S) ->
     square.ln() * square.constant(0.5)
 }
 
-/// Points as three columns.
-#[derive(Debug, Default, Clone)]
-pub(super) struct Points {
-    pub x: Vec<f64>,
-    pub y: Vec<f64>,
-    pub z: Vec<f64>,
+/// Points of rules along edges, so many at a time.
+const ROOM: usize = 2 * MOST_POINTS;
+
+/// Points along edges, each with its weight times the edge's direction.
+#[derive(Debug)]
+pub(super) struct Nodes {
+    len: usize,
+    points: [[f64; ROOM]; 3],
+    weights: [[f64; ROOM]; 3],
 }
 
-impl Points {
-    pub(super) fn clear(&mut self) {
-        self.x.clear();
-        self.y.clear();
-        self.z.clear();
-    }
-
-    pub(super) fn push(&mut self, point: DVec3) {
-        self.x.push(point.x);
-        self.y.push(point.y);
-        self.z.push(point.z);
-    }
-
-    pub(super) fn len(&self) -> usize {
-        self.x.len()
-    }
-
-    /// Repeats the last point until the processor's vectors are full: what is left over would take as long as all of them.
-    pub(super) fn pad(&mut self) {
-        for column in [&mut self.x, &mut self.y, &mut self.z] {
-            let last = column.last().copied().unwrap_or(0.0);
-            column.resize(padded(column.len()), last);
+impl Default for Nodes {
+    fn default() -> Self {
+        Self {
+            len: 0,
+            points: [[0.0; ROOM]; 3],
+            weights: [[0.0; ROOM]; 3],
         }
     }
 }
 
-/// The next multiple of eight doubles, a vector of today's widest processors.
-pub(super) const fn padded(len: usize) -> usize {
-    len.next_multiple_of(8)
+/// Sums over nodes x with weights W and edges b, whose potentials are U with an error of e.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Sums {
+    /// `Σ (W·u) U`.
+    pub value: f64,
+    /// `Σ |W| |U|`, what the rounding of coefficients and of the sum is relative to.
+    pub size: f64,
+    /// `Σ |W·u| e`.
+    pub error: f64,
+    /// Most additions that a term went through before its vector was summed, and how many such sums there are.
+    pub depth: usize,
+    pub sums: usize,
 }
 
-/// The potentials of all edges of a closed polygon at all points, edge by edge.
-///
-/// **Arguments** `logs`: room for the work; `out`: `corners × points` values.
-pub(super) fn potentials(
-    points: &Points,
-    corners: &[DVec3],
-    inverse_square: f64,
-    logs: &mut Vec<f64>,
-    out: &mut Vec<f64>,
-) {
-    let (n, k) = (points.len(), corners.len());
-    logs.clear();
-    logs.resize(2 * n, 0.0);
-    out.clear();
-    out.resize(n * k, 0.0);
-    let coordinates = || points.x.iter().zip(&points.y).zip(&points.z);
-    vectorised(
-        #[inline(always)]
-        || {
-            let (mut before, mut after) = logs.split_at_mut(n);
-            for (log, ((x, y), z)) in before.iter_mut().zip(coordinates()) {
-                *log = log_distance(seen(corners[0], *x, *y, *z), inverse_square);
+/// An edge, and a bound on the error of its potential.
+pub(super) type Seen = (Edge<f64>, f64);
+
+impl Nodes {
+    pub(super) const fn clear(&mut self) {
+        self.len = 0;
+    }
+
+    pub(super) const fn has_room_for(&self, rule: &GaussLegendre) -> bool {
+        self.len + rule.nodes.len() <= ROOM
+    }
+
+    /// A rule on the part of an edge with this middle and half length, both relative to it.
+    pub(super) fn add(&mut self, edge: &Edge<f64>, [middle, half]: [f64; 2], rule: &GaussLegendre) {
+        let part = self.len..self.len + rule.nodes.len();
+        for k in 0..3 {
+            let along = edge.ends[1].0[k] - edge.ends[0].0[k];
+            let (centre, radius) = (edge.ends[0].0[k] + middle * along, half * along);
+            for (x, node) in self.points[k][part.clone()].iter_mut().zip(&rule.nodes) {
+                *x = centre + radius * node;
             }
-            for (b, out) in out.chunks_exact_mut(n).enumerate() {
-                let (start, end) = (corners[b], corners[(b + 1) % k]);
-                let edge = end - start;
-                let length = edge.length();
-                let direction = Vector((edge / length).to_array());
-                for (log, ((x, y), z)) in after.iter_mut().zip(coordinates()) {
-                    *log = log_distance(seen(end, *x, *y, *z), inverse_square);
-                }
-                let logs = before.iter().zip(&*after);
-                for ((out, (before, after)), ((x, y), z)) in
-                    out.iter_mut().zip(logs).zip(coordinates())
-                {
-                    let (a, c) = (seen(start, *x, *y, *z), seen(end, *x, *y, *z));
-                    *out = potential(a, c, direction, length, [*before, *after]);
-                }
-                std::mem::swap(&mut before, &mut after);
+            for (w, weight) in self.weights[k][part.clone()].iter_mut().zip(&rule.weights) {
+                *w = radius * weight;
             }
-        },
-    );
+        }
+        self.len = part.end;
+    }
+
+    /// Sums over all nodes and a chain of edges, each of which starts where the one before ends; afterwards there are no
+    /// nodes.
+    pub(super) fn sum(&mut self, edges: &[Seen], inverse_square: f64, sums: &mut Sums) {
+        let blocks = self.len.div_ceil(LANES);
+        let end = blocks * LANES;
+        for k in 0..3 {
+            let (points, weights) = (&mut self.points[k], &mut self.weights[k]);
+            let first = points[0];
+            points[self.len..end].fill(first);
+            weights[self.len..end].fill(0.0);
+        }
+        let mut total = [[0.0; LANES]; 3];
+        let (points, weights, out) = (&self.points, &self.weights, &mut total);
+        vectorised(
+            #[inline(always)]
+            move || {
+                let mut sums = [[0.0; LANES]; 3];
+                for block in 0..blocks {
+                    let at = block * LANES;
+                    let x = [
+                        lanes(&points[0], at),
+                        lanes(&points[1], at),
+                        lanes(&points[2], at),
+                    ];
+                    let w = [
+                        lanes(&weights[0], at),
+                        lanes(&weights[1], at),
+                        lanes(&weights[2], at),
+                    ];
+                    add_block(&mut sums, x, w, edges, inverse_square);
+                }
+                *out = sums;
+            },
+        );
+        let [value, size, error] = total.map(across);
+        sums.value += value;
+        sums.size += size;
+        sums.error += error;
+        sums.depth = sums.depth.max(blocks * edges.len());
+        sums.sums += 1;
+        self.len = 0;
+    }
 }
 
-/// The vector from a point to a corner.
 #[inline(always)]
 #[allow(
     clippy::inline_always,
     reason = "vector code is made where it is called"
 )]
-fn seen(corner: DVec3, x: f64, y: f64, z: f64) -> Vector<f64> {
-    Vector([corner.x - x, corner.y - y, corner.z - z])
+fn lanes(column: &[f64; ROOM], at: usize) -> Lanes {
+    let mut lanes = [0.0; LANES];
+    lanes.copy_from_slice(&column[at..at + LANES]);
+    lanes
+}
+
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    clippy::needless_range_loop,
+    reason = "vector code is made where it is called, of loops over lanes"
+)]
+fn add_block(
+    [values, sizes, errors]: &mut [Lanes; 3],
+    [x, y, z]: [Lanes; 3],
+    [wx, wy, wz]: [Lanes; 3],
+    edges: &[Seen],
+    inverse_square: f64,
+) {
+    let from = |corner: Vector<f64>, l: usize| corner.minus(Vector([x[l], y[l], z[l]]));
+    let (mut before, mut lengths) = ([0.0; LANES], [0.0; LANES]);
+    for l in 0..LANES {
+        lengths[l] = (wx[l] * wx[l] + wy[l] * wy[l] + wz[l] * wz[l]).sqrt();
+    }
+    if let Some((first, _)) = edges.first() {
+        for l in 0..LANES {
+            before[l] = log_distance(from(first.ends[0], l), inverse_square);
+        }
+    }
+    for (edge, error) in edges {
+        let ([start, end], direction, length) = (edge.ends, edge.direction, edge.length);
+        for l in 0..LANES {
+            let (a, c) = (from(start, l), from(end, l));
+            let after = log_distance(c, inverse_square);
+            let potential = potential(a, c, direction, length, [before[l], after]);
+            let weight = Vector([wx[l], wy[l], wz[l]]).dot(direction);
+            values[l] += weight * potential;
+            sizes[l] += lengths[l] * potential.abs();
+            errors[l] += weight.abs() * error;
+            before[l] = after;
+        }
+    }
+}
+
+/// Potentials of single edges at single points, a vector of them at a time.
+#[derive(Debug, Default)]
+pub(super) struct Batch {
+    /// Points, ends, directions and lengths.
+    blocks: Vec<[Lanes; 13]>,
+    len: usize,
+    /// The potentials, in the order in which they were asked for.
+    pub values: Vec<f64>,
+}
+
+impl Batch {
+    pub(super) fn clear(&mut self) {
+        self.blocks.clear();
+        self.len = 0;
+    }
+
+    pub(super) fn ask(&mut self, edge: &Edge<f64>, point: Vector<f64>) {
+        let [[px, py, pz], [sx, sy, sz], [ex, ey, ez], [dx, dy, dz]] =
+            [point.0, edge.ends[0].0, edge.ends[1].0, edge.direction.0];
+        let numbers = [px, py, pz, sx, sy, sz, ex, ey, ez, dx, dy, dz, edge.length];
+        let lane = self.len % LANES;
+        if lane == 0 {
+            self.blocks.push(numbers.map(|number| [number; LANES]));
+        } else if let Some(block) = self.blocks.last_mut() {
+            for (column, number) in block.iter_mut().zip(numbers) {
+                column[lane] = number;
+            }
+        }
+        self.len += 1;
+    }
+
+    /// Computes all that was asked for.
+    pub(super) fn answer(&mut self, inverse_square: f64) {
+        self.values.resize(self.blocks.len() * LANES, 0.0);
+        let (blocks, values) = (self.blocks.as_slice(), self.values.as_mut_slice());
+        vectorised(
+            #[inline(always)]
+            move || {
+                for (block, out) in blocks.iter().zip(values.chunks_exact_mut(LANES)) {
+                    let block = *block;
+                    let mut lanes = [0.0; LANES];
+                    for l in 0..LANES {
+                        let vector =
+                            |k: usize| Vector([block[k][l], block[k + 1][l], block[k + 2][l]]);
+                        let edge = Edge {
+                            ends: [vector(3), vector(6)],
+                            direction: vector(9),
+                            length: block[12][l],
+                        };
+                        lanes[l] = edge.potential(vector(0), inverse_square);
+                    }
+                    out.copy_from_slice(&lanes);
+                }
+            },
+        );
+    }
 }

@@ -5,17 +5,26 @@
 //!   perpendicular:           A F = ∫∫∫∫ x z / (π (x² + z² + v²)²)
 //! ```
 //!
-//! r² is a sum of squares of single coordinates, so the rules need no points in space. Nothing cancels; the truncation
-//! bound is that of [`gauss_points`](super::gauss_points).
+//! r² is a sum of squares of single coordinates, so the rules need no points in space; and of two sides along one axis
+//! only the difference of their coordinates matters, with a weight that is piecewise linear:
+//!
+//! ```text
+//!   ∫∫ f(x − ξ) dx dξ = ∫ w(u) f(u) du,     w(u): length of the x in [x0, x1] with x − u in [ξ0, ξ1]
+//! ```
+//!
+//! On each piece w stands where a polygon's Jacobian does in the truncation bound of [`gauss_points`](super::gauss_points),
+//! at most twice its mean there, and no piece is longer than the longer side. Nothing cancels.
 
 use super::ExchangeArea;
-use super::gauss_points;
+use super::gauss_points::Lines;
 use crate::geometry::Span;
 use crate::numeric::{GaussLegendre, vectorised};
 use std::f64::consts::PI;
 
 /// Points per side beyond which other routes are cheaper.
 const MOST: usize = 8;
+/// And points of a difference.
+const MOST_NODES: usize = 3 * MOST;
 
 /// Four sides, two of each rectangle: `[x, ξ]` and `[y, η]` for parallel ones, a depth each and `[y, η]` for perpendicular
 /// ones; and the heights of one over the other's plane.
@@ -74,62 +83,98 @@ pub(super) fn exchange_area(sides: &Sides, tolerance: f64) -> Option<ExchangeAre
     let largest = area * high / (PI * least * least);
     let smallest = area * low.max(0.25 * high) / (PI * most * most);
     let longest = lengths.iter().copied().fold(0.0, f64::max);
-    // a rule's bound is for two directions; there are four
+    // the weights of differences rise from 0 to twice their mean; a depth is itself a height
+    let lines = |height: f64, jacobian: f64| Lines {
+        gamma: 2.0 * gap / longest * (1.0 - 8.0 * f64::EPSILON),
+        height,
+        jacobian,
+    };
+    let directions = match sides {
+        Sides::Parallel { .. } => [(4.0, lines(0.0, 0.5)), (0.0, lines(0.0, 0.0))],
+        Sides::Perpendicular { depths: [x, z], .. } => {
+            let slope = |depth: &Span| 0.5 * depth.length() / depth.upper();
+            [
+                (2.0, lines(0.0, 0.5)),
+                (2.0, lines(slope(x).max(slope(z)), 0.0)),
+            ]
+        }
+    };
     let error = |n: usize| {
-        2.0 * gauss_points::error(n, 2.0 * gap / longest * (1.0 - 8.0 * f64::EPSILON)) * largest
+        let errors = directions
+            .iter()
+            .map(|(peaks, lines)| peaks * lines.error(n));
+        errors.sum::<f64>() * largest
     };
     let points = (2..=MOST).find(|n| error(*n) <= 0.3 * tolerance * smallest)?;
     let rule = GaussLegendre::with(points);
-    let at = |span: &Span| {
-        let half = 0.5 * span.length();
-        let mut nodes = [0.0; MOST];
-        for (node, x) in nodes.iter_mut().zip(&rule.nodes) {
-            *node = span.lower() + half * (1.0 + x);
-        }
-        nodes
-    };
-    let [a, b, c, d] = spans.map(at);
-    // the squares of the last two coordinates' difference, padded with points that weigh nothing
-    let mut squares = [1.0; MOST * MOST];
-    let mut weights = [0.0; MOST * MOST];
-    for i in 0..points {
-        for j in 0..points {
-            let v = c[i] - d[j];
-            squares[i * points + j] = v * v;
-            weights[i * points + j] = rule.weights[i] * rule.weights[j];
-        }
-    }
-    let used = (points * points).next_multiple_of(8);
+    let (mut squares, mut weights) = ([1.0; MOST_NODES], [0.0; MOST_NODES]);
+    let mut used = 0;
+    differences([spans[2], spans[3]], rule, |v, weight| {
+        (squares[used], weights[used]) = (v * v, weight);
+        used += 1;
+    });
     let mut outer = [[0.0; 2]; MOST * MOST];
-    for i in 0..points {
-        for j in 0..points {
-            let weight = rule.weights[i] * rule.weights[j];
-            outer[i * points + j] = match sides {
-                Sides::Parallel { distance, .. } => {
-                    let u = a[i] - b[j];
-                    [u * u + distance * distance, weight * distance * distance]
+    let mut count = 0;
+    let mut push = |square: f64, factor: f64| {
+        outer[count] = [square, factor];
+        count += 1;
+    };
+    match sides {
+        Sides::Parallel { distance, .. } => {
+            let z2 = distance * distance;
+            differences([spans[0], spans[1]], rule, |u, weight| {
+                push(u * u + z2, weight * z2)
+            });
+        }
+        Sides::Perpendicular { .. } => {
+            let (x, z) = (spans[0], spans[1]);
+            for (s, ws) in rule.nodes.iter().zip(&rule.weights) {
+                let x = x.lower() + 0.5 * x.length() * (1.0 + s);
+                for (t, wt) in rule.nodes.iter().zip(&rule.weights) {
+                    let z = z.lower() + 0.5 * z.length() * (1.0 + t);
+                    push(
+                        x * x + z * z,
+                        0.25 * lengths[0] * lengths[1] * ws * wt * x * z,
+                    );
                 }
-                Sides::Perpendicular { .. } => [a[i] * a[i] + b[j] * b[j], weight * a[i] * b[j]],
-            };
+            }
         }
     }
-    let sum = total(
-        &outer[..points * points],
-        &squares[..used],
-        &weights[..used],
-    );
-    let value = sum * area / (16.0 * PI);
-    #[allow(clippy::cast_precision_loss, reason = "at most 64")]
-    let terms = (points * points) as f64;
+    let terms = count + used;
+    let used = used.next_multiple_of(8);
+    let value = total(&outer[..count], &squares[..used], &weights[..used]) / PI;
+    #[allow(clippy::cast_precision_loss, reason = "at most 88")]
+    let rounding = (32.0 + terms as f64) * f64::EPSILON * value;
     Some(ExchangeArea {
         value,
-        error_bound: (32.0 + terms) * f64::EPSILON * value + error(points),
+        error_bound: rounding + error(points),
     })
+}
+
+/// A rule for `∫∫ f(x − ξ) dx dξ` over two spans: each difference, with its weight.
+fn differences([x, xi]: [&Span; 2], rule: &GaussLegendre, mut take: impl FnMut(f64, f64)) {
+    let shorter = x.length().min(*xi.length());
+    let even = (x.length() - xi.length()).abs();
+    let (least, most) = (x.lower() - xi.upper(), x.upper() - xi.lower());
+    // where the weight rises from 0, where it falls to 0, and where it stays
+    let ramp = 0.5 * shorter;
+    for (t, weight) in rule.nodes.iter().zip(&rule.weights) {
+        let along = ramp * (1.0 + t);
+        let weight = ramp * weight * along;
+        take(least + along, weight);
+        take(most - along, weight);
+    }
+    if even > 0.0 {
+        for (t, weight) in rule.nodes.iter().zip(&rule.weights) {
+            let along = 0.5 * even * (1.0 + t);
+            take(least + shorter + along, 0.5 * even * weight * shorter);
+        }
+    }
 }
 
 /// `Σ_i f_i Σ_j w_j / (a_i + s_j)²`, two i sharing a division.
 fn total(outer: &[[f64; 2]], squares: &[f64], weights: &[f64]) -> f64 {
-    let mut sums = [0.0; MOST * MOST];
+    let mut sums = [0.0; MOST_NODES];
     let sums = &mut sums[..squares.len()];
     vectorised(
         #[inline(always)]

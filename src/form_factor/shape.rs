@@ -5,6 +5,7 @@
 //!   dA = J ds dt,   J = J0 + Js s + Jt t      (c2 = c3 for a triangle)
 //! ```
 
+use super::edge::Edge;
 use crate::geometry::{Vector, triangulated};
 use crate::numeric::{DoubleDouble, Scalar};
 use glam::DVec3;
@@ -17,13 +18,20 @@ pub(super) type Cell = [usize; 4];
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Shape {
     pub corners: SmallVec<[DVec3; 4]>,
+    /// From each corner to the next.
+    pub edges: SmallVec<[Edge<f64>; 4]>,
     pub cells: SmallVec<[Cell; 1]>,
     /// `J0, Js, Jt` of each cell, from 106 bits.
     pub jacobians: SmallVec<[[f64; 3]; 1]>,
+    /// The largest Jacobian of a cell over its mean, and how much one changes along half a line, over its largest.
+    pub peak: f64,
+    pub slope: f64,
     pub area: f64,
     pub perimeter: f64,
     pub longest_edge: f64,
     pub centre: DVec3,
+    /// The largest of all coordinates.
+    pub largest: f64,
     /// Half the longest line of a cell along which a rule runs.
     pub half_length: f64,
     /// Largest distance of a corner from the centre.
@@ -60,20 +68,35 @@ impl Shape {
             .iter()
             .map(|cell| jacobian(cell.map(|i| corners[i]), normal))
             .collect();
+        let (mut peak, mut slope) = (1.0, 0.0);
+        for [j, js, jt] in &jacobians {
+            let largest = j + f64::max(*js, 0.0) + f64::max(*jt, 0.0);
+            peak = f64::max(peak, largest / (j + 0.5 * (js + jt)));
+            slope = f64::max(slope, 0.5 * js.abs().max(jt.abs()) / largest);
+        }
         let area = jacobians
             .iter()
             .map(|[j, js, jt]| j + 0.5 * (js + jt))
             .sum();
         #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
         let centre = corners.iter().sum::<DVec3>() / n as f64;
-        let edges = (0..n).map(|i| (corners[(i + 1) % n] - corners[i]).length());
+        let at = |i: usize| Vector(corners[i % n].to_array());
+        let edges: SmallVec<[Edge<f64>; 4]> = (0..n).map(|i| Edge::new(at(i), at(i + 1))).collect();
         let radius = corners
             .iter()
             .map(|c| c.distance(centre))
             .fold(0.0, f64::max);
         Some(Self {
-            perimeter: edges.clone().sum(),
-            longest_edge: edges.fold(0.0, f64::max),
+            perimeter: edges.iter().map(|edge| edge.length).sum(),
+            longest_edge: edges.iter().map(|edge| edge.length).fold(0.0, f64::max),
+            edges,
+            largest: corners
+                .iter()
+                .map(|c| c.abs().max_element())
+                .fold(0.0, f64::max),
+            // the Jacobian's rounding
+            peak: peak * (1.0 + 8.0 * f64::EPSILON),
+            slope: slope + 8.0 * f64::EPSILON,
             half_length: half_length(&corners, &cells),
             corners,
             cells,

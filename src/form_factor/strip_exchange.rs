@@ -17,9 +17,11 @@
 //! **Not covered**: a bound on the error; measured, a few ε of the line's length.
 
 use super::Polygon;
-use super::gauss_points::Rule;
+use super::edge::Edge;
+use super::gauss_points::Block;
 use super::point_to_polygon::integral;
-use crate::numeric::{GaussLegendre, Scalar};
+use crate::geometry::Vector;
+use crate::numeric::{GaussLegendre, LANES, Scalar};
 use glam::DVec3;
 
 /// Gauss points per piece.
@@ -49,7 +51,7 @@ impl Polygon {
         let length = start.distance(end);
         let direction = (end - start) / length;
         let zeros = complex_zeros(&corners, direction);
-        let mut rule = Rule::default();
+        let (mut blocks, mut count) = (Vec::new(), 0);
         let nodes = GaussLegendre::with(POINTS);
         let mut open = vec![[0.0, length]];
         while let Some([from, to]) = open.pop() {
@@ -62,13 +64,24 @@ impl Polygon {
                 continue;
             }
             for (node, weight) in nodes.nodes.iter().zip(&nodes.weights) {
-                rule.points.push(direction * (middle + half * node));
-                rule.weights.push(half * weight);
+                let lane = count % LANES;
+                if lane == 0 {
+                    blocks.push(Block::default());
+                }
+                if let Some(block) = blocks.last_mut() {
+                    let point = direction * (middle + half * node);
+                    for (column, x) in block.points.iter_mut().zip(point.to_array()) {
+                        column[lane] = x;
+                    }
+                    block.weights[lane] = half * weight;
+                }
+                count += 1;
             }
         }
-        rule.points.pad();
-        rule.weights.resize(rule.points.len(), 0.0);
-        integral(&rule, self.normal, &corners, &mut Vec::new()).max(0.0)
+        let n = corners.len();
+        let at = |i: usize| Vector(corners[i % n].to_array());
+        let edges: Vec<_> = (0..n).map(|i| Edge::new(at(i), at(i + 1))).collect();
+        integral(&blocks, self.normal, &edges, DVec3::ZERO).max(0.0)
     }
 
     /// The corners of what of `other` lies in front of this plane.

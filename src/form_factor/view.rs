@@ -1,14 +1,11 @@
 //! A pair as the routes see it: what of each polygon is in front of the other's plane, and measures of both.
 
-use super::gauss_points;
+use super::gauss_points::{self, Lines};
 use super::horizon::{Off, Side, side_of};
 use super::shape::Shape;
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
 use glam::DVec3;
 use std::f64::consts::PI;
-
-/// Gauss points per direction from which on other routes are cheaper.
-pub(super) const MOST: usize = 17;
 
 /// What of a pair is in front of the other's plane, with measures that the choice rests on.
 pub(super) struct View<'a> {
@@ -21,6 +18,8 @@ pub(super) struct View<'a> {
     pub reach: f64,
     /// What corners may be off.
     pub off: Off,
+    /// The largest height of each.
+    highest: [f64; 2],
     /// What that changes at most, per length: by flux through ribbons; for polygons apart, relative to the value, by other
     /// heights, and by other areas and distances.
     ribbons: f64,
@@ -81,33 +80,30 @@ impl<'a> View<'a> {
         let [first, second] = shapes;
         let between = second.centre - first.centre;
         let distance = between.length();
-        let corners = first
-            .corners
-            .iter()
-            .flat_map(|x| second.corners.iter().map(|y| (*x - *y).length_squared()));
-        let reach = corners.fold(0.0, f64::max).sqrt() * (1.0 + 4.0 * f64::EPSILON);
-        // planes that have one polygon on one side and the other on the other: across the centres' line, and their own
-        let farthest = |shape: &Shape, direction: DVec3| {
-            let along = shape
-                .corners
-                .iter()
-                .map(|c| (*c - first.centre).dot(direction));
-            along.fold(f64::NEG_INFINITY, f64::max)
+        let radii = first.radius + second.radius;
+        let spans = heights.map(Span::of);
+        // spheres do for polygons far apart
+        let [gap, reach] = if distance > 4.0 * radii {
+            [distance - radii, distance + radii]
+        } else {
+            let reach = farthest(first, second);
+            let gap = apart(first, second, between / distance);
+            [gap.max(spans[0].least).max(spans[1].least), reach]
         };
-        let least = |heights: &[f64]| heights.iter().copied().fold(f64::INFINITY, f64::min);
-        let direction = between / distance;
-        let apart = -farthest(second, -direction) - farthest(first, direction);
-        let gap = apart.max(least(heights[0])).max(least(heights[1])) - 8.0 * f64::EPSILON * reach;
-        #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
-        let means = heights.map(|heights| heights.iter().sum::<f64>() / heights.len() as f64);
+        let reach = reach * (1.0 + 4.0 * f64::EPSILON);
+        let gap = gap - 8.0 * f64::EPSILON * reach;
         let gap = if gap > 0.0 { gap } else { 0.0 };
+        let means = spans.map(|span| span.mean);
         let spread = if gap > 0.0 {
-            (reach / gap).powi(4)
+            {
+                let square = (reach / gap) * (reach / gap);
+                square * square
+            }
         } else {
             f64::INFINITY
         };
         // heights h weighted by the kernel K: Σ K/Σ h K is at most 1/h_min, and at most (K_max/K_min)/h_mean
-        let sensitivities = [0, 1].map(|k| (1.0 / least(heights[k])).min(spread / means[k]));
+        let sensitivities = spans.map(|span| (1.0 / span.least).min(spread / span.mean));
         let received = |shape: &Shape| (shape.area / (PI * gap * gap)).min(1.0);
         let ribbons = first.perimeter * received(second) + second.perimeter * received(first);
         // corners that are off by δ change heights, areas and r⁴, too: relative to the value
@@ -123,6 +119,7 @@ impl<'a> View<'a> {
             gap,
             reach,
             off,
+            highest: spans.map(|span| span.most),
             ribbons: 2.0 * ribbons,
             by_height: 2.0 * (sensitivities[0] + sensitivities[1]),
             by_place: 2.0 * by_place,
@@ -151,30 +148,92 @@ impl<'a> View<'a> {
 
     /// Gauss points per direction on one of the shapes.
     pub(super) fn points(&self, k: usize) -> usize {
-        let (largest, wanted) = (self.largest(), self.wanted());
-        (2..MOST)
-            .find(|n| self.truncation(k, *n, largest) <= wanted)
-            .unwrap_or(MOST)
+        let most = self.wanted() / (self.largest() * 2.0 * self.shapes[k].peak);
+        self.lines(k).points(most)
+    }
+
+    /// The lines along which a rule on one of the shapes runs.
+    fn lines(&self, k: usize) -> Lines {
+        let Shape {
+            half_length, slope, ..
+        } = self.shapes[k];
+        Lines {
+            gamma: self.gap / half_length,
+            height: (half_length / self.highest[k]).min(0.5),
+            jacobian: *slope,
+        }
+    }
+
+    /// Vectors that rules on one of the shapes take.
+    pub(super) fn blocks(&self, k: usize, points: usize) -> usize {
+        gauss_points::blocks(points) * self.shapes[k].cells.len()
     }
 
     /// A bound on the error of a rule on one of the shapes.
     pub(super) fn truncation(&self, k: usize, points: usize, largest: f64) -> f64 {
-        gauss_points::error(points, self.gap / self.shapes[k].half_length) * largest
+        2.0 * self.shapes[k].peak * self.lines(k).error(points) * largest
     }
 
     /// `area × area × h_max g_max / (π gap⁴)`.
     pub(super) fn largest(&self) -> f64 {
-        let highest = self.heights.map(|h| h.iter().copied().fold(0.0, f64::max));
         let areas = self.shapes[0].area * self.shapes[1].area;
-        areas * highest[0] / self.gap * (highest[1] / self.gap) / (PI * self.gap * self.gap)
+        areas * self.highest[0] / self.gap * (self.highest[1] / self.gap)
+            / (PI * self.gap * self.gap)
     }
 }
 
-/// A bound on `θ/sin θ` for the angle θ that an edge subtends at a distance: beyond a right angle only that θ is at most π.
+/// The heights of a shape's corners.
+#[derive(Debug, Clone, Copy)]
+struct Span {
+    least: f64,
+    mean: f64,
+    most: f64,
+}
+
+impl Span {
+    fn of(heights: &[f64]) -> Self {
+        let (mut least, mut most, mut sum) = (f64::INFINITY, 0.0, 0.0);
+        for height in heights {
+            least = f64::min(least, *height);
+            most = f64::max(most, *height);
+            sum += height;
+        }
+        #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
+        let mean = sum / heights.len() as f64;
+        Self { least, mean, most }
+    }
+}
+
+/// The largest distance of two corners.
+fn farthest(first: &Shape, second: &Shape) -> f64 {
+    let mut square = 0.0;
+    for x in &first.corners {
+        for y in &second.corners {
+            square = f64::max(square, x.distance_squared(*y));
+        }
+    }
+    square.sqrt()
+}
+
+/// How far two planes across this direction are apart, each touching one of the polygons; negative if they are not.
+fn apart(first: &Shape, second: &Shape, direction: DVec3) -> f64 {
+    let (mut end, mut start) = (f64::NEG_INFINITY, f64::INFINITY);
+    for corner in &first.corners {
+        end = f64::max(end, (*corner - first.centre).dot(direction));
+    }
+    for corner in &second.corners {
+        start = f64::min(start, (*corner - first.centre).dot(direction));
+    }
+    start - end
+}
+
+/// A bound on `θ/sin θ` for the angle θ that an edge subtends at a distance: with h = tan(θ/2) it is `(1 + h²) atan h / h`, and
+/// `atan h ≤ h − h³/3 + h⁵/5`; beyond a right angle only that θ is at most π.
 pub(super) fn widening(length: f64, distance: f64) -> f64 {
     let half = 0.5 * length / distance;
-    if half <= 1.0 {
-        half.atan() * (1.0 + half * half) / half
+    let square = half * half;
+    if square <= 1.0 {
+        (1.0 + square) * (1.0 - square * (1.0 / 3.0 - 0.2 * square))
     } else {
         PI
     }

@@ -28,7 +28,8 @@ impl<S: Scalar + Copy> Vector<S> {
     #[inline(always)]
     #[must_use]
     pub fn times(self, factor: S) -> Self {
-        Self(self.0.map(|x| x * factor))
+        let [x, y, z] = self.0;
+        Self([x * factor, y * factor, z * factor])
     }
 
     /// Scalar product.

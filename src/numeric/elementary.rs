@@ -58,6 +58,28 @@ pub fn ln(x: f64) -> f64 {
     log_of(x, 0.0)
 }
 
+/// Error bound of [`rough_ln`], absolute.
+pub const ROUGH_LN_ERROR: f64 = 1e-4;
+
+/// `ln x` to four digits, for `x > 0` that is normal: for plans, and for bounds with its error added.
+///
+/// With x = 2^k m and `m = (3 + t)/2`, `ln m = ln(3/2) + ln(1 + t/3)`, whose Chebyshev series has the terms
+/// `±2 q^n/n T_n(t)`, q = 3 − √8; those from the fifth on are left out, 2 Σ q^n/n = 7.2e-5.
+#[inline(always)]
+#[must_use]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+pub fn rough_ln(x: f64) -> f64 {
+    let bits = x.to_bits();
+    let k = f64::from_bits(0x4330_0000_0000_0000 | bits >> 52) - (4_503_599_627_370_496.0 + 1023.0);
+    let m = f64::from_bits(bits & 0x000f_ffff_ffff_ffff | 0x3ff0_0000_0000_0000);
+    let t = 2.0 * m - 3.0;
+    let series = 0.333_044_7 + t * (-0.055_408_4 + t * (0.013_468_4 - t * 0.003_466_2));
+    k * std::f64::consts::LN_2 + (0.405_457 + t * series)
+}
+
 /// `ln x` plus something small.
 #[inline(always)]
 #[allow(

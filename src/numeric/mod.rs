@@ -44,4 +44,4 @@ pub use quadrature::{Integral, integral};
 pub use root::{Root, root};
 pub use scalar::Scalar;
 pub use scaled::{Scaled, common_scale};
-pub use vectorised::vectorised;
+pub use vectorised::{LANES, Lanes, across, vectorised};

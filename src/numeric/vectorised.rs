@@ -14,3 +14,16 @@ static VECTOR_UNIT: LazyLock<pulp::Arch> = LazyLock::new(pulp::Arch::new);
 pub fn vectorised(work: impl FnOnce()) {
     VECTOR_UNIT.dispatch(work);
 }
+
+/// Doubles in a vector of today's widest processors.
+pub const LANES: usize = 8;
+
+/// A vector of doubles, or what narrower ones take in turns.
+pub type Lanes = [f64; LANES];
+
+/// The sum of all lanes, halves first.
+#[must_use]
+pub fn across(lanes: Lanes) -> f64 {
+    let [a, b, c, d, e, f, g, h] = lanes;
+    ((a + e) + (c + g)) + ((b + f) + (d + h))
+}

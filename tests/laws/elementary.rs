@@ -1,6 +1,6 @@
 //! The functions that every form factor is made of keep their bounds.
 
-use infoscene::numeric::elementary::{ANGLE_ERROR, LN_ERROR, angle, ln};
+use infoscene::numeric::elementary::{ANGLE_ERROR, LN_ERROR, ROUGH_LN_ERROR, angle, ln, rough_ln};
 use infoscene::numeric::{DoubleDouble, GaussLegendre, Interval, SQUARED_EPSILON, Scalar};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -37,12 +37,13 @@ fn positive(random: &mut ChaCha8Rng, reach: f64) -> f64 {
 #[test]
 fn elementary_functions_keep_their_bound() {
     let mut random = ChaCha8Rng::seed_from_u64(1);
-    let (mut worst_ln, mut worst_angle) = (0.0f64, 0.0f64);
+    let (mut worst_ln, mut worst_angle, mut worst_rough) = (0.0f64, 0.0f64, 0.0f64);
     for _ in 0..SAMPLES {
         let x = positive(&mut random, 1000.0);
         let exact = precise(x).ln();
         let allowed = LN_ERROR * exact.abs().to_f64();
         worst_ln = worst_ln.max(error(ln(x), &exact) / allowed.max(f64::MIN_POSITIVE));
+        worst_rough = worst_rough.max(error(rough_ln(x), &exact) / ROUGH_LN_ERROR);
         let y = positive(&mut random, 30.0);
         let x = positive(&mut random, 30.0) * if random.random_bool(0.5) { 1.0 } else { -1.0 };
         let exact = precise(y).atan2(&precise(x));
@@ -50,6 +51,10 @@ fn elementary_functions_keep_their_bound() {
     }
     assert!(worst_ln <= 1.0, "ln: {worst_ln} of its bound");
     assert!(worst_angle <= 1.0, "angle: {worst_angle} of its bound");
+    assert!(
+        (0.1..=1.0).contains(&worst_rough),
+        "rough ln: {worst_rough} of its bound"
+    );
     println!("{worst_ln} {worst_angle}");
     assert!(
         worst_ln > 0.1 && worst_angle > 0.1,

@@ -1,0 +1,149 @@
+//! Edges, and how well what is computed of them is known.
+
+#![allow(
+    clippy::inline_always,
+    reason = "the machine code is made where it is called"
+)]
+
+use super::potential::{log_distance, potential};
+use crate::geometry::Vector;
+use crate::numeric::Scalar;
+use crate::numeric::elementary::{ROUGH_LN_ERROR, rough_ln};
+use std::f64::consts::PI;
+
+/// An edge, from start to end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Edge<S> {
+    pub ends: [Vector<S>; 2],
+    pub direction: Vector<S>,
+    pub length: S,
+}
+
+impl<S: Scalar + Copy> Edge<S> {
+    #[inline(always)]
+    pub(super) fn new(start: Vector<S>, end: Vector<S>) -> Self {
+        let along = end.minus(start);
+        let length = along.length();
+        Self {
+            ends: [start, end],
+            direction: along.times(length.constant(1.0) / length),
+            length,
+        }
+    }
+
+    #[inline(always)]
+    pub(super) fn at(&self, t: S) -> Vector<S> {
+        self.ends[0].plus(self.direction, t * self.length)
+    }
+
+    /// Its potential at a point.
+    #[inline(always)]
+    pub(super) fn potential(&self, point: Vector<S>, inverse_square: S) -> S {
+        let (a, c) = (self.ends[0].minus(point), self.ends[1].minus(point));
+        let logs = [
+            log_distance(a, inverse_square),
+            log_distance(c, inverse_square),
+        ];
+        potential(a, c, self.direction, self.length, logs)
+    }
+
+    /// A lower bound on the squared distance of a point.
+    #[inline(always)]
+    pub(super) fn squared_distance(&self, point: Vector<S>) -> f64 {
+        let from_start = point.minus(self.ends[0]);
+        let along = from_start.dot(self.direction).to_f64();
+        let nearest = along.max(0.0).min(self.length.to_f64());
+        let beside = from_start.plus(self.direction, self.length.constant(-nearest));
+        beside.dot(beside).to_f64() * (1.0 - 16.0 * f64::EPSILON)
+    }
+
+    /// A lower bound on the sum of half-axes of ellipses about a line that leave this edge outside: for a point y of it,
+    /// `(|y − start| + |y − end|)² = 2 |y − middle|² + length²/2 + 2 |y − start| |y − end|`.
+    #[inline(always)]
+    pub(super) fn outside(&self, [start, middle, end]: [Vector<S>; 3], length: f64) -> f64 {
+        let [from_start, from_middle, from_end] = [
+            self.squared_distance(start),
+            self.squared_distance(middle),
+            self.squared_distance(end),
+        ];
+        let to_ends = (from_start * from_end).sqrt();
+        let square = 2.0 * from_middle + 0.5 * length * length + 2.0 * to_ends;
+        square.max(4.0 * from_middle).sqrt() / length * (1.0 - 8.0 * f64::EPSILON)
+    }
+}
+
+/// An integral over two edges, and a bound on its error.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PairIntegral<S> {
+    pub value: S,
+    pub error: f64,
+}
+
+/// What lengths are measured in under the logarithm, and how well numbers are known.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Precision<S> {
+    /// One over the unit of length squared.
+    pub inverse_square: S,
+    /// `max r |ln(r/unit)|` over all distances.
+    pub largest_log: f64,
+    /// The largest `|ln(r/unit)|`, infinite if they touch.
+    largest_ratio: f64,
+    reach: f64,
+    pub epsilon: f64,
+}
+
+impl<S: Scalar + Copy> Precision<S> {
+    /// For distances from `gap` (0 if they touch) to `reach`.
+    ///
+    /// `r |ln(r/unit)|` is at most `reach ln(reach/unit)` beyond the unit, and `unit/e` below it, or what it is at the gap. The
+    /// two are equal for `ln(reach/unit) = 0.2785`, or where the gap is larger than that leaves open, `gap/(gap + reach)`
+    /// times the logarithm of their ratio.
+    pub(super) fn new(gap: f64, reach: f64, like: S, epsilon: f64) -> Self {
+        const BALANCE: f64 = 0.2785;
+        let above = if gap > BALANCE * reach {
+            gap / (gap + reach) * rough_ln(reach / gap)
+        } else {
+            BALANCE
+        };
+        // near e^−above; what it is exactly does not matter
+        let unit = reach / (1.0 + above * (1.0 + 0.5 * above));
+        let log = |ratio: f64| {
+            if ratio < f64::INFINITY {
+                rough_ln(ratio) + ROUGH_LN_ERROR
+            } else {
+                ratio
+            }
+        };
+        let (beyond, below) = (log(reach / unit), log(unit / gap));
+        let lowest = if below < 1.0 {
+            gap * below
+        } else {
+            0.368 * unit
+        };
+        Self {
+            inverse_square: like.constant(1.0 / (unit * unit)),
+            largest_log: f64::max(reach * beyond, lowest),
+            largest_ratio: f64::max(beyond, below),
+            reach,
+            epsilon,
+        }
+    }
+
+    /// The error of the potential of an edge whose ends are within `projected` along it, and subtend at most so much that
+    /// `θ/sin θ` is `widening`.
+    pub(super) fn of_potential(&self, projected: f64, length: f64, widening: f64) -> f64 {
+        let logs = 5.0 * projected + 18.0 * self.largest_log;
+        0.5 * self.epsilon * (logs + (12.0 + 12.0 * widening) * length)
+    }
+
+    /// The largest magnitude of the potential of an edge: with the largest distance for a unit it is greatest for a point
+    /// in the middle of an edge twice as long, `∫ ln(unit/r) = 2 unit`.
+    pub(super) fn largest_potential(&self, length: f64) -> f64 {
+        (length * self.largest_ratio).min(2.0 * self.reach)
+    }
+
+    /// The same wherever the point is, for distances up to `reach`.
+    pub(super) fn of_any_potential(&self, reach: f64, length: f64) -> f64 {
+        self.of_potential(reach, length, PI)
+    }
+}
