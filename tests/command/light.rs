@@ -181,7 +181,7 @@ fn light_that_cannot_be_is_refused() {
     ];
     assert_refused(
         &[&["split", "cube:1", "--patch", "0"], &dark[..]].concat(),
-        "leaves",
+        "the sum of the weights is 0",
     );
     infoscene(&["radiosity", "cornell-box"]).assert().success();
 }
