@@ -5,6 +5,7 @@
 //!   moderate distance     contour, one Gauss rule for all edges apart
 //!   apart                 point to polygon (over the smaller one), kernel (over both): whichever needs less work
 //!   what cancels in f64   contour in double-double
+//!   what cancels there    closed form of aligned rectangles, in intervals of 256 bits
 //! ```
 //!
 //! Before any of them: polygons that face away or lie in one plane exchange nothing, and what lies behind the other's
@@ -14,14 +15,12 @@ use super::contour::{Scratch, contour};
 use super::gauss_points::{Block, MOST};
 use super::horizon::{Off, precise_outline};
 use super::precise_contour::precise_contour;
-use super::shape::Shape;
 use super::view::{View, seen};
-use super::{Answer, ExchangeArea, FormFactorError, Polygon, RectanglePair, Route};
+use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
 use crate::numeric::elementary::rough_ln;
-use crate::numeric::{DoubleDouble, LANES, SQUARED_EPSILON};
+use crate::numeric::{LANES, SQUARED_EPSILON};
 use smallvec::SmallVec;
 use std::cell::RefCell;
-use std::f64::consts::PI;
 
 /// Relative error that is asked for unless something else is.
 pub const DEFAULT_TOLERANCE: f64 = 1e-12;
@@ -68,9 +67,18 @@ impl Polygon {
         {
             return Ok(answer);
         }
-        self.in_units(other, |first, second| {
+        let answer = self.in_units(other, |first, second| {
             WORK.with_borrow_mut(|work| seen([first, second], tolerance, |view| view.answer(work)))
-        })
+        });
+        match answer {
+            Ok(found) if found.exchange.error_bound > tolerance * found.exchange.value => {
+                let enclosed = self.enclosed_rectangles(other);
+                let bound = found.exchange.error_bound;
+                let better = enclosed.filter(|enclosed| enclosed.exchange.error_bound < bound);
+                Ok(better.unwrap_or(found))
+            }
+            answer => answer,
+        }
     }
 
     /// The same by one route, whether its bound meets the tolerance or not: for studies of the routes.
@@ -100,13 +108,6 @@ impl Polygon {
                 seen([first, second], tolerance.max(0.0), by_route)
             })
         })
-    }
-
-    /// So many sizes apart that closed forms of rectangles lose more than rules do: the fourth power of that.
-    fn is_far_from(&self, other: &Self) -> bool {
-        let (first, second) = (&self.shape, &other.shape);
-        let size = first.longest_edge.max(second.longest_edge);
-        first.centre.distance_squared(second.centre) > 12.0 * size * size
     }
 
     /// A pair very small or very large is taken in units of a power of two near its size, so that squares stay in range.
@@ -140,50 +141,6 @@ impl Polygon {
         } else {
             Err(FormFactorError::OutOfRange { value })
         }
-    }
-
-    /// Aligned rectangles, with what the rounding of their places adds to the bound: closed forms, or rules along the sides
-    /// where they meet the tolerance; `None` for other polygons, and where nothing is exchanged.
-    fn rectangles(&self, other: &Self, tolerance: f64) -> Option<Answer> {
-        let (first, second) = (self.rectangle.as_ref()?, other.rectangle.as_ref()?);
-        let pair = RectanglePair::try_new(first, second).ok()?;
-        let by_rules = if self.is_far_from(other) {
-            pair.exchange_by_rules(tolerance)
-        } else {
-            None
-        };
-        let (mut exchange, route) = if let Some(exchange) = by_rules {
-            (exchange, Route::Kernel)
-        } else {
-            let [axes, others] = [first.axes()?, second.axes()?];
-            let route = if axes[0] + axes[1] == others[0] + others[1] {
-                Route::ParallelRectangles
-            } else {
-                Route::PerpendicularRectangles
-            };
-            (pair.exchange_area().ok()?, route)
-        };
-        if exchange.value <= 0.0 {
-            return None;
-        }
-        // the second one's coordinates in the frame of the first are rounded once, unless they are exact there
-        let origin = first.origin().to_array();
-        let exact = [second.origin(), second.corners()[2]]
-            .into_iter()
-            .all(|corner| {
-                let mut pairs = corner.to_array().into_iter().zip(origin);
-                pairs.all(|(x, o)| DoubleDouble::difference(x, o).low() == 0.0)
-            });
-        if !exact {
-            let (first, second) = (&self.shape, &other.shape);
-            let distance = first.centre.distance(second.centre);
-            let radii = first.radius + second.radius;
-            let gap = (distance - radii).max(0.0);
-            let received = |shape: &Shape| (shape.area / (PI * gap * gap)).min(1.0);
-            let ribbons = first.perimeter * received(second) + second.perimeter * received(first);
-            exchange.error_bound += f64::EPSILON * (distance + radii) * ribbons;
-        }
-        Some(Answer { exchange, route })
     }
 }
 

@@ -26,6 +26,7 @@
 //! References: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-11 to C-15;
 //! Cohen and Wallace, *Radiosity and Realistic Image Synthesis*, 1993, ch. 4.
 
+mod aligned;
 mod choice;
 mod contour;
 mod coplanar_edges;

@@ -1,0 +1,95 @@
+//! Rectangles with edges along common axes: closed forms, rules along the sides, and closed forms in intervals.
+//!
+//! Closed forms lose the fourth power of the distance in sizes, so that far rectangles take rules. Extreme ones, thousands of
+//! millions of times longer than wide or apart, cancel by more than 106 bits hold: an enclosure of the closed form answers, in
+//! half a millisecond.
+
+use super::shape::Shape;
+use super::{Answer, ExchangeArea, Polygon, RectanglePair, Route};
+use crate::geometry::Rectangle;
+use crate::numeric::{DoubleDouble, Interval, Scalar};
+use std::f64::consts::PI;
+
+/// Bits of the closed forms in intervals.
+const ENCLOSED: u32 = 256;
+
+impl Polygon {
+    /// Aligned rectangles, with what the rounding of their places adds to the bound: closed forms, or rules along the sides
+    /// where they meet the tolerance; `None` for other polygons, and where nothing is exchanged.
+    pub(super) fn rectangles(&self, other: &Self, tolerance: f64) -> Option<Answer> {
+        let (first, second) = (self.rectangle.as_ref()?, other.rectangle.as_ref()?);
+        let pair = RectanglePair::try_new(first, second).ok()?;
+        let by_rules = if self.is_far_from(other) {
+            pair.exchange_by_rules(tolerance)
+        } else {
+            None
+        };
+        let (mut exchange, route) = if let Some(exchange) = by_rules {
+            (exchange, Route::Kernel)
+        } else {
+            (pair.exchange_area().ok()?, route_of(first, second)?)
+        };
+        if exchange.value <= 0.0 {
+            return None;
+        }
+        exchange.error_bound += self.misplacement(other);
+        Some(Answer { exchange, route })
+    }
+
+    /// The closed form of aligned rectangles in intervals: for extreme ones, whose terms cancel by more than 106 bits hold.
+    pub(super) fn enclosed_rectangles(&self, other: &Self) -> Option<Answer> {
+        let (first, second) = (self.rectangle.as_ref()?, other.rectangle.as_ref()?);
+        let pair = RectanglePair::try_new(first, second).ok()?;
+        let like = Interval::precise(1.0, ENCLOSED);
+        let enclosure = pair.lifted(&like).exchange_value().ok()?;
+        let value = enclosure.to_f64();
+        let error_bound = enclosure.width() + f64::EPSILON * value + self.misplacement(other);
+        let is_number = value > 0.0 && value.is_finite() && error_bound.is_finite();
+        is_number.then_some(Answer {
+            exchange: ExchangeArea { value, error_bound },
+            route: route_of(first, second)?,
+        })
+    }
+
+    /// What it may change that the second one's coordinates in the frame of the first are rounded once, unless they are exact
+    /// there.
+    fn misplacement(&self, other: &Self) -> f64 {
+        let (Some(first), Some(second)) = (&self.rectangle, &other.rectangle) else {
+            return 0.0;
+        };
+        let origin = first.origin().to_array();
+        let exact = [second.origin(), second.corners()[2]]
+            .into_iter()
+            .all(|corner| {
+                let mut pairs = corner.to_array().into_iter().zip(origin);
+                pairs.all(|(x, o)| DoubleDouble::difference(x, o).low() == 0.0)
+            });
+        if exact {
+            return 0.0;
+        }
+        let (first, second) = (&self.shape, &other.shape);
+        let distance = first.centre.distance(second.centre);
+        let radii = first.radius + second.radius;
+        let gap = (distance - radii).max(0.0);
+        let received = |shape: &Shape| (shape.area / (PI * gap * gap)).min(1.0);
+        let ribbons = first.perimeter * received(second) + second.perimeter * received(first);
+        f64::EPSILON * (distance + radii) * ribbons
+    }
+
+    /// So many sizes apart that closed forms of rectangles lose more than rules do: the fourth power of that.
+    fn is_far_from(&self, other: &Self) -> bool {
+        let (first, second) = (&self.shape, &other.shape);
+        let size = first.longest_edge.max(second.longest_edge);
+        first.centre.distance_squared(second.centre) > 12.0 * size * size
+    }
+}
+
+/// Whether two aligned rectangles are parallel or perpendicular.
+fn route_of(first: &Rectangle, second: &Rectangle) -> Option<Route> {
+    let [axes, others] = [first.axes()?, second.axes()?];
+    Some(if axes[0] + axes[1] == others[0] + others[1] {
+        Route::ParallelRectangles
+    } else {
+        Route::PerpendicularRectangles
+    })
+}
