@@ -14,6 +14,7 @@ use crate::study::precision::work_precision;
 use crate::study::profiles::profiles;
 use crate::study::stability::gain_stability;
 use crate::study::transport_stability::transport_stability;
+use crate::study::walk_variance::walk_variance;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Study {
@@ -41,6 +42,8 @@ enum Subject {
     Profiles,
     /// What straight cuts gain in any direction, where radiosity grows as a power.
     Directions,
+    /// The variance of random walks, by what steers them.
+    Walks,
 }
 
 impl Study {
@@ -58,9 +61,18 @@ impl Study {
                 rows.extend(route_stability(routes, self.quick)?);
                 self.output.write(&stability_report(&rows)?)
             }
+            Subject::Walks => {
+                let rows = walk_variance(if self.quick { 200 } else { 10_000 })?;
+                self.output.write(&study_report(
+                    "walks",
+                    "deviation of a walk, relative",
+                    &rows,
+                )?)
+            }
             Subject::Precision => {
                 let rows = work_precision(self.quick)?;
-                self.output.write(&study_report("precision", &rows)?)
+                self.output
+                    .write(&study_report("precision", "relative width", &rows)?)
             }
             Subject::Limits => self.output.write(&limits_report(&gradient_limits()?)?),
             Subject::Directions => self.output.write(&directions_report(&directions()?)?),

@@ -7,7 +7,11 @@ use crate::study::Row;
 ///
 /// # Errors
 /// [`ReportError::NotFinite`] if an error is not a number.
-pub fn study_report(study: &'static str, rows: &[Row]) -> Result<Report, ReportError> {
+pub fn study_report(
+    study: &'static str,
+    error: &'static str,
+    rows: &[Row],
+) -> Result<Report, ReportError> {
     if let Some(row) = rows.iter().find(|row| !row.relative_error.is_finite()) {
         return Err(ReportError::NotFinite {
             key: format!("{}, {}", row.case, row.method),
@@ -23,7 +27,7 @@ pub fn study_report(study: &'static str, rows: &[Row]) -> Result<Report, ReportE
         ]
     };
     let table = Table {
-        columns: vec!["case", "method", "value", "relative error", "seconds"],
+        columns: vec!["case", "method", "value", error, "seconds"],
         rows: rows.iter().map(line).collect(),
         ..Table::default()
     };

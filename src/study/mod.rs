@@ -24,6 +24,7 @@ pub mod profiles;
 pub mod stability;
 pub mod transport_stability;
 mod truth;
+pub mod walk_variance;
 
 pub use error::StudyError;
 pub use exact_gain::exact_gain;
@@ -38,7 +39,7 @@ pub struct Row {
     pub method: String,
     /// The exact value.
     pub value: f64,
-    /// |computed − exact| / exact, or an enclosure's width over it.
+    /// |computed − exact| / exact, an enclosure's width over it, or a walk's standard deviation.
     pub relative_error: f64,
     /// Time of one evaluation, in seconds.
     pub seconds: f64,

@@ -131,3 +131,23 @@ fn a_guessed_solution_has_little_variance_but_some() {
     assert!(spread > 1e-4 && spread < 2e-2, "{spread:e}");
     assert!((walks.mean - exact).abs() < 6.0 * walks.standard_error());
 }
+
+/// The deviation of a walk follows the error of the solution that steers it; by form factors it is larger than any.
+#[test]
+fn variance_falls_with_the_square_of_the_solutions_error() {
+    let rows = infoscene::study::walk_variance::walk_variance(400).unwrap();
+    for method in ["gathering", "shooting"] {
+        let deviation = |what: &str| {
+            let found = rows
+                .iter()
+                .find(|row| row.method == method && row.case.ends_with(what));
+            found.unwrap().relative_error
+        };
+        assert!(deviation("solution 0e0 off") < 1e-14);
+        for (off, name) in [(1e-8, "1e-8 off"), (1e-4, "1e-4 off"), (1e-2, "1e-2 off")] {
+            let ratio = deviation(name) / off;
+            assert!((0.05..2.0).contains(&ratio), "{method}, {off:e}: {ratio}");
+        }
+        assert!(deviation("by form factors") > deviation("5e-1 off"));
+    }
+}
