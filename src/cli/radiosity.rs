@@ -45,6 +45,14 @@ impl Radiosity {
             importance.as_ref(),
         )?;
         let written = self.output.write(&report)?;
+        if radiosity.relative_error > pairs.tolerance() {
+            eprintln!(
+                "infoscene: the radiosities may be {:.0e} off, relative, and the tolerance is {:e}",
+                radiosity.relative_error,
+                pairs.tolerance()
+            );
+            return Ok(Outcome::Differs);
+        }
         match outcome(&scene, Some(exchange.account()), pairs.tolerance()) {
             Outcome::Done => Ok(written),
             differs @ Outcome::Differs => Ok(differs),

@@ -90,6 +90,10 @@ pub fn radiosity_report(
             return Err(ReportError::NotFinite { key });
         }
     }
+    if !(radiosity.relative_error.is_finite() && radiosity.residual.is_finite()) {
+        let key = "the error of the solution".to_owned();
+        return Err(ReportError::NotFinite { key });
+    }
     let closure = Closure::of_held(exchange);
     let summary = Summary {
         residual: radiosity.residual,

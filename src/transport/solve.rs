@@ -11,14 +11,20 @@ const GOAL: f64 = f64::EPSILON / 64.0;
 /// How far one run of conjugate gradients brings the residual down.
 const REDUCTION: f64 = 1e-8;
 
-/// Runs, and bounces, beyond which nothing more is hoped for.
+/// Runs beyond which nothing more is hoped for.
 const MOST_RUNS: usize = 40;
+
+/// Bounces after which light has come wherever it can.
+const MOST_BOUNCES: usize = 1000;
 
 /// Iterations of one run.
 const MOST_ITERATIONS: usize = 500;
 
 /// What the sums of positive numbers in these bounds may lose, generously: n ε for n up to 4e9.
 const ROUNDING: f64 = 1e-6;
+
+/// What radiosities as `f64` are off by, relative, and their products.
+const ROUNDED: f64 = 4.0 * f64::EPSILON;
 
 /// A solution with 106 bits.
 struct Solved {
@@ -172,27 +178,26 @@ impl Interreflection<'_> {
         image
     }
 
-    /// `T^0 + … + T^(K−1)` on `x`, and K, until no more patches are reached; or for a given K.
+    /// `x + T x + … + T^(K−1) x` and K: as given, or large enough to reach all that can be reached.
     fn bounces(&self, x: &[f64], given: Option<usize>) -> (Vec<f64>, usize) {
         let (mut sum, mut last) = (x.to_vec(), x.to_vec());
-        let lit = |sum: &[f64]| sum.iter().filter(|value| **value > 0.0).count();
-        let mut bounces = 1;
-        let limit = given.unwrap_or(MOST_RUNS);
-        let mut known = lit(&sum);
-        while bounces < limit && (given.is_some() || known < sum.len()) {
-            let gathered = self.flows().gathered(&last);
-            last = self.over_diagonal(&leading(&gathered));
+        let reached = |sum: &[f64]| sum.iter().filter(|value| **value > 0.0).count();
+        let mut terms = 1;
+        while terms < given.unwrap_or(MOST_BOUNCES) {
+            let before = reached(&sum);
+            if given.is_none() && before == sum.len() {
+                break;
+            }
+            last = self.over_diagonal(&leading(&self.flows().gathered(&last)));
             for (sum, last) in sum.iter_mut().zip(&last) {
                 *sum += last;
             }
-            let now = lit(&sum);
-            if given.is_none() && now == known {
+            terms += 1;
+            if given.is_none() && reached(&sum) == before {
                 break;
             }
-            known = now;
-            bounces += 1;
         }
-        (sum, bounces)
+        (sum, terms)
     }
 
     fn over_diagonal(&self, x: &[f64]) -> Vec<f64> {
@@ -288,10 +293,13 @@ impl Interreflection<'_> {
             if reflectance <= 0.0 {
                 0.0
             } else if self.escaping[i].is_some() {
-                from_others[i] + self.row_bounds[i] * f64::EPSILON * x[i]
+                from_others[i]
             } else {
-                let imbalance = ((1.0 - reflectance) * x[i] - sources[i]).abs() / reflectance;
-                between[i] + self.row_bounds[i] * imbalance
+                let (lost, gained) = ((1.0 - reflectance) * x[i], sources[i]);
+                // the differences are those of numbers that are rounded themselves
+                let imbalance = (lost - gained).abs() + ROUNDED * (lost + gained);
+                let nearly_even = ROUNDED * (from_others[i] + self.row_bounds[i] * x[i]);
+                between[i] + nearly_even + self.row_bounds[i] * imbalance / reflectance
             }
         };
         Some((0..x.len()).map(row).collect())
@@ -315,8 +323,10 @@ impl Interreflection<'_> {
         let sideways = self.perturbation(&reaction, &none)?;
         // what rounding may have added to the product
         let size = self.flows().absolute_differences(&reaction);
+        #[allow(clippy::cast_precision_loss, reason = "no scene has 2^53 patches")]
+        let unit = (values.len() + 32) as f64 * f64::EPSILON;
         let shares = (0..values.len()).filter(|i| forces[*i] > 0.0).map(|i| {
-            let rounding = ROUNDING * 1e-6 * (size[i] + self.excess[i] * reaction[i].abs());
+            let rounding = unit * (size[i] + self.excess[i] * reaction[i].abs());
             (image[i] - sideways[i] - rounding) / forces[i]
         });
         let share = shares.fold(f64::INFINITY, f64::min);

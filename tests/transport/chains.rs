@@ -137,6 +137,7 @@ fn even_light_reverts_to_visibility() {
             .map(|m| 3.0 * (1.0 / m.reflectance() - 1.0))
             .collect();
         let visibility = visibility_chain(&scene).unwrap();
+        rows_and_reciprocity(&visibility, name);
         let lit = room.radiosity(&even).unwrap().values;
         let seen = room.importance(&direct).unwrap().reflected.values;
         for brightness in [lit, seen] {
