@@ -1,5 +1,6 @@
 //! `cut` with lists and ranges, its figure, and the studies of §4.2.
 
+use crate::refusals::assert_refused;
 use crate::{infoscene, json, stdout};
 use infoscene::discretize::{CutComparison, GradientCut};
 use serde_json::Value;
@@ -168,14 +169,6 @@ fn curves_are_drawn() {
     assert!(svg.contains("<polyline") && !svg.contains("<polygon"));
     // an axis that ends where the data do, with ticks at round numbers
     assert!(svg.contains("\n80\n") && !svg.contains("\n100\n"));
-}
-
-fn assert_refused(arguments: &[&str], message: &str) {
-    let assertion = infoscene(arguments).assert().code(2);
-    let output = assertion.get_output();
-    let error = String::from_utf8_lossy(&output.stderr);
-    assert!(output.stdout.is_empty(), "{arguments:?} wrote something");
-    assert!(error.contains(message), "{arguments:?} says: {error}");
 }
 
 #[test]
