@@ -1,7 +1,7 @@
 //! `cut` with lists and ranges, its figure, and the studies of §4.2.
 
 use crate::refusals::assert_refused;
-use crate::{infoscene, json, stdout};
+use crate::{json, stdout};
 use infoscene::discretize::{CutComparison, GradientCut};
 use serde_json::Value;
 
