@@ -52,10 +52,9 @@ pub(super) struct Scratch {
 
 type Edges = SmallVec<[Edge<f64>; 4]>;
 
-/// The edges of a shape from a new origin, and whether they have the same places there exactly.
-fn placed(shape: &Shape, origin: DVec3) -> (Edges, bool) {
+/// Puts the edges of a shape from a new origin in `edges`, and says whether they have the same places there exactly.
+fn placed(shape: &Shape, origin: DVec3, edges: &mut Edges) -> bool {
     let origin = Vector(origin.to_array());
-    let mut edges = Edges::with_capacity(shape.edges.len());
     let mut is_exact = true;
     for edge in &shape.edges {
         let ends = [edge.ends[0].minus(origin), edge.ends[1].minus(origin)];
@@ -65,7 +64,7 @@ fn placed(shape: &Shape, origin: DVec3) -> (Edges, bool) {
         }
         edges.push(Edge { ends, ..*edge });
     }
-    (edges, is_exact)
+    is_exact
 }
 
 /// In `f64`; distances are from `gap` to `reach`, `wanted` is the absolute error that truncation may have. `None` if edges come too near to each other
@@ -86,8 +85,9 @@ pub(super) fn contour(
     // coordinates are taken from a corner if that moves nothing, or if they are far larger than the distances
     let farthest = outer.largest.max(inner.largest);
     let mut origin = outer.corners[0];
-    let ((mut a_edges, exact), (mut b_edges, also)) =
-        (placed(outer, origin), placed(inner, origin));
+    let (mut a_edges, mut b_edges) = (Edges::new(), Edges::new());
+    let exact = placed(outer, origin, &mut a_edges);
+    let also = placed(inner, origin, &mut b_edges);
     let (mut moved, mut largest) = (0.0, 2.0 * outer.radius);
     if !(exact && also) {
         if farthest > 4.0 * reach {
