@@ -122,7 +122,7 @@ pub(super) fn contour(
     let mut near: SmallVec<[(usize, SmallVec<[Lanes; 1]>); 4]> = SmallVec::new();
     let columns = Columns::new(&b_edges);
     for (i, a) in a_edges.iter().enumerate() {
-        let (square, outside) = columns.from_line(a);
+        let (square, outside) = columns.distances_from(a);
         let nearest = 2.0 * square.sqrt() / a.length;
         if nearest >= apart {
             sum.rule(a, [inner.perimeter, 1.0], nearest, nodes, &seen);

@@ -92,7 +92,7 @@ impl Columns {
     }
 
     /// For a line: its middle's least squared distance, and the [`half_axes`] that leave each edge outside.
-    pub(super) fn from_line(&self, line: &Edge<f64>) -> (f64, SmallVec<[Lanes; 1]>) {
+    pub(super) fn distances_from(&self, line: &Edge<f64>) -> (f64, SmallVec<[Lanes; 1]>) {
         let points = [line.ends[0], line.at(0.5), line.ends[1]];
         let length = line.length;
         let mut outside: SmallVec<[Lanes; 1]> = SmallVec::from_elem([0.0; LANES], self.0.len());

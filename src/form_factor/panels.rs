@@ -55,6 +55,9 @@ pub(super) struct Panel<S> {
     pub error: f64,
 }
 
+/// A place along the outer edge, relative to it; where that is, and its squared distance from the inner edge.
+type Place<S> = (S, Vector<S>, f64);
+
 /// Hands over panels of `outer`, graded towards `inner`; `None` if there are too many.
 ///
 /// **Arguments** `wanted`: the error per length of both edges; `apart`: sum of half-axes of an ellipse about each panel that
@@ -72,12 +75,11 @@ pub(super) fn panels<S: Scalar + Copy>(
     let length = outer.length.to_f64();
     let number = |x: f64| outer.length.constant(x);
     let (log_wanted, mut near_pinch) = (rough_ln(wanted), None);
-    // places along the line, with their squared distances from the other one
     let place = |t: S| {
         let point = outer.at(t);
         (t, point, inner.squared_distance(point))
     };
-    let mut open: SmallVec<[[(S, Vector<S>, f64); 2]; 8]> = SmallVec::new();
+    let mut open: SmallVec<[[Place<S>; 2]; 8]> = SmallVec::new();
     open.push([place(number(0.0)), place(number(1.0))]);
     let mut count = 0;
     while let Some([start, end]) = open.pop() {
