@@ -151,10 +151,11 @@ impl View<'_> {
         // what is not expected to do is tried last, before the precise one: expectations rest on an estimate
         let mut put_off: SmallVec<[Plan; 2]> = SmallVec::new();
         while let Some(k) = cheapest(&left) {
-            let (cost, plan) = left.swap_remove(k);
-            let is_hopeless = match plan {
-                Plan::PointToPolygon { over, .. } => {
-                    self.lambert_rounding(over) > 0.7 * self.tolerance * self.estimate
+            let (cost, mut plan) = left.swap_remove(k);
+            let is_hopeless = match &mut plan {
+                Plan::PointToPolygon { over, rounding, .. } => {
+                    *rounding = self.lambert_rounding(*over);
+                    *rounding > 0.7 * self.tolerance * self.estimate
                 }
                 _ => cost == f64::INFINITY,
             };
@@ -193,6 +194,7 @@ impl View<'_> {
                         Plan::PointToPolygon {
                             over,
                             points: points[over],
+                            rounding: self.lambert_rounding(over),
                         },
                         work,
                     ),
@@ -255,7 +257,16 @@ impl View<'_> {
         if points[over] < MOST {
             let work = on(over) * (1.0 + corners[1 - over] * 3.0);
             let points = points[over];
-            plans.push((work, Plan::PointToPolygon { over, points }));
+            // computed when it is its turn
+            let rounding = f64::INFINITY;
+            plans.push((
+                work,
+                Plan::PointToPolygon {
+                    over,
+                    points,
+                    rounding,
+                },
+            ));
         }
         plans.push((self.contour_work(), Plan::Contour));
         plans
@@ -286,9 +297,11 @@ impl View<'_> {
                     &mut work.scratch,
                 )
             }
-            Plan::PointToPolygon { over, points } => {
-                Some(self.point_to_polygon(over, points, work))
-            }
+            Plan::PointToPolygon {
+                over,
+                points,
+                rounding,
+            } => Some(self.point_to_polygon(over, points, rounding, work)),
             Plan::Precise => self.precise_contour(),
             Plan::Kernel { points } => Some(self.kernel(points, work)),
         }
@@ -323,8 +336,14 @@ fn cheapest(plans: &[(f64, Plan)]) -> Option<usize> {
 enum Plan {
     Contour,
     Precise,
-    PointToPolygon { over: usize, points: usize },
-    Kernel { points: [usize; 2] },
+    PointToPolygon {
+        over: usize,
+        points: usize,
+        rounding: f64,
+    },
+    Kernel {
+        points: [usize; 2],
+    },
 }
 
 impl Plan {

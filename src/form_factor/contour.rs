@@ -24,14 +24,14 @@
 
 use super::ExchangeArea;
 use super::coplanar_edges::{Coplanar, Relation, Rounding, coplanar, relation};
-use super::edge::{Edge, Precision};
+use super::edge::{Columns, Edge, Precision};
 use super::panels::{ellipse, gauss_error, panels, points_for};
 use super::potential::{Batch, Nodes, Seen, Sums};
 use super::shape::Shape;
 use super::view::widening;
 use crate::geometry::Vector;
 use crate::numeric::elementary::{ROUGH_LN_ERROR, rough_ln};
-use crate::numeric::{DoubleDouble, GaussLegendre};
+use crate::numeric::{DoubleDouble, GaussLegendre, LANES, Lanes};
 use glam::DVec3;
 use smallvec::SmallVec;
 use std::f64::consts::{LN_2, PI, TAU};
@@ -52,10 +52,9 @@ pub(super) struct Scratch {
 
 type Edges = SmallVec<[Edge<f64>; 4]>;
 
-/// The edges of a shape from a new origin, and whether they have the same places there exactly.
-fn placed(shape: &Shape, origin: DVec3) -> (Edges, bool) {
+/// Puts the edges of a shape from a new origin in `edges`, and says whether they have the same places there exactly.
+fn placed(shape: &Shape, origin: DVec3, edges: &mut Edges) -> bool {
     let origin = Vector(origin.to_array());
-    let mut edges = Edges::with_capacity(shape.edges.len());
     let mut is_exact = true;
     for edge in &shape.edges {
         let ends = [edge.ends[0].minus(origin), edge.ends[1].minus(origin)];
@@ -65,7 +64,7 @@ fn placed(shape: &Shape, origin: DVec3) -> (Edges, bool) {
         }
         edges.push(Edge { ends, ..*edge });
     }
-    (edges, is_exact)
+    is_exact
 }
 
 /// In `f64`; distances are from `gap` to `reach`, `wanted` is the absolute error that truncation may have. `None` if edges come too near to each other
@@ -86,8 +85,9 @@ pub(super) fn contour(
     // coordinates are taken from a corner if that moves nothing, or if they are far larger than the distances
     let farthest = outer.largest.max(inner.largest);
     let mut origin = outer.corners[0];
-    let ((mut a_edges, exact), (mut b_edges, also)) =
-        (placed(outer, origin), placed(inner, origin));
+    let (mut a_edges, mut b_edges) = (Edges::new(), Edges::new());
+    let exact = placed(outer, origin, &mut a_edges);
+    let also = placed(inner, origin, &mut b_edges);
     let (mut moved, mut largest) = (0.0, 2.0 * outer.radius);
     if !(exact && also) {
         if farthest > 4.0 * reach {
@@ -119,16 +119,15 @@ pub(super) fn contour(
     let Scratch { nodes, batch } = scratch;
     nodes.clear();
     let apart = apart_from(sum.log_per_length);
-    let mut near: SmallVec<[usize; 8]> = SmallVec::new();
+    let mut near: SmallVec<[(usize, SmallVec<[Lanes; 1]>); 4]> = SmallVec::new();
+    let columns = Columns::new(&b_edges);
     for (i, a) in a_edges.iter().enumerate() {
-        let middle = a.ends[0].plus(a.direction, 0.5 * a.length);
-        let square =
-            (b_edges.iter().map(|b| b.squared_distance(middle))).fold(f64::INFINITY, f64::min);
+        let (square, outside) = columns.distances_from(a);
         let nearest = 2.0 * square.sqrt() / a.length;
         if nearest >= apart {
             sum.rule(a, [inner.perimeter, 1.0], nearest, nodes, &seen);
         } else {
-            near.push(i);
+            near.push((i, outside));
         }
     }
     nodes.sum(&seen, precision.inverse_square, &mut sum.sums);
@@ -137,7 +136,7 @@ pub(super) fn contour(
         let mut in_a_plane: SmallVec<[(usize, usize, Coplanar<f64>); 8]> = SmallVec::new();
         for (j, b) in b_edges.iter().enumerate() {
             let only = &seen[j..=j];
-            for i in &near {
+            for (i, outside) in &near {
                 let a = &a_edges[*i];
                 let cosine = a.direction.dot(b.direction);
                 if cosine.abs() <= RIGHT_ANGLE * f64::EPSILON {
@@ -145,8 +144,7 @@ pub(super) fn contour(
                         14.0 * f64::EPSILON * a.length * precision.largest_potential(b.length);
                     continue;
                 }
-                let middle = a.ends[0].plus(a.direction, 0.5 * a.length);
-                let outside = b.outside([a.ends[0], middle, a.ends[1]], a.length);
+                let outside = outside[j / LANES][j % LANES];
                 if outside >= apart {
                     let length = [b.length, cosine.abs()];
                     sum.rule(a, length, outside, nodes, only);

@@ -7,8 +7,9 @@
 
 use super::potential::{log_distance, potential};
 use crate::geometry::Vector;
-use crate::numeric::Scalar;
 use crate::numeric::elementary::{ROUGH_LN_ERROR, rough_ln};
+use crate::numeric::{LANES, Lanes, Scalar, vectorised};
+use smallvec::SmallVec;
 use std::f64::consts::PI;
 
 /// An edge, from start to end.
@@ -56,19 +57,69 @@ impl<S: Scalar + Copy> Edge<S> {
         let beside = from_start.plus(self.direction, self.length.constant(-nearest));
         beside.dot(beside).to_f64() * (1.0 - 16.0 * f64::EPSILON)
     }
+}
 
-    /// A lower bound on the sum of half-axes of ellipses about a line that leave this edge outside: for a point y of it,
-    /// `(|y − start| + |y − end|)² = 2 |y − middle|² + length²/2 + 2 |y − start| |y − end|`.
-    #[inline(always)]
-    pub(super) fn outside(&self, [start, middle, end]: [Vector<S>; 3], length: f64) -> f64 {
-        let [from_start, from_middle, from_end] = [
-            self.squared_distance(start),
-            self.squared_distance(middle),
-            self.squared_distance(end),
-        ];
-        let to_ends = (from_start * from_end).sqrt();
-        let square = 2.0 * from_middle + 0.5 * length * length + 2.0 * to_ends;
-        square.max(4.0 * from_middle).sqrt() / length * (1.0 - 8.0 * f64::EPSILON)
+/// A lower bound on the sum of half-axes of ellipses about a line that leave an edge outside, from the squared distances of its
+/// start, middle and end from the edge: for a point y of that,
+/// `(|y − start| + |y − end|)² = 2 |y − middle|² + length²/2 + 2 |y − start| |y − end|`.
+#[inline(always)]
+pub(super) fn half_axes([from_start, from_middle, from_end]: [f64; 3], length: f64) -> f64 {
+    let to_ends = (from_start * from_end).sqrt();
+    let square = 2.0 * from_middle + 0.5 * length * length + 2.0 * to_ends;
+    square.max(4.0 * from_middle).sqrt() / length * (1.0 - 8.0 * f64::EPSILON)
+}
+
+/// Edges side by side, as vectors take them.
+pub(super) struct Columns(SmallVec<[[Lanes; 7]; 1]>);
+
+impl Columns {
+    /// What is left of the last vector repeats an edge.
+    pub(super) fn new(edges: &[Edge<f64>]) -> Self {
+        let mut columns = Self(SmallVec::new());
+        for edges in edges.chunks(LANES) {
+            let mut block = [[0.0; LANES]; 7];
+            for lane in 0..LANES {
+                let edge = &edges[lane % edges.len()];
+                let ([[x, y, z], [u, v, w]], length) =
+                    ([edge.ends[0].0, edge.direction.0], edge.length);
+                for (column, number) in block.iter_mut().zip([x, y, z, u, v, w, length]) {
+                    column[lane] = number;
+                }
+            }
+            columns.0.push(block);
+        }
+        columns
+    }
+
+    /// For a line: its middle's least squared distance, and the [`half_axes`] that leave each edge outside.
+    pub(super) fn distances_from(&self, line: &Edge<f64>) -> (f64, SmallVec<[Lanes; 1]>) {
+        let points = [line.ends[0], line.at(0.5), line.ends[1]];
+        let length = line.length;
+        let mut outside: SmallVec<[Lanes; 1]> = SmallVec::from_elem([0.0; LANES], self.0.len());
+        let mut nearest = [f64::INFINITY; LANES];
+        let (columns, out) = (self.0.as_slice(), (outside.as_mut_slice(), &mut nearest));
+        vectorised(
+            #[inline(always)]
+            move || {
+                for (block, outside) in columns.iter().zip(out.0) {
+                    let (block, mut least, mut bounds) = (*block, *out.1, [0.0; LANES]);
+                    for l in 0..LANES {
+                        let vector =
+                            |k: usize| Vector([block[k][l], block[k + 1][l], block[k + 2][l]]);
+                        let edge = Edge {
+                            ends: [vector(0); 2],
+                            direction: vector(3),
+                            length: block[6][l],
+                        };
+                        let squares = points.map(|point| edge.squared_distance(point));
+                        least[l] = least[l].min(squares[1]);
+                        bounds[l] = half_axes(squares, length);
+                    }
+                    (*outside, *out.1) = (bounds, least);
+                }
+            },
+        );
+        (nearest.into_iter().fold(f64::INFINITY, f64::min), outside)
     }
 }
 

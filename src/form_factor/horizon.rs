@@ -15,7 +15,7 @@
 use super::Polygon;
 use super::shape::Shape;
 use crate::geometry::Vector;
-use crate::numeric::{DoubleDouble, Scalar};
+use crate::numeric::{DoubleDouble, vectorised};
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -84,7 +84,7 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
         if plane.shape.corners.contains(corner) {
             return 0.0;
         }
-        let height = plane.precise_height(*corner).to_f64();
+        let height = plane.height(*corner);
         if height.abs() > noise + tilted {
             height
         } else {
@@ -133,10 +133,13 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
     }
 }
 
+/// Corners, and their heights.
+type Outline = (SmallVec<[DVec3; 8]>, SmallVec<[f64; 8]>);
+
 /// Corners in front, and where edges cross the plane.
-fn clipped(shape: &Shape, plane: &Polygon, heights: &[f64]) -> (Vec<DVec3>, Vec<f64>) {
+fn clipped(shape: &Shape, plane: &Polygon, heights: &[f64]) -> Outline {
     let n = shape.corners.len();
-    let (mut corners, mut kept) = (Vec::with_capacity(n + 2), Vec::with_capacity(n + 2));
+    let (mut corners, mut kept) = Outline::default();
     for i in 0..n {
         let j = (i + 1) % n;
         let (from, to) = (heights[i], heights[j]);
@@ -155,11 +158,18 @@ fn clipped(shape: &Shape, plane: &Polygon, heights: &[f64]) -> (Vec<DVec3>, Vec<
 
 /// Where an edge crosses a plane, to 106 bits before the last rounding.
 fn crossing(ends: [DVec3; 2], plane: &Polygon) -> DVec3 {
-    let [from, to] = ends.map(|end| plane.precise_height(end));
-    let [start, end] = ends.map(|end| Vector::lifted(end, from));
-    start
-        .plus(end.minus(start), from / (from - to))
-        .to_doubles()
+    let mut crossing = DVec3::ZERO;
+    let out = &mut crossing;
+    vectorised(
+        #[inline(always)]
+        move || {
+            let [from, to] = ends.map(|end| plane.precise_height(end));
+            let [start, end] = ends.map(|end| Vector::lifted(end, from));
+            let along = end.minus(start);
+            *out = start.plus(along, from / (from - to)).to_doubles();
+        },
+    );
+    crossing
 }
 
 /// The corners of a polygon in front of another one's plane, to 106 bits.

@@ -11,8 +11,7 @@ use super::choice::Work;
 use super::gauss_points::{Block, Square, fill};
 use super::horizon::Heights;
 use super::view::View;
-use crate::numeric::{LANES, Scalar, across, vectorised};
-use glam::DVec3;
+use crate::numeric::{LANES, across, vectorised};
 use std::f64::consts::PI;
 
 impl View<'_> {
@@ -50,19 +49,13 @@ impl View<'_> {
 
     /// The heights of a shape's corners, each within [`HEIGHT_ERROR`] of itself; 0 where a clip put them on the plane.
     fn precise_heights(&self, k: usize) -> Heights {
-        let precise = |(corner, height): (&DVec3, &f64)| {
+        let mut heights = Heights::from_slice(self.heights[k]);
+        for (height, corner) in heights.iter_mut().zip(&self.shapes[k].corners) {
             if *height > 0.0 && *height < self.reach / 16.0 {
-                self.polygons[1 - k].precise_height(*corner).to_f64()
-            } else {
-                *height
+                *height = self.polygons[1 - k].height(*corner);
             }
-        };
-        self.shapes[k]
-            .corners
-            .iter()
-            .zip(self.heights[k])
-            .map(precise)
-            .collect()
+        }
+        heights
     }
 }
 

@@ -13,7 +13,7 @@
     reason = "the machine code is made where it is called"
 )]
 
-use super::edge::Edge;
+use super::edge::{Edge, half_axes};
 use crate::geometry::Vector;
 use crate::numeric::elementary::rough_ln;
 use crate::numeric::{MOST_POINTS, Scalar};
@@ -55,6 +55,9 @@ pub(super) struct Panel<S> {
     pub error: f64,
 }
 
+/// A place along the outer edge, relative to it; where that is, and its squared distance from the inner edge.
+type Place<S> = (S, Vector<S>, f64);
+
 /// Hands over panels of `outer`, graded towards `inner`; `None` if there are too many.
 ///
 /// **Arguments** `wanted`: the error per length of both edges; `apart`: sum of half-axes of an ellipse about each panel that
@@ -72,16 +75,20 @@ pub(super) fn panels<S: Scalar + Copy>(
     let length = outer.length.to_f64();
     let number = |x: f64| outer.length.constant(x);
     let (log_wanted, mut near_pinch) = (rough_ln(wanted), None);
-    let mut open: SmallVec<[(S, S); 16]> = SmallVec::new();
-    open.push((number(0.0), number(1.0)));
+    let place = |t: S| {
+        let point = outer.at(t);
+        (t, point, inner.squared_distance(point))
+    };
+    let mut open: SmallVec<[[Place<S>; 2]; 8]> = SmallVec::new();
+    open.push([place(number(0.0)), place(number(1.0))]);
     let mut count = 0;
-    while let Some((from, to)) = open.pop() {
-        let middle = (from + to) * number(0.5);
+    while let Some([start, end]) = open.pop() {
+        let ((from, ..), (to, ..)) = (start, end);
+        let halfway = place((from + to) * number(0.5));
         let half = 0.5 * (to - from).to_f64();
         // short panels may have a larger share of what is wanted than their length is of the whole
         let log_share = log_wanted - 0.5 * rough_ln(half.max(1e-3));
-        let ends = [outer.at(from), outer.at(to)];
-        let sum = inner.outside([ends[0], outer.at(middle), ends[1]], 2.0 * half * length);
+        let sum = half_axes([start.2, halfway.2, end.2], 2.0 * half * length);
         let rule = if sum >= apart {
             let rho = ellipse(sum);
             let points = points_for(log_share, rho);
@@ -93,13 +100,14 @@ pub(super) fn panels<S: Scalar + Copy>(
                 None => pinch(outer, inner, epsilon),
             };
             near_pinch = Some(pinch);
+            let ends = [start.1, end.1];
             beside([outer, inner], [from, to], ends, pinch, [log_share, apart])
         };
         count += 1;
         if let Some((points, error)) = rule {
             let error = error * half;
             take(Panel {
-                middle,
+                middle: halfway.0,
                 half,
                 points,
                 error,
@@ -107,8 +115,8 @@ pub(super) fn panels<S: Scalar + Copy>(
         } else if count > 2 * MOST_PANELS || half < 1e-34 {
             return None;
         } else {
-            open.push((from, middle));
-            open.push((middle, to));
+            open.push([start, halfway]);
+            open.push([halfway, end]);
         }
     }
     Some(())

@@ -21,11 +21,12 @@ use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
 impl View<'_> {
-    /// A Gauss rule with `points` each way over shape `k`.
+    /// A Gauss rule with `points` each way over shape `k`; `rounding` is what [`lambert_rounding`](Self::lambert_rounding) says.
     pub(super) fn point_to_polygon(
         &self,
         k: usize,
         points: usize,
+        rounding: f64,
         work: &mut Work,
     ) -> ExchangeArea {
         let (over, seen) = (self.shapes[k], self.shapes[1 - k]);
@@ -44,7 +45,6 @@ impl View<'_> {
                 *out = sum(blocks, normal, edges, origin);
             },
         );
-        let rounding = self.lambert_rounding(k);
         let truncation = self.truncation(k, points, self.largest());
         ExchangeArea {
             value,

@@ -2,7 +2,7 @@
 
 use super::shape::Shape;
 use crate::geometry::{Patch, Rectangle, Vector};
-use crate::numeric::{DoubleDouble, Scalar};
+use crate::numeric::{DoubleDouble, Scalar, vectorised};
 use glam::DVec3;
 
 /// A planar simple polygon, with its normal to 106 bits and all that does not depend on another polygon.
@@ -85,13 +85,26 @@ impl Polygon {
         self.shape.perimeter
     }
 
-    /// The height of a point above the plane, to 106 bits.
+    /// The height of a point above the plane, to 106 bits; to be called where vector code is made, which has fused products.
+    #[inline(always)]
+    #[allow(
+        clippy::inline_always,
+        reason = "the machine code is made where it is called"
+    )]
     pub(super) fn precise_height(&self, point: DVec3) -> DoubleDouble {
-        self.height_of(Vector::lifted(point, DoubleDouble::from(0.0)))
+        let zero = DoubleDouble::from(0.0);
+        let [point, origin] = [point, self.shape.corners[0]].map(|p| Vector::lifted(p, zero));
+        point.minus(origin).dot(self.precise_normal)
     }
 
-    pub(super) fn height_of(&self, point: Vector<DoubleDouble>) -> DoubleDouble {
-        let origin = Vector::lifted(self.shape.corners[0], DoubleDouble::from(0.0));
-        point.minus(origin).dot(self.precise_normal)
+    /// The same, rounded.
+    pub(super) fn height(&self, point: DVec3) -> f64 {
+        let mut height = 0.0;
+        let out = &mut height;
+        vectorised(
+            #[inline(always)]
+            move || *out = self.precise_height(point).to_f64(),
+        );
+        height
     }
 }

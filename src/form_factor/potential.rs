@@ -226,8 +226,9 @@ impl Batch {
         let numbers = [px, py, pz, sx, sy, sz, ex, ey, ez, dx, dy, dz, edge.length];
         let lane = self.len % LANES;
         if lane == 0 {
-            self.blocks.push(numbers.map(|number| [number; LANES]));
-        } else if let Some(block) = self.blocks.last_mut() {
+            self.blocks.push([[0.0; LANES]; 13]);
+        }
+        if let Some(block) = self.blocks.last_mut() {
             for (column, number) in block.iter_mut().zip(numbers) {
                 column[lane] = number;
             }

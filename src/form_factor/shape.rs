@@ -7,7 +7,7 @@
 
 use super::edge::Edge;
 use crate::geometry::{Vector, triangulated};
-use crate::numeric::{DoubleDouble, Scalar};
+use crate::numeric::{DoubleDouble, Scalar, vectorised};
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -64,10 +64,16 @@ impl Shape {
                 .map(|[a, b, c]| [a, b, c, c])
                 .collect()
         };
-        let jacobians: SmallVec<[[f64; 3]; 1]> = cells
-            .iter()
-            .map(|cell| jacobian(cell.map(|i| corners[i]), normal))
-            .collect();
+        let mut jacobians: SmallVec<[[f64; 3]; 1]> = SmallVec::from_elem([0.0; 3], cells.len());
+        let (all, of_corners, out) = (&cells, &corners, &mut jacobians);
+        vectorised(
+            #[inline(always)]
+            move || {
+                for (out, cell) in out.iter_mut().zip(all) {
+                    *out = jacobian(cell.map(|i| of_corners[i]), normal);
+                }
+            },
+        );
         let (mut peak, mut slope) = (1.0, 0.0);
         for [j, js, jt] in &jacobians {
             let largest = j + f64::max(*js, 0.0) + f64::max(*jt, 0.0);
@@ -84,8 +90,9 @@ impl Shape {
         let edges: SmallVec<[Edge<f64>; 4]> = (0..n).map(|i| Edge::new(at(i), at(i + 1))).collect();
         let radius = corners
             .iter()
-            .map(|c| c.distance(centre))
-            .fold(0.0, f64::max);
+            .map(|c| c.distance_squared(centre))
+            .fold(0.0, f64::max)
+            .sqrt();
         Some(Self {
             perimeter: edges.iter().map(|edge| edge.length).sum(),
             longest_edge: edges.iter().map(|edge| edge.length).fold(0.0, f64::max),
@@ -115,10 +122,10 @@ fn half_length(corners: &[DVec3], cells: &[Cell]) -> f64 {
         let [a, b, c, d] = cell.map(|i| corners[i]);
         [b - a, c - b, d - c, a - d]
             .into_iter()
-            .map(DVec3::length)
+            .map(DVec3::length_squared)
             .fold(0.0, f64::max)
     };
-    0.5 * cells.iter().map(longest).fold(0.0, f64::max)
+    0.5 * cells.iter().map(longest).fold(0.0, f64::max).sqrt()
 }
 
 fn is_convex(corners: &[DVec3], normal: Vector<DoubleDouble>) -> bool {
@@ -143,12 +150,21 @@ fn turns_once(corners: &[DVec3], normal: Vector<DoubleDouble>) -> bool {
 }
 
 /// `J0, Js, Jt`: the corners' Jacobians are products of the sides that meet there.
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "the machine code is made where it is called"
+)]
 fn jacobian([a, b, c, d]: [DVec3; 4], normal: Vector<DoubleDouble>) -> [f64; 3] {
-    let like = DoubleDouble::from(0.0);
+    let (like, is_triangle) = (DoubleDouble::from(0.0), c == d);
     let [a, b, c, d] = [a, b, c, d].map(|corner| Vector::lifted(corner, like));
     let product = |u: Vector<_>, v: Vector<_>| u.cross(v).dot(normal);
     let origin = product(b.minus(a), d.minus(a));
     let along_s = product(b.minus(a), c.minus(b)) - origin;
-    let along_t = product(c.minus(d), d.minus(a)) - origin;
+    let along_t = if is_triangle {
+        -origin
+    } else {
+        product(c.minus(d), d.minus(a)) - origin
+    };
     [origin, along_s, along_t].map(|j| j.to_f64())
 }

@@ -21,7 +21,7 @@ use super::edge::Edge;
 use super::gauss_points::Block;
 use super::point_to_polygon::integral;
 use crate::geometry::Vector;
-use crate::numeric::{GaussLegendre, LANES, Scalar};
+use crate::numeric::{GaussLegendre, LANES};
 use glam::DVec3;
 
 /// Gauss points per piece.
@@ -40,7 +40,7 @@ impl Polygon {
     #[must_use]
     pub fn segment_exchange(&self, segment: [DVec3; 2], other: &Self) -> f64 {
         let visible = self.in_front(other);
-        let heights = segment.map(|end| other.precise_height(end).to_f64());
+        let heights = segment.map(|end| other.height(end));
         let Some([start, end]) = in_front(segment, heights) else {
             return 0.0;
         };
@@ -88,10 +88,7 @@ impl Polygon {
     fn in_front(&self, other: &Self) -> Vec<DVec3> {
         let corners = &other.shape.corners;
         let n = corners.len();
-        let heights: Vec<f64> = corners
-            .iter()
-            .map(|corner| self.precise_height(*corner).to_f64())
-            .collect();
+        let heights: Vec<f64> = corners.iter().map(|corner| self.height(*corner)).collect();
         let mut visible = Vec::with_capacity(n + 2);
         for i in 0..n {
             let (from, to) = (heights[i], heights[(i + 1) % n]);
