@@ -289,11 +289,13 @@ impl View<'_> {
         match plan {
             Plan::Contour => {
                 let range = [self.gap, self.reach];
+                // a clip leaves less than the estimate counts on
+                let share = if self.off.place > 0.0 { 0.1 } else { 0.4 };
                 contour(
                     self.shapes[0],
                     self.shapes[1],
                     range,
-                    0.4 * self.wanted(),
+                    share * self.wanted(),
                     &mut work.scratch,
                 )
             }
@@ -317,7 +319,12 @@ impl View<'_> {
         let mut exchange = precise_contour([&outlines[0], &outlines[1]], wanted)?;
         // the clip is right to 64 ε² of the coordinates; a polygon that is not planar is off by its tilt
         let height = (first.tilt.max(second.tilt) + 64.0 * SQUARED_EPSILON) * self.reach;
-        let off = Off { height, place: 0.0 };
+        let off = Off {
+            height,
+            place: 0.0,
+            strip: self.off.tilted_strip,
+            tilted_strip: 0.0,
+        };
         exchange.error_bound += self.slack(off, exchange.value, Route::DoubleDouble);
         Some(exchange)
     }

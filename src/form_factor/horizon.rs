@@ -11,6 +11,11 @@
 //! because the vector irradiance of a Lambertian polygon has no sources outside it: what passes through the old and the
 //! new outline differs by what passes through the ribbon between them, whose area is at most δ times the perimeter, and
 //! no point receives more than 1 per area; twice that, as the other polygon's horizon moves along.
+//!
+//! Where a height counts as 0 and lies h on the other side, the clip is not where it should be: with heights up to H over a
+//! diameter D the planes diverge by H/D at least, so that a strip up to `2 h D/H` wide is on the wrong side, however small h is
+//! beside rounding. Its area is at most that times the perimeter, and no point of it receives more than 1. Polygons all
+//! of whose heights count as 0 lie in one plane, by definition.
 
 use super::Polygon;
 use super::shape::Shape;
@@ -42,6 +47,9 @@ pub(super) struct Off {
     pub height: f64,
     /// Within their own plane.
     pub place: f64,
+    /// The width of a strip that may be on the wrong side of a clip; and of that only what the tilt of a plane does.
+    pub strip: f64,
+    pub tilted_strip: f64,
 }
 
 impl Off {
@@ -49,6 +57,8 @@ impl Off {
         Self {
             height: self.height.max(other.height),
             place: self.place.max(other.place),
+            strip: self.strip.max(other.strip),
+            tilted_strip: self.tilted_strip.max(other.tilted_strip),
         }
     }
 }
@@ -80,17 +90,21 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
     let distance = shape.centre.distance(origin) + shape.radius;
     let tilted = plane.tilt * distance;
     let mut slack = tilted;
+    // how far corners that count as on the plane are below and above it
+    let (mut below, mut above) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
     let mut refined = |corner: &DVec3| -> f64 {
-        if plane.shape.corners.contains(corner) {
-            return 0.0;
-        }
-        let height = plane.height(*corner);
-        if height.abs() > noise + tilted {
-            height
-        } else {
-            slack = f64::max(slack, height.abs());
+        let height = if plane.shape.corners.contains(corner) {
             0.0
+        } else {
+            plane.height(*corner)
+        };
+        if height.abs() > noise + tilted {
+            return height;
         }
+        slack = f64::max(slack, height.abs());
+        below = f64::max(below, -height);
+        above = f64::max(above, height);
+        0.0
     };
     // the product is within 3 ε of the distance: on which side it is, is known
     let certain = 4.0 * f64::EPSILON * distance + 64.0 * noise;
@@ -106,10 +120,26 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
         (least, most) = (least.min(height), most.max(height));
         heights.push(height);
     }
+    let highest = most.max(-least);
+    let wrong_side = match (least >= 0.0, most <= 0.0) {
+        (true, true) => f64::NEG_INFINITY,
+        (true, false) => below,
+        (false, true) => above,
+        (false, false) => below.max(above).max(0.0),
+    };
+    // none where every height is certain
+    let strip = |off: f64| 4.0 * f64::max(off, 0.0) * shape.radius / highest;
+    let (strip, tilted_strip) = if wrong_side > f64::NEG_INFINITY {
+        (strip(wrong_side + tilted), strip(tilted))
+    } else {
+        (0.0, 0.0)
+    };
     if least >= 0.0 || most <= 0.0 {
         let off = Off {
             height: slack,
             place: 0.0,
+            strip,
+            tilted_strip,
         };
         let side = match (least >= 0.0, most <= 0.0) {
             (true, true) => Side::Within,
@@ -123,6 +153,8 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
     let off = Off {
         height: slack,
         place: f64::EPSILON * reach,
+        strip,
+        tilted_strip,
     };
     match Shape::new(&corners, polygon.precise_normal) {
         Some(shape) => {

@@ -46,7 +46,8 @@ pub(super) fn seen(
         return Ok(Answer {
             exchange: ExchangeArea {
                 value: 0.0,
-                error_bound: 2.0 * off.height * (first.perimeter() + second.perimeter()),
+                error_bound: (2.0 * off.height + off.strip)
+                    * (first.perimeter() + second.perimeter()),
             },
             route: if within {
                 Route::Coplanar
@@ -131,14 +132,26 @@ impl<'a> View<'a> {
     /// What corners that are off may change. The kernel takes its heights from the corners', which are exact where a clip put
     /// them on the plane; for all others a corner out of place is at another height, too.
     pub(super) fn slack(&self, off: Off, value: f64, route: Route) -> f64 {
-        let Off { height, place } = off;
+        let Off {
+            height,
+            place,
+            strip,
+            ..
+        } = off;
         let heights = if route == Route::Kernel {
             height
         } else {
             height + place
         };
         let relative = heights * self.by_height + (height + place) * self.by_place;
+        // a strip beside the plane sees polygons that are apart from it at grazing angles only
+        let grazing = if self.gap > height {
+            height / self.gap
+        } else {
+            1.0
+        };
         ((height + place) * self.ribbons).min(relative * value.abs())
+            + strip * grazing * self.ribbons
     }
 
     /// The absolute error that truncation may have.

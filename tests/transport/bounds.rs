@@ -82,3 +82,20 @@ fn bounds_follow_the_form_factors() {
     let found = room.radiosity(&[1.0, 0.0, 0.0, 0.0, 0.0, 0.0]).unwrap();
     assert_eq!(found.form_factor_errors, None);
 }
+
+/// Two squares in the open: `B_2 = R_2 F B_1`, so that an error δ of the exchange area moves it by `R_2 B_1 δ/A` at least.
+#[test]
+fn the_bound_is_no_lower_than_what_one_error_does() {
+    let scene = Scene::built_in("two-squares").unwrap();
+    let pairs = ScenePairs::try_new(&scene, 1e-12, Congruence::Shared).unwrap();
+    let exchange = pairs.exchange_areas().unwrap();
+    let half = Material::try_new(0.5, 0.0).unwrap();
+    let room = Interreflection::of(&exchange, &[half; 2]).unwrap();
+    let found = room.radiosity(&[1.0, 0.0]).unwrap();
+    let moved = 0.5 * found.values[0] * exchange.get(0, 1).exchange.error_bound;
+    let bound = found.form_factor_errors.unwrap()[1];
+    assert!(
+        moved > 0.0 && (moved..2.0 * moved).contains(&bound),
+        "{moved:e} {bound:e}"
+    );
+}
