@@ -6,11 +6,13 @@
 //! **Not covered**: continuous mutual information (4); estimates from samples.
 
 mod brightness;
+mod continuous;
 mod gain;
 mod measures;
 mod scene;
 
 pub use brightness::brightness_information;
+pub use continuous::{ContinuousInformation, FacePair, continuous_information};
 pub use gain::{divergence, refinement_gain, relative_entropy, subdivision_bound};
 pub use measures::{entropy_rate, mutual_information, positional_entropy};
 pub use scene::{ErrorGrade, SceneInformation, Surroundings, scene_information};

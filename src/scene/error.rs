@@ -155,6 +155,31 @@ pub enum SceneError {
         /// What would count as closed.
         tolerance: f64,
     },
+    /// A wall has something behind it.
+    #[error(
+        "the room is not convex inside: a corner lies {depth:e} behind the plane of patch {index} ({name})"
+    )]
+    NotConvex {
+        /// Index of the patch.
+        index: usize,
+        /// Its name.
+        name: String,
+        /// How far behind it something reaches.
+        depth: f64,
+    },
+    /// The patches of a plane do not cover a convex face.
+    #[error(
+        "the patches in the plane of patch {index} ({name}) leave {relative:e} of the face between their corners open: a closed \
+         convex room is needed"
+    )]
+    FaceNotCovered {
+        /// Index of the first patch in the plane.
+        index: usize,
+        /// Its name.
+        name: String,
+        /// The part of the face that is open; negative where patches overlap.
+        relative: f64,
+    },
     /// The form factors of a patch sum to more than one.
     #[error(
         "row {row} of the form factors sums to {sum}, 1 + {tolerance:e} at most is possible: patches overlap, or \

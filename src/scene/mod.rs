@@ -13,6 +13,7 @@ mod blockers;
 mod built_in;
 mod closure;
 mod congruence;
+mod convex_room;
 mod error;
 mod exchange_areas;
 pub mod files;
