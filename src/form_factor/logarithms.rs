@@ -232,7 +232,8 @@ impl Side {
         let (sine, cosine) = (across.length_squared(), self.normal.dot(other.normal));
         let below = |corner: &DVec3| {
             let [h, k] = [self.height(*corner), other.height(*corner)];
-            let step = (cosine * k - h) / sine * self.normal + (cosine * h - k) / sine * other.normal;
+            let step =
+                (cosine * k - h) / sine * self.normal + (cosine * h - k) / sine * other.normal;
             (*corner + step, step.length_squared())
         };
         let corners = self.corners.iter().chain(&other.corners).map(below);

@@ -77,7 +77,11 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
     let total_area = compensated_sum(faces.iter().map(Patch::area));
     let unit = (0.5 * total_area.log2()).round().exp2();
     let scaled = faces.iter().enumerate().map(|(face, patch)| {
-        let corners = patch.corners().iter().map(|corner| *corner / unit).collect();
+        let corners = patch
+            .corners()
+            .iter()
+            .map(|corner| *corner / unit)
+            .collect();
         Patch::try_new(corners).map_err(|source| SceneError::Patch {
             index: first_patch(face),
             name: scene.patches()[first_patch(face)].name().to_owned(),
@@ -121,12 +125,15 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
         }
         unclosed += (cosines + 0.5 * patch.area()).abs();
     }
-    let pairs = places.iter().zip(&measured).map(|([first, second], pair)| FacePair {
-        first: *first,
-        second: *second,
-        mutual_information: 2.0 * pair.kernel(total_area) / (total_area * LN_2),
-        probability: 2.0 * pair.exchange.value / total_area,
-    });
+    let pairs = places
+        .iter()
+        .zip(&measured)
+        .map(|([first, second], pair)| FacePair {
+            first: *first,
+            second: *second,
+            mutual_information: 2.0 * pair.kernel(total_area) / (total_area * LN_2),
+            probability: 2.0 * pair.exchange.value / total_area,
+        });
     let mut pairs: Vec<FacePair> = pairs.collect();
     pairs.sort_by_key(|pair| (pair.first, pair.second));
     let mutual_information = compensated_sum(pairs.iter().map(|pair| pair.mutual_information));

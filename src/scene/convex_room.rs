@@ -34,7 +34,9 @@ impl Scene {
     /// # Ok::<(), infoscene::scene::SceneError>(())
     /// ```
     pub fn convex_room(&self) -> Result<(Vec<Patch>, Vec<usize>), SceneError> {
-        let roots: Vec<usize> = (0..self.patches.len()).map(|patch| self.root_of(patch)).collect();
+        let roots: Vec<usize> = (0..self.patches.len())
+            .map(|patch| self.root_of(patch))
+            .collect();
         let planes = Planes::of(&self.patches, &roots);
         let mut face_of = vec![0; self.patches.len()];
         let mut first_of: Vec<Option<usize>> = vec![None; planes.count()];
@@ -62,24 +64,41 @@ impl Scene {
             // heights of the largest patch of a plane are the surest
             let largest = patches.iter().map(|patch| &self.patches[*patch].shape);
             let wall = largest.fold(shape, |best, next| {
-                if next.area() > best.area() { next } else { best }
+                if next.area() > best.area() {
+                    next
+                } else {
+                    best
+                }
             });
             let height = |corner: &DVec3| wall.normal().dot(*corner - wall.corners()[0]);
-            let depth = corners.iter().map(|corner| -height(corner)).fold(0.0, f64::max);
+            let depth = corners
+                .iter()
+                .map(|corner| -height(corner))
+                .fold(0.0, f64::max);
             let deviation = tolerance::PLANARITY * wall.area().sqrt();
             if depth > flat + deviation {
                 let name = self.patches[index].name.clone();
                 return Err(SceneError::NotConvex { index, name, depth });
             }
-            let own = patches.iter().flat_map(|patch| self.patches[*patch].shape.corners());
+            let own = patches
+                .iter()
+                .flat_map(|patch| self.patches[*patch].shape.corners());
             let hull = hull(own.copied().collect(), wall.normal(), flat);
             let face = Patch::try_new(hull).map_err(|source| self.refused(index, source))?;
-            let covered = compensated_sum(patches.iter().map(|patch| self.patches[*patch].shape.area()));
+            let covered = compensated_sum(
+                patches
+                    .iter()
+                    .map(|patch| self.patches[*patch].shape.area()),
+            );
             let missing = face.area() - covered;
             if missing.abs() > tolerance::COVERED * face.area() {
                 let name = self.patches[index].name.clone();
                 let relative = missing / face.area();
-                return Err(SceneError::FaceNotCovered { index, name, relative });
+                return Err(SceneError::FaceNotCovered {
+                    index,
+                    name,
+                    relative,
+                });
             }
             faces.push(face);
         }

@@ -14,8 +14,8 @@ pub enum SceneError {
     Empty,
     /// The name is not one of the built-in scenes.
     #[error(
-        "there is no built-in scene \"{name}\": use cornell-box, two-squares, three-squares or cube:N (N from 1 to \
-         {largest}), or the path of a file that ends in .obj or .vs3"
+        "there is no built-in scene \"{name}\": use cornell-box, two-squares, three-squares, cube:N (N from 1 to \
+         {largest}), box:X,Y,Z, tetrahedron, octahedron, dodecahedron or icosahedron, or the path of a file that ends in .obj or .vs3"
     )]
     UnknownName {
         /// As given.
@@ -179,6 +179,16 @@ pub enum SceneError {
         name: String,
         /// The part of the face that is open; negative where patches overlap.
         relative: f64,
+    },
+    /// Random lines left the scene.
+    #[error(
+        "the scene is open: {lost} of {lines} lines meet no front of a patch, and a chord has two ends"
+    )]
+    LinesEscape {
+        /// Lines that escape, or meet a back or an obstruction.
+        lost: u32,
+        /// Lines drawn.
+        lines: u32,
     },
     /// The form factors of a patch sum to more than one.
     #[error(

@@ -30,6 +30,7 @@ mod row_pairs;
 mod row_sums;
 mod rows;
 mod shifts;
+mod solids;
 mod subdivision;
 mod tally;
 

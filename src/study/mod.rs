@@ -21,6 +21,7 @@ pub mod gradient_limits;
 pub mod polygon_pairs;
 pub mod precision;
 pub mod profiles;
+pub mod refinement;
 pub mod stability;
 pub mod transport_stability;
 mod truth;
