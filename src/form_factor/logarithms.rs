@@ -36,8 +36,10 @@
 
 use super::{ExchangeArea, FormFactorError, Polygon};
 use crate::geometry::Patch;
+use crate::numeric::elementary::{angle, ln};
 use crate::numeric::{
-    CompensatedSum, GaussLegendre, dilogarithm_of_complement, imaginary_dilogarithm, tolerance,
+    CompensatedSum, GaussLegendre, SQUARED_EPSILON, dilogarithm_of_complement,
+    imaginary_dilogarithm, tolerance,
 };
 use glam::DVec3;
 use std::f64::consts::{LN_2, PI, TAU};
@@ -132,7 +134,8 @@ impl Logarithms {
             let ((at_first, size), (at_second, other_size)) =
                 (cosine(one, other), cosine(other, one));
             let (distance, distance_size) = if is_parallel {
-                let gap = one.height(other.corners[0]).max(f64::MIN_POSITIVE).ln();
+                let gap = one.height(other.corners[0]).max(one.least);
+                let gap = ln(gap);
                 let leading = exchange.value * gap;
                 (leading - at_second, leading.abs())
             } else {
@@ -187,6 +190,8 @@ struct Side {
     corners: Vec<DVec3>,
     edges: Vec<Edge>,
     normal: DVec3,
+    /// Heights below are rounding: so little of an edge is that low that the logarithm does not count.
+    least: f64,
 }
 
 impl Side {
@@ -205,6 +210,7 @@ impl Side {
         });
         Self {
             edges: edges.filter(|edge| edge.length > 0.0).collect(),
+            least: patch.area().sqrt() * SQUARED_EPSILON,
             corners,
             normal: patch.normal(),
         }
@@ -300,8 +306,8 @@ impl Side {
             let start = edge.start - point;
             let from_foot = start.cross(edge.along).dot(self.normal);
             let along = start.dot(edge.along);
-            let angle = (along + edge.length).atan2(from_foot.abs()) - along.atan2(from_foot.abs());
-            winding += from_foot.signum() * angle;
+            let seen = [along + edge.length, along].map(|s| angle(s, from_foot.abs()));
+            winding += from_foot.signum() * (seen[0] - seen[1]);
         }
         if winding > PI {
             nearest.min(self.height(point).max(0.0))
@@ -312,7 +318,7 @@ impl Side {
 
     /// `∫ F ln r` over this polygon, from a point of a plane with this normal: (d).
     fn moment(&self, point: DVec3, normal: DVec3) -> f64 {
-        let height = self.height(point).max(f64::MIN_POSITIVE);
+        let height = self.height(point).max(self.least);
         let cosine = normal.dot(self.normal);
         let (mut received, mut logarithm, mut spread) = (0.0, 0.0, 0.0);
         for edge in &self.edges {
@@ -325,16 +331,17 @@ impl Side {
             let ends = [0.0, edge.length].map(|s| start.dot(edge.along) + s);
             let part = normal.dot(turn) / q;
             let [a, b] = ends.map(|s| Angle::new(s, q));
-            let angle = b.angle - a.angle;
+            let seen = b.angle - a.angle;
             // ∫ ln cos = −t ln 2 − ½ Im Li₂(−e^(2it))
-            let cosines = -LN_2 * angle - 0.5 * (b.clausen() - a.clausen());
-            received -= part * angle;
-            logarithm -= part * (q.ln() * angle - cosines);
+            let cosines = -LN_2 * seen - 0.5 * (b.clausen() - a.clausen());
+            received -= part * seen;
+            logarithm -= part * (ln(q) * seen - cosines);
             if cosine.abs() > f64::EPSILON {
                 let p = turn.dot(self.normal);
                 if p.abs() > 0.0 {
-                    let ratio = (p.abs() / height).asinh();
-                    let complement = -(-2.0 * ratio).exp_m1();
+                    let sinh = p.abs() / height;
+                    let exp = sinh + (1.0 + sinh * sinh).sqrt();
+                    let (ratio, complement) = (ln(exp), 2.0 * sinh / exp);
                     let [a, b] = ends.map(|s| Angle::new(s, p.abs()));
                     let primitive = |end: &Angle| {
                         ratio * end.angle
@@ -356,9 +363,9 @@ struct Angle {
 
 impl Angle {
     fn new(length: f64, beside: f64) -> Self {
-        let hypotenuse = length.hypot(beside);
+        let hypotenuse = (length * length + beside * beside).sqrt();
         Self {
-            angle: length.atan2(beside),
+            angle: angle(length, beside),
             of: [beside / hypotenuse, length / hypotenuse],
         }
     }

@@ -14,6 +14,7 @@
 
 use crate::chain::ChainError;
 use crate::geometry::triangulated;
+use crate::numeric::tolerance;
 use crate::scene::{NamedPatch, Scene, SceneError};
 use glam::DVec3;
 use rand::{Rng, SeedableRng};
@@ -131,8 +132,19 @@ pub fn chord_information(
         let others = triangles
             .iter()
             .filter(|triangle| triangle.surface != from.surface);
-        let hits = others.filter_map(|triangle| Some((triangle.hit(origin, direction)?, triangle)));
+        // of two faces of a thin wall the one that is met is the one in front
+        let hits = others.filter_map(|triangle| {
+            let distance = triangle.hit(origin, direction)?;
+            let is_front = triangle.is_patch && triangle.normal.dot(direction) < 0.0;
+            let rank = if is_front {
+                distance
+            } else {
+                distance * (1.0 + tolerance::PLANARITY)
+            };
+            Some((rank, distance, triangle))
+        });
         let nearest = hits.min_by(|a, b| a.0.total_cmp(&b.0));
+        let nearest = nearest.map(|(_, distance, triangle)| (distance, triangle));
         let met = nearest.filter(|(_, triangle)| triangle.is_patch);
         let met = met.map(|(distance, triangle)| (distance, -triangle.normal.dot(direction)));
         match met {

@@ -13,6 +13,7 @@
 //!
 //! Reference: Lewin, *Polylogarithms and Associated Functions*, 1981, §1.3, §4.1, §5.1.
 
+use super::elementary::{angle, ln, ln_1p};
 use std::f64::consts::PI;
 
 /// `B_2k/(2k + 1)!` for k = 1, 2, …; the next would be 1e-18.
@@ -47,10 +48,10 @@ pub fn dilogarithm_of_complement(y: f64) -> f64 {
         u - 0.25 * square + u * square * tail
     };
     if y >= 0.5 {
-        real(-y.min(1.0).ln())
+        real(-ln(y.min(1.0)))
     } else if y > 0.0 {
-        let rest = (-y).ln_1p();
-        PI * PI / 6.0 - rest * y.ln() - real(-rest)
+        let rest = ln_1p(-y);
+        PI * PI / 6.0 - rest * ln(y) - real(-rest)
     } else {
         PI * PI / 6.0
     }
@@ -68,12 +69,12 @@ pub fn imaginary_dilogarithm(complement: f64, [cosine, sine]: [f64; 2]) -> f64 {
     let imaginary = 2.0 * q * sine * cosine;
     let z = [q * (sine - cosine) * (sine + cosine), -imaginary];
     let other = [complement + 2.0 * q * cosine * cosine, imaginary];
-    let ln = |[re, im]: [f64; 2]| [0.5 * (re * re + im * im).ln(), im.atan2(re)];
+    let logarithm = |[re, im]: [f64; 2]| [0.5 * ln(re * re + im * im), angle(im, re)];
     if z[0] <= 0.5 {
-        let [re, im] = ln(other);
+        let [re, im] = logarithm(other);
         imaginary_series([-re, -im])
     } else if other[0] * other[0] + other[1] * other[1] > 0.0 {
-        let (a, b) = (ln(z), ln(other));
+        let (a, b) = (logarithm(z), logarithm(other));
         // the series of 1 − z has u = −ln z
         -(a[0] * b[1] + a[1] * b[0]) - imaginary_series([-a[0], -a[1]])
     } else {
@@ -96,13 +97,13 @@ fn imaginary_series([re, im]: [f64; 2]) -> f64 {
 mod tests {
     use super::*;
 
-    /// `Li₂(z) = Σ z^k/k²`, slow and plain; with 4000 terms right to 1e-15 for |z| ≤ 0.99.
+    /// `Li₂(z) = Σ z^k/k²`, slow and plain; with 900 terms right to 1e-18 for |z| ≤ 0.96.
     #[test]
     fn dilogarithms_agree_with_their_series() {
         let mut worst: f64 = 0.0;
-        for step in 1..100 {
-            let q = f64::from(step) / 100.0;
-            let real: f64 = (1..4000).rev().map(|k| q.powi(k) / f64::from(k * k)).sum();
+        for step in 1..25 {
+            let q = f64::from(step) / 25.0;
+            let real: f64 = (1..900).rev().map(|k| q.powi(k) / f64::from(k * k)).sum();
             worst = worst.max((dilogarithm_of_complement(1.0 - q) - real).abs());
             for turn in -20..=20 {
                 let t = f64::from(turn) * PI / 40.0;
@@ -110,7 +111,7 @@ mod tests {
                     let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
                     sign * q.powi(k) * (2.0 * f64::from(k) * t).sin() / f64::from(k * k)
                 };
-                let expected: f64 = (1..4000).rev().map(term).sum();
+                let expected: f64 = (1..900).rev().map(term).sum();
                 let found = imaginary_dilogarithm(1.0 - q, [t.cos(), t.sin()]);
                 worst = worst.max((found - expected).abs());
             }

@@ -8,8 +8,7 @@
 //! Then nothing stands between two points of the walls, and a walk has its continuous form: what does not depend
 //! on the division is computed from the faces.
 //!
-//! **Not covered**: rooms of several planes beyond
-//! the square root of what memory holds; whether the faces close up (their exchange areas say so).
+//! **Not covered**: whether the faces close up (their exchange areas say so).
 
 use super::planes::Planes;
 use super::{Scene, SceneError};
@@ -57,43 +56,40 @@ impl Scene {
         let corners: Vec<DVec3> = corners.copied().collect();
         let extent = corners.iter().map(|corner| corner.abs().max_element());
         let flat = tolerance::TOUCHING * extent.fold(f64::MIN_POSITIVE, f64::max);
-        let mut faces = Vec::with_capacity(members.len());
-        for patches in &members {
-            let index = patches[0];
-            let shape = &self.patches[index].shape;
-            // heights of the largest patch of a plane are the surest
-            let largest = patches.iter().map(|patch| &self.patches[*patch].shape);
-            let wall = largest.fold(shape, |best, next| {
+        // heights over the largest patch of a plane are the surest
+        let wall = |patches: &[usize]| {
+            let shapes = patches.iter().map(|patch| &self.patches[*patch].shape);
+            shapes.fold(&self.patches[patches[0]].shape, |best, next| {
                 if next.area() > best.area() {
                     next
                 } else {
                     best
                 }
-            });
+            })
+        };
+        let name = |index: usize| self.patches[index].name.clone();
+        for patches in &members {
+            let (index, wall) = (patches[0], wall(patches));
             let height = |corner: &DVec3| wall.normal().dot(*corner - wall.corners()[0]);
             let depth = corners
                 .iter()
                 .map(|corner| -height(corner))
                 .fold(0.0, f64::max);
-            let deviation = tolerance::PLANARITY * wall.area().sqrt();
-            if depth > flat + deviation {
-                let name = self.patches[index].name.clone();
+            if depth > flat + tolerance::PLANARITY * wall.area().sqrt() {
+                let name = name(index);
                 return Err(SceneError::NotConvex { index, name, depth });
             }
-            let own = patches
-                .iter()
-                .flat_map(|patch| self.patches[*patch].shape.corners());
-            let hull = hull(own.copied().collect(), wall.normal(), flat);
+        }
+        let mut faces = Vec::with_capacity(members.len());
+        for patches in &members {
+            let index = patches[0];
+            let shapes = || patches.iter().map(|patch| &self.patches[*patch].shape);
+            let own = shapes().flat_map(Patch::corners).copied().collect();
+            let hull = hull(own, wall(patches).normal(), flat);
             let face = Patch::try_new(hull).map_err(|source| self.refused(index, source))?;
-            let covered = compensated_sum(
-                patches
-                    .iter()
-                    .map(|patch| self.patches[*patch].shape.area()),
-            );
-            let missing = face.area() - covered;
+            let missing = face.area() - compensated_sum(shapes().map(Patch::area));
             if missing.abs() > tolerance::COVERED * face.area() {
-                let name = self.patches[index].name.clone();
-                let relative = missing / face.area();
+                let (name, relative) = (name(index), missing / face.area());
                 return Err(SceneError::FaceNotCovered {
                     index,
                     name,
