@@ -20,6 +20,8 @@
 //! of its own to judge them by, [`sampling`] another. A bound holds for corners as given: what their rounding does
 //! to a polygon that is not quite planar is in it.
 //!
+//! [`Logarithms`] are those of distance and cosines, averaged over what a pair exchanges.
+//!
 //! **Not covered**: occlusion: every value is the unoccluded one.
 //!
 //! References: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-11 to C-15;

@@ -119,15 +119,15 @@ mod tests {
         assert!(worst < 8.0 * f64::EPSILON, "{worst:e}");
     }
 
-    /// Catalan's constant `Im Li₂(i)` and Clausen's integral at π/3, to 20 digits (OEIS A006752, A143298).
+    /// Catalan's constant `Im Li₂(i)` and Clausen's integral at π/3, to 16 digits (OEIS A006752, A143298).
     #[test]
     fn dilogarithms_on_the_unit_circle_are_known_constants() {
         let half = 0.5f64.sqrt();
         let catalan = -imaginary_dilogarithm(0.0, [half, half]);
-        assert!((catalan - 0.915_965_594_177_219_015_05).abs() < 4.0 * f64::EPSILON);
+        assert!((catalan - 0.915_965_594_177_219).abs() < 4.0 * f64::EPSILON);
         // −e^(2it) = e^(iπ/3) at t = −π/3
         let maximum = imaginary_dilogarithm(0.0, [0.5, -0.75f64.sqrt()]);
-        assert!((maximum - 1.014_941_606_409_653_625_02).abs() < 4.0 * f64::EPSILON);
+        assert!((maximum - 1.014_941_606_409_653_6).abs() < 4.0 * f64::EPSILON);
         for (y, value) in [(0.0, PI * PI / 6.0), (1.0, 0.0), (-0.1, PI * PI / 6.0)] {
             assert!((dilogarithm_of_complement(y) - value).abs() < f64::EPSILON);
         }
