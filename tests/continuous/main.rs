@@ -5,6 +5,7 @@
     reason = "a test may panic, and compares what is exact"
 )]
 
+mod dilogarithms;
 mod invariance;
 mod known_values;
 mod other_roads;
