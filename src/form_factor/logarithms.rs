@@ -53,7 +53,7 @@ const REACH: f64 = 0.4;
 
 /// Shortest panels, relative to their edge (positions along it are known to ε), where the integrand is unbounded like a logarithm,
 /// and where it is bounded and only the square of the length counts.
-const SHORTEST: [f64; 2] = [1e-15, 1e-7];
+const SHORTEST: [f64; 2] = [1e-15, 1e-8];
 
 /// The relative error asked for of the exchange area.
 const EXCHANGE: f64 = 1e-13;
