@@ -10,6 +10,7 @@
 
 mod appendix;
 mod claim;
+mod continuous_limit;
 mod error;
 mod extremes;
 mod finding;

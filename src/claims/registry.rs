@@ -3,7 +3,10 @@
 use super::claim::{Claim, Entry, Printed, Task};
 use super::finding::Computation;
 use super::{ClaimError, Evidence, Finding, Inputs, Verdict};
-use super::{appendix, section_2, section_3, section_3_light, section_4_1, section_4_2, section_5};
+use super::{
+    appendix, continuous_limit, section_2, section_3, section_3_light, section_4_1, section_4_2,
+    section_5,
+};
 use rayon::prelude::*;
 
 const FILES: [(&str, &str); 6] = [
@@ -63,6 +66,7 @@ pub fn registry() -> Result<Vec<Claim>, ClaimError> {
 pub fn computations() -> Vec<(&'static str, Computation)> {
     [
         section_2::COMPUTATIONS,
+        continuous_limit::COMPUTATIONS,
         section_3::COMPUTATIONS,
         section_3_light::COMPUTATIONS,
         section_4_1::COMPUTATIONS,

@@ -5,9 +5,12 @@ use super::output::Output;
 use super::scene_pairs::{ScenePairsOptions, outcome};
 use super::{Answer, Outcome};
 use crate::chain::ChainError;
-use crate::information::{Surroundings, brightness_information, scene_information};
-use crate::report::measure_report;
-use crate::scene::{Scene, SceneError};
+use crate::information::{
+    Surroundings, brightness_information, chord_information, continuous_information,
+    scene_information,
+};
+use crate::report::{chord_report, measure_report};
+use crate::scene::{NamedPatch, Scene, SceneError};
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]
@@ -19,6 +22,16 @@ pub(super) struct Measure {
     /// Take an open scene, too: what escapes goes to one more state, outside.
     #[arg(long)]
     open: bool,
+    /// The continuous mutual information, too, of a closed scene that is convex inside.
+    #[arg(long)]
+    continuous: bool,
+    /// The continuous one alone, from so many random chords: of any closed scene, concave or occluded.
+    #[arg(long, value_name = "N", requires = "continuous", conflicts_with = "open",
+        value_parser = clap::value_parser!(u32).range(2..))]
+    lines: Option<u32>,
+    /// The same seed draws the same lines.
+    #[arg(long, value_name = "S", requires = "lines", default_value_t = 1)]
+    seed: u64,
     #[command(flatten)]
     output: Output,
 }
@@ -35,6 +48,13 @@ struct BadRow {
 impl Measure {
     pub(super) fn answer(&self) -> Answer {
         self.output.check()?;
+        if let Some(lines) = self.lines {
+            let scene = self.scene.any_scene()?;
+            let chords = chord_information(&scene, lines, self.seed)?;
+            return self
+                .output
+                .write(&chord_report(&scene, &chords, self.seed)?);
+        }
         let scene = self.scene.scene(None, None)?;
         let pairs = self.scene.pairs(&scene)?;
         let surroundings = if self.open {
@@ -48,9 +68,18 @@ impl Measure {
             let exchange = pairs.exchange_areas()?;
             brightness_information(&exchange, &self.light.brightness(&scene, &exchange)?)?
         };
-        let written = self
-            .output
-            .write(&measure_report(&scene.group_names(), &measured)?)?;
+        let continuous = if self.continuous {
+            Some(continuous_information(&scene)?)
+        } else {
+            None
+        };
+        let patches: Vec<&str> = scene.patches().iter().map(NamedPatch::name).collect();
+        let continuous = continuous.as_ref().map(|found| (patches.as_slice(), found));
+        let written = self.output.write(&measure_report(
+            &scene.group_names(),
+            &measured,
+            continuous,
+        )?)?;
         match outcome(&scene, Some(&measured.account), pairs.tolerance()) {
             Outcome::Done => Ok(written),
             differs @ Outcome::Differs => Ok(differs),

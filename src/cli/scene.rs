@@ -5,7 +5,8 @@ use crate::scene::{Scene, SceneError};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct SceneArgument {
-    /// A scene file (Wavefront .obj or View3D .vs3), or a built-in scene: two-squares, three-squares, cube:N or cornell-box.
+    /// A scene file (Wavefront .obj or View3D .vs3), or a built-in scene: two-squares, three-squares, cube:N, box:X,Y,Z, tetrahedron,
+    /// octahedron, dodecahedron, icosahedron or cornell-box.
     scene: String,
     /// Split faces that are not planar into triangles.
     #[arg(long)]

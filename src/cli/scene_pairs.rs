@@ -27,6 +27,11 @@ fn relative(text: &str) -> Result<f64, String> {
 }
 
 impl ScenePairsOptions {
+    /// The scene, whatever stands in it.
+    pub(super) fn any_scene(&self) -> Result<Scene, SceneError> {
+        self.scene.read()
+    }
+
     /// The scene, if nothing stands between the rows asked for.
     pub(super) fn scene(
         &self,

@@ -1,10 +1,10 @@
-//! `infoscene study accuracy|stability|precision|limits|profiles|directions`.
+//! `infoscene study accuracy|stability|precision|limits|profiles|directions|refinement`.
 
 use super::Answer;
-use super::output::Output;
+use super::output::{Output, check_place, write_file};
 use crate::report::{
-    accuracy_report, directions_report, limits_report, profiles_report, stability_report,
-    study_report,
+    accuracy_report, directions_report, limits_report, profiles_report, refinements_figure,
+    refinements_report, stability_report, study_report,
 };
 use crate::study::accuracy::accuracy;
 use crate::study::directions::directions;
@@ -12,9 +12,12 @@ use crate::study::extreme_pairs::{StabilityRow, route_stability};
 use crate::study::gradient_limits::gradient_limits;
 use crate::study::precision::work_precision;
 use crate::study::profiles::profiles;
+use crate::study::refinement::refinements;
 use crate::study::stability::gain_stability;
 use crate::study::transport_stability::transport_stability;
 use crate::study::walk_variance::walk_variance;
+
+use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Study {
@@ -24,6 +27,9 @@ pub(super) struct Study {
     /// Fewer cases and repetitions for the timings.
     #[arg(long)]
     quick: bool,
+    /// Draw the study of refinements, too, into an SVG file.
+    #[arg(long, value_name = "PATH")]
+    figure: Option<PathBuf>,
     #[command(flatten)]
     output: Output,
 }
@@ -44,10 +50,15 @@ enum Subject {
     Directions,
     /// The variance of random walks, by what steers them.
     Walks,
+    /// How discrete mutual information approaches the continuous one.
+    Refinement,
 }
 
 impl Study {
     pub(super) fn answer(&self) -> Answer {
+        if self.figure.is_some() && !matches!(self.subject, Subject::Refinement) {
+            return Err("only the study of refinements has a figure".into());
+        }
         match self.subject {
             Subject::Accuracy => {
                 let rows = accuracy(self.quick)?;
@@ -75,6 +86,17 @@ impl Study {
                     .write(&study_report("precision", "relative width", &rows)?)
             }
             Subject::Limits => self.output.write(&limits_report(&gradient_limits()?)?),
+            Subject::Refinement => {
+                self.output.check()?;
+                if let Some(path) = &self.figure {
+                    check_place(path)?;
+                }
+                let rows = refinements(self.quick)?;
+                if let Some(path) = &self.figure {
+                    write_file(path, refinements_figure(&rows).to_svg()?.as_bytes())?;
+                }
+                self.output.write(&refinements_report(&rows)?)
+            }
             Subject::Directions => self.output.write(&directions_report(&directions()?)?),
             Subject::Profiles => self.output.write(&profiles_report(&profiles()?)?),
         }

@@ -21,6 +21,8 @@
 //! of its own to judge them by, [`sampling`] another. A bound holds for corners as given: what their rounding does
 //! to a polygon that is not quite planar is in it.
 //!
+//! [`Logarithms`] are those of distance and cosines, averaged over what a pair exchanges.
+//!
 //! **Not covered**: occlusion: every value is the unoccluded one.
 //!
 //! References: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-11 to C-15;
@@ -36,6 +38,7 @@ mod exchange;
 mod gauss_points;
 mod horizon;
 mod kernel;
+mod logarithms;
 mod panels;
 pub mod parallel;
 pub mod perpendicular;
@@ -55,6 +58,7 @@ mod view;
 pub use choice::DEFAULT_TOLERANCE;
 pub use error::FormFactorError;
 pub use exchange::{Exchange, ExchangeArea};
+pub use logarithms::Logarithms;
 pub use point_to_polygon::{point_form_factor, point_kernel};
 pub use polygon::Polygon;
 pub use rectangle_pair::RectanglePair;

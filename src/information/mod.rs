@@ -1,16 +1,20 @@
 //! Entropies, mutual information, and what a refinement gains, in bits.
 //!
-//! Equations (1)–(3) and (5)–(7) of the paper. Information is never a difference of two large
+//! Equations (1)–(7) of the paper. Information is never a difference of two large
 //! numbers here: mutual information and its gain are sums of non-negative terms.
 //!
-//! **Not covered**: continuous mutual information (4); estimates from samples.
+//! **Not covered**: discrete mutual information from samples.
 
 mod brightness;
+mod chords;
+mod continuous;
 mod gain;
 mod measures;
 mod scene;
 
 pub use brightness::brightness_information;
+pub use chords::{ChordInformation, chord_information};
+pub use continuous::{ContinuousInformation, FacePair, continuous_information};
 pub use gain::{divergence, refinement_gain, relative_entropy, subdivision_bound};
 pub use measures::{entropy_rate, mutual_information, positional_entropy};
 pub use scene::{ErrorGrade, SceneInformation, Surroundings, scene_information};

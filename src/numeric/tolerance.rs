@@ -99,3 +99,7 @@ pub const DEPTH_PER_DEVIATION: f64 = 8.0;
 /// Relative error bound of radiosities for the exchange areas as given, stiff scenes included: a few ε, measured by
 /// `stiff_scenes_keep_their_digits`.
 pub const RADIOSITY: f64 = 1e-14;
+
+/// Part of a face that may be left open by the patches that cover it: (a) corners read from twelve decimals are off by
+/// 1e-12 of the diameter, and a face of many patches has some hundred of them around it.
+pub const COVERED: f64 = 1e-10;

@@ -1,12 +1,17 @@
 //! The information of a scene.
 
 use super::{Report, ReportError, Table, certain_digits, scientific};
-use crate::information::{ErrorGrade, SceneInformation};
+use crate::information::{
+    ChordInformation, ContinuousInformation, ErrorGrade, FacePair, SceneInformation,
+};
 use crate::numeric::tolerance;
-use crate::scene::PlanSummary;
+use crate::scene::{PlanSummary, Scene};
 
 /// Patches whose contributions a table shows; records carry all.
 const MOST_ROWS: usize = 6;
+
+/// Pairs of faces, likewise.
+const MOST_PAIRS: usize = 3;
 
 /// The answer as a record: the keys are relied on by scripts.
 #[derive(Debug, serde::Serialize)]
@@ -18,12 +23,25 @@ struct Record<'r> {
     entropy_rate: f64,
     mutual_information: f64,
     continuous_mutual_information: Option<f64>,
+    continuous_error: Option<f64>,
+    continuous_error_grade: Option<&'static str>,
+    /// What pairs of faces contribute to it, both directions together.
+    continuous_contributions: Option<Vec<PairRecord<'r>>>,
     mutual_information_error: f64,
     error_grade: &'static str,
     closure: WorstRow<'r>,
     contributions: Vec<Contribution<'r>>,
     outside_contribution: Option<f64>,
     plan: &'r PlanSummary,
+}
+
+/// Two faces of a convex room, each named by its first patch.
+#[derive(Debug, serde::Serialize)]
+struct PairRecord<'r> {
+    faces: [&'r str; 2],
+    patches: [usize; 2],
+    probability: f64,
+    mutual_information: f64,
 }
 
 /// The row of form factors whose sum is farthest from one.
@@ -63,11 +81,116 @@ pub fn plan_notes(plan: &PlanSummary) -> Vec<(String, String)> {
         .to_vec()
 }
 
-/// What was measured of a scene whose patches, or rows of them, have these names.
+/// Pairs of faces as records.
+fn pair_records<'r>(names: &[&'r str], continuous: &ContinuousInformation) -> Vec<PairRecord<'r>> {
+    let first = |face: usize| {
+        continuous
+            .face_of
+            .iter()
+            .position(|of| *of == face)
+            .unwrap_or(0)
+    };
+    let record = |pair: &FacePair| {
+        let patches = [first(pair.first), first(pair.second)];
+        PairRecord {
+            faces: patches.map(|patch| names[patch]),
+            patches,
+            probability: pair.probability,
+            mutual_information: pair.mutual_information,
+        }
+    };
+    continuous.pairs.iter().map(record).collect()
+}
+
+/// The rows of the table that the continuous mutual information adds.
+fn continuous_rows(
+    continuous: &ContinuousInformation,
+    pairs: &[PairRecord<'_>],
+) -> Vec<Vec<String>> {
+    let (value, error) = (continuous.mutual_information, continuous.error);
+    let in_parentheses = |value: f64| format!("({})", certain_digits(value, error));
+    let error = format!("{} ({})", scientific(error), continuous.error_grade.name());
+    let mut rows = vec![
+        vec![
+            "continuous mutual information, bits".to_owned(),
+            in_parentheses(value),
+        ],
+        vec!["its error, bits".to_owned(), error],
+        vec!["faces".to_owned(), continuous.faces.to_string()],
+    ];
+    let mut most: Vec<&PairRecord<'_>> = pairs.iter().collect();
+    most.sort_by(|a, b| b.mutual_information.total_cmp(&a.mutual_information));
+    for pair in most.into_iter().take(MOST_PAIRS) {
+        let [one, other] = pair.faces;
+        let quantity = format!("its part of {one} and {other}, bits");
+        rows.push(vec![quantity, in_parentheses(pair.mutual_information)]);
+    }
+    rows
+}
+
+/// Continuous mutual information by random chords, as a record.
+#[derive(Debug, serde::Serialize)]
+struct ChordRecord {
+    patches: usize,
+    total_area: f64,
+    mutual_information: Option<f64>,
+    continuous_mutual_information: f64,
+    continuous_standard_error: f64,
+    continuous_error_grade: &'static str,
+    lines: u32,
+    seed: u64,
+}
+
+/// What random chords from this seed say about the continuous mutual information of a scene.
 ///
 /// # Errors
 /// [`ReportError`] if a number is not finite.
-pub fn measure_report(names: &[&str], measured: &SceneInformation) -> Result<Report, ReportError> {
+pub fn chord_report(
+    scene: &Scene,
+    chords: &ChordInformation,
+    seed: u64,
+) -> Result<Report, ReportError> {
+    let record = ChordRecord {
+        patches: scene.patches().len(),
+        total_area: scene.total_area(),
+        mutual_information: None,
+        continuous_mutual_information: chords.mutual_information,
+        continuous_standard_error: chords.standard_error,
+        continuous_error_grade: "sample",
+        lines: chords.lines,
+        seed,
+    };
+    let digits = certain_digits(chords.mutual_information, chords.standard_error);
+    let rows = [
+        ("patches", record.patches.to_string()),
+        ("continuous mutual information, bits", format!("({digits})")),
+        (
+            "its standard error, bits",
+            scientific(chords.standard_error),
+        ),
+        ("lines, seed", format!("{}, {seed}", chords.lines)),
+    ];
+    let table = Table {
+        columns: vec!["quantity", "value"],
+        rows: rows
+            .into_iter()
+            .map(|(quantity, value)| vec![quantity.to_owned(), value])
+            .collect(),
+        ..Table::default()
+    };
+    Report::one(table, &record)
+}
+
+/// What was measured of a scene whose patches, or rows of them, have these names; with the continuous mutual information
+/// if it was asked for, whose faces have the names of patches.
+///
+/// # Errors
+/// [`ReportError`] if a number is not finite.
+pub fn measure_report(
+    names: &[&str],
+    measured: &SceneInformation,
+    continuous: Option<(&[&str], &ContinuousInformation)>,
+) -> Result<Report, ReportError> {
     let worst = measured.closure.worst();
     let closed = measured.closure.is_closed();
     let rows = measured.contributions.iter().zip(measured.closure.rows());
@@ -145,6 +268,10 @@ pub fn measure_report(names: &[&str], measured: &SceneInformation) -> Result<Rep
         .into_iter()
         .map(|(quantity, value)| vec![quantity.to_owned(), value])
         .collect();
+    let pairs = continuous.map(|(patches, found)| pair_records(patches, found));
+    if let (Some((_, found)), Some(pairs)) = (continuous, &pairs) {
+        rows.extend(continuous_rows(found, pairs));
+    }
     let mut most: Vec<&Contribution<'_>> = contributions.iter().collect();
     most.sort_by(|a, b| b.mutual_information.total_cmp(&a.mutual_information));
     for part in most.into_iter().take(MOST_ROWS) {
@@ -167,7 +294,10 @@ pub fn measure_report(names: &[&str], measured: &SceneInformation) -> Result<Rep
         positional_entropy: measured.positional_entropy,
         entropy_rate: measured.entropy_rate,
         mutual_information: measured.mutual_information,
-        continuous_mutual_information: None,
+        continuous_mutual_information: continuous.map(|(_, found)| found.mutual_information),
+        continuous_error: continuous.map(|(_, found)| found.error),
+        continuous_error_grade: continuous.map(|(_, found)| found.error_grade.name()),
+        continuous_contributions: pairs,
         mutual_information_error: measured.error,
         error_grade: measured.error_grade.name(),
         closure: WorstRow {

@@ -4,6 +4,8 @@
 //!   two-squares     fig. 2   unit squares at 90° with a common edge
 //!   three-squares   fig. 3   three unit squares in a corner
 //!   cube:N          figs. 4, 5   the inside of the unit cube, N × N patches on a face
+//!   tetrahedron, octahedron, dodecahedron, icosahedron   the insides of the regular solids
+//!   box:X,Y,Z       the inside of a box with these edges
 //!   cornell-box     not of the paper: the empty room of Cornell University, from data/scenes/cornell-box.obj
 //! ```
 
@@ -15,13 +17,14 @@ use glam::DVec3;
 const LARGEST_CUBE: usize = 64;
 
 impl Scene {
-    /// A built-in scene: `two-squares`, `three-squares`, `cube:N` or `cornell-box`.
+    /// A built-in scene: `two-squares`, `three-squares`, `cube:N`, `box:X,Y,Z`, `tetrahedron`, `octahedron`, `dodecahedron`,
+    /// `icosahedron` or `cornell-box`.
     ///
     /// In the first two, patch 0 is the one that the paper cuts; its axis u runs away from the
     /// edge it shares with patch 1.
     ///
     /// # Errors
-    /// [`SceneError::UnknownName`].
+    /// [`SceneError::UnknownName`]; [`SceneError::Patch`] for a box without extent.
     ///
     /// # Examples
     /// ```
@@ -35,6 +38,15 @@ impl Scene {
             "three-squares" => corner(),
             "cornell-box" => files::cornell_box(),
             _ => {
+                if let Some(solid) = Self::regular_solid(name) {
+                    return solid;
+                }
+                let edges = name.strip_prefix("box:").map(|edges| edges.split(','));
+                let edges =
+                    edges.map(|edges| edges.map(str::parse).collect::<Result<Vec<f64>, _>>());
+                if let Some(Ok([x, y, z])) = edges.as_ref().map(|e| e.as_ref().map(Vec::as_slice)) {
+                    return Self::inside_of_box(*x, *y, *z);
+                }
                 let size = name.strip_prefix("cube:").and_then(|n| n.parse().ok());
                 match size.filter(|n| (1..=LARGEST_CUBE).contains(n)) {
                     Some(n) => cube(n),

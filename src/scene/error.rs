@@ -14,8 +14,8 @@ pub enum SceneError {
     Empty,
     /// The name is not one of the built-in scenes.
     #[error(
-        "there is no built-in scene \"{name}\": use cornell-box, two-squares, three-squares or cube:N (N from 1 to \
-         {largest}), or the path of a file that ends in .obj or .vs3"
+        "there is no built-in scene \"{name}\": use cornell-box, two-squares, three-squares, cube:N (N from 1 to \
+         {largest}), box:X,Y,Z, tetrahedron, octahedron, dodecahedron or icosahedron, or the path of a file that ends in .obj or .vs3"
     )]
     UnknownName {
         /// As given.
@@ -154,6 +154,41 @@ pub enum SceneError {
         sum: f64,
         /// What would count as closed.
         tolerance: f64,
+    },
+    /// A wall has something behind it.
+    #[error(
+        "the room is not convex inside: a corner lies {depth:e} behind the plane of patch {index} ({name})"
+    )]
+    NotConvex {
+        /// Index of the patch.
+        index: usize,
+        /// Its name.
+        name: String,
+        /// How far behind it something reaches.
+        depth: f64,
+    },
+    /// The patches of a plane do not cover a convex face.
+    #[error(
+        "the patches in the plane of patch {index} ({name}) leave {relative:e} of the face between their corners open: a closed \
+         convex room is needed"
+    )]
+    FaceNotCovered {
+        /// Index of the first patch in the plane.
+        index: usize,
+        /// Its name.
+        name: String,
+        /// The part of the face that is open; negative where patches overlap.
+        relative: f64,
+    },
+    /// Random lines left the scene.
+    #[error(
+        "the scene is open: {lost} of {lines} lines meet no front of a patch, and a chord has two ends"
+    )]
+    LinesEscape {
+        /// Lines that escape, or meet a back or an obstruction.
+        lost: u32,
+        /// Lines drawn.
+        lines: u32,
     },
     /// The form factors of a patch sum to more than one.
     #[error(

@@ -13,6 +13,7 @@ mod blockers;
 mod built_in;
 mod closure;
 mod congruence;
+mod convex_room;
 mod error;
 mod exchange_areas;
 pub mod files;
@@ -29,6 +30,7 @@ mod row_pairs;
 mod row_sums;
 mod rows;
 mod shifts;
+mod solids;
 mod subdivision;
 mod tally;
 

@@ -5,7 +5,7 @@
 //! pairs too; [`stability`] measures what naive forms of the gain lose, [`extreme_pairs`] what the routes
 //! keep of stiff and extreme pairs, [`transport_stability`] what solvers keep of radiosities, [`precision`] what an enclosure costs. [`Truth`] judges.
 //! [`gradient_limits`] follows the cuts of §4.2 to their limits, [`profiles`] sets both cuts side by side for other radiosities,
-//! [`directions`] turns the cut.
+//! [`directions`] turns the cut. [`mod@refinement`] follows discrete mutual information to the continuous one.
 //!
 //! **Not here**: printing.
 
@@ -21,6 +21,7 @@ pub mod gradient_limits;
 pub mod polygon_pairs;
 pub mod precision;
 pub mod profiles;
+pub mod refinement;
 pub mod stability;
 pub mod transport_stability;
 mod truth;

@@ -28,7 +28,7 @@ fn bad_arguments_are_refused() {
     let of_first = |scene, more: &[&str], says| {
         assert_refused(&[&["split", scene, "--patch", "0"], more].concat(), says);
     };
-    of_first("sphere", &[], "two-squares, three-squares or cube:N");
+    of_first("sphere", &[], "two-squares, three-squares, cube:N");
     assert_refused(&["split", "cube:1", "--patch", "6"], "patches 0 to 5");
     of_first("cube:1", &["--against", "0"], "against itself");
     of_first("cube:2", &["--against", "1"], "exchanges nothing");

@@ -153,6 +153,61 @@ fn threads_do_not_change_a_byte() {
     assert_eq!(matrix("1"), matrix("2"));
 }
 
+/// The continuous mutual information of a room does not depend on its division: the cube's to 37 digits from outside. Random chords have the
+/// same key, and refuse what the pairs refuse only if it is open.
+#[test]
+fn measure_answers_with_the_continuous_one_if_asked() {
+    let exact = 1.610_473_346_468_777_7;
+    let answer = json(&["measure", "cube:2", "--continuous"]);
+    let number = |answer: &Value, key: &str| answer[key].as_f64().unwrap();
+    let found = number(&answer, "continuous_mutual_information");
+    assert!((found - exact).abs() <= number(&answer, "continuous_error"));
+    assert_eq!(answer["continuous_error_grade"], "estimate");
+    let parts = answer["continuous_contributions"].as_array().unwrap();
+    assert_eq!(parts.len(), 15);
+    let sum: f64 = parts
+        .iter()
+        .map(|part| number(part, "mutual_information"))
+        .sum();
+    assert!((sum - exact).abs() < 1e-12);
+    assert!(number(&answer, "mutual_information") < exact);
+    assert!(stdout(&["measure", "cube:1", "--continuous"]).contains("(1.610473346"));
+
+    let chords = [
+        "measure",
+        "cube:1",
+        "--continuous",
+        "--lines",
+        "20000",
+        "--seed",
+        "7",
+    ];
+    let answer = json(&chords);
+    let error = number(&answer, "continuous_standard_error");
+    assert!((number(&answer, "continuous_mutual_information") - exact).abs() < 5.0 * error);
+    assert_eq!(
+        (&answer["seed"], &answer["mutual_information"]),
+        (&7.into(), &Value::Null)
+    );
+    assert_eq!(stdout(&chords), stdout(&chords));
+    assert!(stdout(&chords).contains("standard error"));
+
+    let refused = infoscene(&["measure", "two-squares", "--continuous", "--lines", "100"])
+        .assert()
+        .code(2);
+    let message = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
+    assert!(
+        message.contains("the scene is open") && refused.get_output().stdout.is_empty(),
+        "{message}"
+    );
+    infoscene(&["measure", "two-squares", "--continuous", "--open"])
+        .assert()
+        .code(2);
+    infoscene(&["measure", "cube:1", "--lines", "100"])
+        .assert()
+        .code(2);
+}
+
 /// cube_grids.csv, row cube_regular_3.
 #[test]
 fn measure_finds_the_mutual_information_of_a_cube() {

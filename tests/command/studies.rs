@@ -208,3 +208,28 @@ fn precision_study_shows_what_certainty_costs() {
         }
     }
 }
+
+/// Discrete values stay below the continuous one, in the records, in the table with its last line, and drawn.
+#[test]
+fn refinement_study_is_a_table_and_a_figure() {
+    let folder = tempfile::tempdir().unwrap();
+    let figure = folder.path().join("gaps.svg");
+    let path = figure.to_str().unwrap();
+    let answer = json(&["study", "refinement", "--quick", "--figure", path]);
+    assert_eq!(answer["study"], "refinement");
+    for row in rows(&answer) {
+        assert!(
+            number(row, "mutual_information") < number(row, "continuous_mutual_information"),
+            "{row}"
+        );
+    }
+    assert!(std::fs::read_to_string(&figure).unwrap().contains("<svg"));
+    let table = crate::stdout(&["study", "refinement", "--quick"]);
+    assert!(
+        table.contains('∞') && table.contains("(1.610473346"),
+        "{table}"
+    );
+    crate::infoscene(&["study", "limits", "--figure", path])
+        .assert()
+        .code(2);
+}

@@ -144,14 +144,22 @@ fn libraries_lie_beside_the_file() {
     assert_eq!(found, [0.1, 0.2, 0.3]);
 }
 
-/// The files of the paper's scenes are the built-in ones, to the last bit.
+/// The files of the built-in scenes are these, to the last bit.
 #[test]
-fn files_of_the_paper_are_the_built_in_scenes() {
+fn files_are_the_built_in_scenes() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("data/scenes");
     for (file, name) in [
         ("two-squares.obj", "two-squares"),
         ("three-squares.obj", "three-squares"),
         ("cube-3.obj", "cube:3"),
+        ("tetrahedron.obj", "tetrahedron"),
+        ("cube.obj", "cube:1"),
+        ("octahedron.obj", "octahedron"),
+        ("dodecahedron.obj", "dodecahedron"),
+        ("icosahedron.obj", "icosahedron"),
+        ("box.obj", "box:1,1,2"),
+        ("box-flat.obj", "box:1,1,0.1"),
+        ("box-long.obj", "box:1,1,10"),
     ] {
         let read = read(&folder.join(file), NonPlanarFaces::Refuse)
             .unwrap()

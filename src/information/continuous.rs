@@ -1,0 +1,150 @@
+//! Continuous mutual information (4) of a closed room that is convex inside.
+//!
+//! ```text
+//!   I^c = (1/A_T) ∫∫ F log2(A_T F) dy dx = Σ_ij I^c_ij,    I^c_ij = (1/A_T) [∫∫ F ln(A_T F)]_ij / ln 2
+//! ```
+//!
+//! over pairs of faces; the parts of a pair are [`Logarithms`], so nothing singular is integrated. The result does not depend on how the
+//! faces are divided into patches. Both end angles of a chord of a closed room are cosine-distributed, `E[ln cos θ] = −½`:
+//!
+//! ```text
+//!   Σ_j C_ij = −A_i/2 for every face i,     so   I^c = log2(A_T/(π e)) − 2 E[log2 r],   E[ln r] = (1/A_T) Σ_ij R_ij
+//! ```
+//!
+//! and what is left of `Σ_j C_ij + A_i/2` is part of the error. A sphere has `F = 1/A_T` everywhere and `I^c = 0`.
+//!
+//! **Not covered**: rooms that are open or not convex inside by this road; [`chord_information`] samples them.
+
+use super::ErrorGrade;
+use crate::chain::ChainError;
+use crate::form_factor::Logarithms;
+use crate::geometry::Patch;
+use crate::numeric::{CompensatedSum, compensated_sum, tolerance};
+use crate::scene::{Scene, SceneError};
+use rayon::prelude::*;
+use std::f64::consts::LN_2;
+
+/// What a pair of faces contributes to the continuous mutual information, in both directions together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FacePair {
+    /// Index of one face.
+    pub first: usize,
+    /// Index of the other, larger.
+    pub second: usize,
+    /// Its part of (4), in bits; may be negative.
+    pub mutual_information: f64,
+    /// The part of all transitions that go between the two.
+    pub probability: f64,
+}
+
+/// Continuous mutual information (4).
+#[derive(Debug, Clone, PartialEq)]
+pub struct ContinuousInformation {
+    /// In bits, ≥ 0 but for rounding.
+    pub mutual_information: f64,
+    /// Estimated absolute error.
+    pub error: f64,
+    /// What the error is: an estimate.
+    pub error_grade: ErrorGrade,
+    /// Number of faces.
+    pub faces: usize,
+    /// For each patch its face.
+    pub face_of: Vec<usize>,
+    /// All pairs of faces, in order.
+    pub pairs: Vec<FacePair>,
+}
+
+/// Continuous mutual information (4) of a closed scene that is convex inside.
+///
+/// **Accuracy** 1e-12 relative for the regular solids, and for boxes from 1e-3 to 1e3 times as high as wide, held by
+/// `known_values_are_met`; the error returned is an estimate.
+///
+/// # Errors
+/// [`ChainError::Scene`] if the room is not convex inside or not closed, or a pair is refused.
+///
+/// # Examples
+/// ```
+/// use infoscene::{information::continuous_information, scene::Scene};
+/// let cube = continuous_information(&Scene::built_in("cube:2")?)?;
+/// // from an independent evaluation to 37 digits
+/// assert!((cube.mutual_information - 1.610_473_346_468_777_7).abs() < 2e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, ChainError> {
+    let (faces, face_of) = scene.convex_room()?;
+    let first_patch = |face: usize| face_of.iter().position(|of| *of == face).unwrap_or(0);
+    // in units of a power of two near the size, so that logarithms are of moderate numbers
+    let total_area = compensated_sum(faces.iter().map(Patch::area));
+    let unit = (0.5 * total_area.log2()).round().exp2();
+    let scaled = faces.iter().enumerate().map(|(face, patch)| {
+        let corners = patch
+            .corners()
+            .iter()
+            .map(|corner| *corner / unit)
+            .collect();
+        Patch::try_new(corners).map_err(|source| SceneError::Patch {
+            index: first_patch(face),
+            name: scene.patches()[first_patch(face)].name().to_owned(),
+            source,
+        })
+    });
+    let faces: Vec<Patch> = scaled.collect::<Result<_, _>>()?;
+    let total_area = compensated_sum(faces.iter().map(Patch::area));
+    let places: Vec<[usize; 2]> = (0..faces.len())
+        .flat_map(|second| (0..second).map(move |first| [first, second]))
+        .collect();
+    let measured = places.par_iter().map(|[first, second]| {
+        Logarithms::of(&faces[*first], &faces[*second]).map_err(|source| SceneError::Pair {
+            first: first_patch(*first),
+            second: first_patch(*second),
+            source,
+        })
+    });
+    let measured: Vec<Logarithms> = measured.collect::<Result<_, _>>()?;
+    let mut rows = vec![[CompensatedSum::default(); 3]; faces.len()];
+    for ([first, second], pair) in places.iter().zip(&measured) {
+        for (face, cosine) in [(*first, pair.cosines[0]), (*second, pair.cosines[1])] {
+            let [received, cosines, bound] = &mut rows[face];
+            received.add(pair.exchange.value);
+            cosines.add(cosine);
+            bound.add(pair.exchange.error_bound);
+        }
+    }
+    let mut unclosed = 0.0;
+    for (face, (row, patch)) in rows.iter().zip(&faces).enumerate() {
+        let [received, cosines, bound] = row.each_ref().map(CompensatedSum::total);
+        let allowed = bound / patch.area() + tolerance::COVERED;
+        let sum = received / patch.area();
+        if (sum - 1.0).abs() > allowed {
+            return Err(SceneError::OpenScene {
+                row: first_patch(face),
+                sum,
+                tolerance: allowed,
+            }
+            .into());
+        }
+        unclosed += (cosines + 0.5 * patch.area()).abs();
+    }
+    let pairs = places
+        .iter()
+        .zip(&measured)
+        .map(|([first, second], pair)| FacePair {
+            first: *first,
+            second: *second,
+            mutual_information: 2.0 * pair.kernel(total_area) / (total_area * LN_2),
+            probability: 2.0 * pair.exchange.value / total_area,
+        });
+    let mut pairs: Vec<FacePair> = pairs.collect();
+    pairs.sort_by_key(|pair| (pair.first, pair.second));
+    let mutual_information = compensated_sum(pairs.iter().map(|pair| pair.mutual_information));
+    let estimates = compensated_sum(measured.iter().map(|pair| pair.error_estimate));
+    let error = 2.0 * (estimates + unclosed) / (total_area * LN_2);
+    Ok(ContinuousInformation {
+        mutual_information,
+        error: error + tolerance::INFORMATION * (1.0 + mutual_information.abs()),
+        error_grade: ErrorGrade::Estimate,
+        faces: faces.len(),
+        face_of,
+        pairs,
+    })
+}

@@ -1,0 +1,137 @@
+//! The faces of a room that is convex inside, however they are divided into patches.
+//!
+//! ```text
+//!   inside is convex   ⇔   no corner lies behind the plane of any patch
+//!   a face             =   the convex hull of the corners in one plane, if the patches cover it
+//! ```
+//!
+//! Then nothing stands between two points of the walls, and a walk has its continuous form: what does not depend
+//! on the division is computed from the faces.
+//!
+//! **Not covered**: whether the faces close up (their exchange areas say so).
+
+use super::planes::Planes;
+use super::{Scene, SceneError};
+use crate::geometry::Patch;
+use crate::numeric::{compensated_sum, tolerance};
+use glam::{DVec2, DVec3};
+
+impl Scene {
+    /// The faces of the convex room that the patches are the walls of, in the order of their first patches, and for each patch
+    /// its face.
+    ///
+    /// # Errors
+    /// [`SceneError::NotConvex`] if a corner lies behind a wall; [`SceneError::FaceNotCovered`] if the
+    /// patches of a plane leave part of its hull open; [`SceneError::Patch`] if a face has no area to speak of.
+    ///
+    /// # Examples
+    /// ```
+    /// use infoscene::scene::Scene;
+    /// let (faces, face_of) = Scene::built_in("cube:3")?.convex_room()?;
+    /// assert_eq!((faces.len(), face_of[9], faces[0].corners().len()), (6, 1, 4));
+    /// assert!(Scene::built_in("cornell-box")?.convex_room().is_ok());
+    /// # Ok::<(), infoscene::scene::SceneError>(())
+    /// ```
+    pub fn convex_room(&self) -> Result<(Vec<Patch>, Vec<usize>), SceneError> {
+        let roots: Vec<usize> = (0..self.patches.len())
+            .map(|patch| self.root_of(patch))
+            .collect();
+        let planes = Planes::of(&self.patches, &roots);
+        let mut face_of = vec![0; self.patches.len()];
+        let mut first_of: Vec<Option<usize>> = vec![None; planes.count()];
+        let mut members: Vec<Vec<usize>> = Vec::new();
+        for patch in 0..self.patches.len() {
+            let plane = planes.of_patch(patch);
+            let face = *first_of[plane].get_or_insert_with(|| {
+                members.push(Vec::new());
+                members.len() - 1
+            });
+            face_of[patch] = face;
+            if roots[patch] == patch {
+                members[face].push(patch);
+            }
+        }
+        let surfaces = self.patches.iter().chain(&self.obstructions);
+        let corners = surfaces.flat_map(|surface| surface.shape.corners());
+        let corners: Vec<DVec3> = corners.copied().collect();
+        let extent = corners.iter().map(|corner| corner.abs().max_element());
+        let flat = tolerance::TOUCHING * extent.fold(f64::MIN_POSITIVE, f64::max);
+        // heights over the largest patch of a plane are the surest
+        let wall = |patches: &[usize]| {
+            let shapes = patches.iter().map(|patch| &self.patches[*patch].shape);
+            shapes.fold(&self.patches[patches[0]].shape, |best, next| {
+                if next.area() > best.area() {
+                    next
+                } else {
+                    best
+                }
+            })
+        };
+        let name = |index: usize| self.patches[index].name.clone();
+        for patches in &members {
+            let (index, wall) = (patches[0], wall(patches));
+            let height = |corner: &DVec3| wall.normal().dot(*corner - wall.corners()[0]);
+            let depth = corners
+                .iter()
+                .map(|corner| -height(corner))
+                .fold(0.0, f64::max);
+            if depth > flat + tolerance::PLANARITY * wall.area().sqrt() {
+                let name = name(index);
+                return Err(SceneError::NotConvex { index, name, depth });
+            }
+        }
+        let mut faces = Vec::with_capacity(members.len());
+        for patches in &members {
+            let index = patches[0];
+            let shapes = || patches.iter().map(|patch| &self.patches[*patch].shape);
+            let own = shapes().flat_map(Patch::corners).copied().collect();
+            let hull = hull(own, wall(patches).normal(), flat);
+            let face = Patch::try_new(hull).map_err(|source| self.refused(index, source))?;
+            let missing = face.area() - compensated_sum(shapes().map(Patch::area));
+            if missing.abs() > tolerance::COVERED * face.area() {
+                let (name, relative) = (name(index), missing / face.area());
+                return Err(SceneError::FaceNotCovered {
+                    index,
+                    name,
+                    relative,
+                });
+            }
+            faces.push(face);
+        }
+        Ok((faces, face_of))
+    }
+}
+
+/// The corners of the convex hull of points in a plane, counter-clockwise about the normal; those nearer than `flat` to the line
+/// through their neighbours left out.
+fn hull(mut points: Vec<DVec3>, normal: DVec3, flat: f64) -> Vec<DVec3> {
+    let across = normal.any_orthonormal_vector();
+    let up = normal.cross(across);
+    let place = |point: &DVec3| DVec2::new(across.dot(*point), up.dot(*point));
+    points.sort_by(|a, b| {
+        let (a, b) = (place(a), place(b));
+        a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y))
+    });
+    let chain = |points: &mut dyn Iterator<Item = &DVec3>| {
+        let mut kept: Vec<DVec3> = Vec::new();
+        for point in points {
+            while let [.., before, last] = kept.as_slice() {
+                let (start, turn) = (place(before), place(last));
+                let end = place(point);
+                let length = (end - start).length();
+                if (end - start).perp_dot(turn - start) <= -flat * length {
+                    break;
+                }
+                kept.pop();
+            }
+            kept.push(*point);
+        }
+        kept
+    };
+    let mut lower = chain(&mut points.iter());
+    let mut upper = chain(&mut points.iter().rev());
+    lower.pop();
+    upper.pop();
+    lower.append(&mut upper);
+    lower
+}

@@ -1,0 +1,40 @@
+//! Continuous mutual information: known values, other roads to it, invariance, and what lies below it.
+#![allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    reason = "a test may panic, and compares what is exact"
+)]
+
+mod dilogarithms;
+mod invariance;
+mod known_values;
+mod other_roads;
+mod refinement;
+mod refusals;
+
+#[path = "../support/mod.rs"]
+mod support;
+
+use infoscene::information::{ContinuousInformation, continuous_information};
+use infoscene::scene::Scene;
+use std::collections::BTreeMap;
+use std::sync::Mutex;
+
+/// Continuous mutual information of a built-in scene, computed once.
+fn information(name: &str) -> ContinuousInformation {
+    static KNOWN: Mutex<BTreeMap<String, ContinuousInformation>> = Mutex::new(BTreeMap::new());
+    let known = KNOWN.lock().unwrap().get(name).cloned();
+    known.unwrap_or_else(|| {
+        let found = continuous_information(&Scene::built_in(name).unwrap()).unwrap();
+        KNOWN.lock().unwrap().insert(name.to_owned(), found.clone());
+        found
+    })
+}
+
+const SOLIDS: [&str; 5] = [
+    "tetrahedron",
+    "cube:1",
+    "octahedron",
+    "dodecahedron",
+    "icosahedron",
+];
