@@ -5,6 +5,7 @@
     reason = "a test may panic, and compares what is exact"
 )]
 
+mod cross_sections;
 mod dilogarithms;
 mod invariance;
 mod known_values;
@@ -30,6 +31,10 @@ fn information(name: &str) -> ContinuousInformation {
         found
     })
 }
+
+/// Relative accuracy promised for moderate and for extreme rooms.
+const MODERATE: f64 = 1e-12;
+const EXTREME: f64 = 1e-10;
 
 const SOLIDS: [&str; 5] = [
     "tetrahedron",
