@@ -1,12 +1,12 @@
 //! `infoscene measure SCENE`.
 
 use super::light::Light;
-use super::output::Output;
+use super::output::{Output, progress_bar};
 use super::scene_pairs::{ScenePairsOptions, outcome};
 use super::{Answer, Outcome};
 use crate::chain::ChainError;
 use crate::information::{
-    Surroundings, brightness_information, chord_information, continuous_information,
+    Surroundings, brightness_information, chord_information, continuous_information, pair_losses,
     scene_information,
 };
 use crate::report::{chord_report, measure_report};
@@ -25,6 +25,9 @@ pub(super) struct Measure {
     /// The continuous mutual information, too, of a closed scene that is convex inside.
     #[arg(long)]
     continuous: bool,
+    /// What each pair of patches loses against the continuous one: the most that subdividing both can gain.
+    #[arg(long, requires = "continuous", conflicts_with = "lines")]
+    pairs: bool,
     /// The continuous one alone, from so many random chords: of any closed scene, concave or occluded.
     #[arg(long, value_name = "N", requires = "continuous", conflicts_with = "open",
         value_parser = clap::value_parser!(u32).range(2..))]
@@ -73,12 +76,22 @@ impl Measure {
         } else {
             None
         };
+        let losses = if self.pairs {
+            let all = scene.patches().len();
+            let bar = progress_bar((all * (all - 1) / 2) as u64, "pairs")?;
+            let losses = pair_losses(&scene, || bar.inc(1))?;
+            bar.finish_and_clear();
+            Some(losses)
+        } else {
+            None
+        };
         let patches: Vec<&str> = scene.patches().iter().map(NamedPatch::name).collect();
         let continuous = continuous.as_ref().map(|found| (patches.as_slice(), found));
         let written = self.output.write(&measure_report(
             &scene.group_names(),
             &measured,
             continuous,
+            losses.as_deref(),
         )?)?;
         match outcome(&scene, Some(&measured.account), pairs.tolerance()) {
             Outcome::Done => Ok(written),

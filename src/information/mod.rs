@@ -10,6 +10,7 @@ mod chords;
 mod continuous;
 mod gain;
 mod measures;
+mod pair_losses;
 mod scene;
 
 pub use brightness::brightness_information;
@@ -17,6 +18,7 @@ pub use chords::{ChordInformation, chord_information};
 pub use continuous::{ContinuousInformation, FacePair, continuous_information};
 pub use gain::{divergence, refinement_gain, relative_entropy, subdivision_bound};
 pub use measures::{entropy_rate, mutual_information, positional_entropy};
+pub use pair_losses::{PairLoss, pair_losses};
 pub use scene::{ErrorGrade, SceneInformation, Surroundings, scene_information};
 
 /// From this x on `a φ(x) = p (ln(p/a) − 1) + a` is used, whose factors cannot overflow.

@@ -10,6 +10,7 @@ mod dilogarithms;
 mod invariance;
 mod known_values;
 mod other_roads;
+mod pair_losses;
 mod refinement;
 mod refusals;
 
