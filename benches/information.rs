@@ -8,7 +8,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use infoscene::chain::{ReversibleChain, visibility_chain};
 use infoscene::claims::{DEFAULT_PRECISION, judge, judge_all, registry};
-use infoscene::discretize::{CubeGrid, GradientCut, PatchSplit};
+use infoscene::discretize::{BoxGrid, GradientCut, PatchSplit, UNIT_CUBE};
 use infoscene::geometry::SplitAxis;
 use infoscene::information::{divergence, entropy_rate, mutual_information, positional_entropy};
 use infoscene::scene::Scene;
@@ -24,7 +24,7 @@ fn measures(criterion: &mut Criterion) {
     });
     criterion.bench_function("mutual information, 216 states, cells shared", |bencher| {
         bencher.iter(|| {
-            CubeGrid::regular(black_box(6))
+            BoxGrid::regular(UNIT_CUBE, black_box(6))
                 .unwrap()
                 .mutual_information()
                 .unwrap()

@@ -3,7 +3,7 @@
 use super::extremes::larger;
 use super::finding::Computation;
 use super::{ClaimError, Finding, Inputs};
-use crate::discretize::{CertifiedGrid, ContactShadow, CubeGrid, PatchSplit};
+use crate::discretize::{BoxGrid, CertifiedGrid, ContactShadow, PatchSplit, UNIT_CUBE};
 use crate::geometry::SplitAxis;
 use crate::numeric::{Certificate, CertifiedMaximum, Interval, Scalar, tolerance};
 use crate::scene::Scene;
@@ -247,7 +247,7 @@ fn orthogonal_slope_explains_the_shift(input: &Inputs) -> Result<Finding, ClaimE
 
 /// Lines at t and 1 − t.
 fn three_cells<S: Scalar>(t: &S) -> Result<S, ClaimError> {
-    let grid = CubeGrid::mirrored(std::slice::from_ref(t), 3, t)?;
+    let grid = BoxGrid::mirrored(UNIT_CUBE, std::slice::from_ref(t), 3, t)?;
     Ok(grid.mutual_information()?)
 }
 
@@ -343,7 +343,7 @@ fn best_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
 
 fn regular_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
     let at = |cells: u32| -> Result<f64, ClaimError> {
-        Ok(CubeGrid::regular(cells)?.mutual_information()?)
+        Ok(BoxGrid::regular(UNIT_CUBE, cells)?.mutual_information()?)
     };
     let information = CertifiedGrid::regular(input.count("cells")?, input.bits())?;
     let levels = (1..=12).map(at).collect::<Result<Vec<f64>, _>>()?;
@@ -373,7 +373,7 @@ fn best_grid_beats_regular_grid(input: &Inputs) -> Result<Finding, ClaimError> {
             twice - line
         })
         .collect();
-    let other = CubeGrid::mirrored(&moved, cells, like)?.mutual_information()?;
+    let other = BoxGrid::mirrored(UNIT_CUBE, &moved, cells, like)?.mutual_information()?;
     let note = format!(
         "lines moved as far the other way: {:.5} bit against {:.5}",
         other.to_f64(),

@@ -14,7 +14,8 @@
 //! **Not covered**: the global maximum over several lines.
 
 use super::DiscretizeError;
-use super::cube_grid::{CubeGrid, TOTAL_AREA};
+use super::best_grid::BestGrid;
+use super::box_grid::{BoxGrid, UNIT_CUBE};
 use crate::numeric::{
     Certificate, CertifiedMaximum, Dual, Interval, Objective, Scalar, VectorFunction,
     certified_maximum, certified_stationary_point,
@@ -37,7 +38,7 @@ impl CertifiedGrid {
     /// # Errors
     /// [`DiscretizeError::OutOfRange`] for zero cells.
     pub fn regular(cells: u32, bits: u32) -> Result<Interval, DiscretizeError> {
-        CubeGrid::regular_like(cells, &Interval::precise(1.0, bits))?.mutual_information()
+        BoxGrid::regular_like(UNIT_CUBE, cells, &Interval::precise(1.0, bits))?.mutual_information()
     }
 
     /// The best grid of `cells` cells a side: the global maximum for three, else the maximum near the regular grid.
@@ -68,11 +69,16 @@ impl CertifiedGrid {
                 },
             });
         }
-        let near = CubeGrid::best(cells)?.lines();
-        let near: Vec<f64> = near.into_iter().filter(|line| *line < 0.5).collect();
+        let near = BestGrid::find(UNIT_CUBE, cells)?.grid;
+        let near: Vec<f64> = near
+            .lines()
+            .iter()
+            .copied()
+            .filter(|line| *line < 0.5)
+            .collect();
         let half = certified_stationary_point(&Gradient { cells }, &near, bits)?;
         let like = Interval::precise(1.0, bits);
-        let grid = CubeGrid::mirrored(&half, cells, &like)?;
+        let grid = BoxGrid::mirrored(UNIT_CUBE, &half, cells, &like)?;
         Ok(Self {
             mutual_information: grid.mutual_information()?,
             half,
@@ -92,7 +98,7 @@ struct Gradient {
 impl VectorFunction for Gradient {
     fn values<S: Scalar>(&self, point: &[S]) -> Option<Vec<S>> {
         let like = point.first()?;
-        CubeGrid::mirrored(point, self.cells, like)
+        BoxGrid::mirrored(UNIT_CUBE, point, self.cells, like)
             .ok()?
             .gradient()
             .ok()
@@ -103,8 +109,8 @@ impl VectorFunction for Gradient {
 struct ThreeCells;
 
 impl ThreeCells {
-    fn grid<S: Scalar>(line: &S) -> Option<CubeGrid<S>> {
-        CubeGrid::mirrored(std::slice::from_ref(line), 3, line).ok()
+    fn grid<S: Scalar>(line: &S) -> Option<BoxGrid<S>> {
+        BoxGrid::mirrored(UNIT_CUBE, std::slice::from_ref(line), 3, line).ok()
     }
 }
 
@@ -124,12 +130,13 @@ impl Objective for ThreeCells {
         let aside = *domain - middle;
         let on_box = Self::grid(&Dual::variable(Dual::variable(Dual::variable(*domain))))?;
         let at_middle = Self::grid(&Dual::variable(Dual::variable(middle)))?;
-        let total = domain.constant(TOTAL_AREA);
+        let (total, _) = BoxGrid::regular_like(UNIT_CUBE, 1, domain).ok()?.faces();
+        let (on_box, at_middle) = (on_box.classes().ok()?, at_middle.classes().ok()?);
         let mut sum = Dual {
             value: domain.zero(),
             slope: domain.zero(),
         };
-        for ((pair, count), (middle_pair, _)) in on_box.pairs().zip(at_middle.pairs()) {
+        for (pair, middle_pair) in on_box.pairs().zip(at_middle.pairs()) {
             let (natural, at_middle) = (pair.exchange().ok()?, middle_pair.exchange().ok()?);
             let second = at_middle.slope.slope + natural.slope.slope.slope * aside;
             let first = at_middle.slope.value + second * aside;
@@ -137,7 +144,7 @@ impl Objective for ThreeCells {
             let areas = pair.areas().value.value;
             let log = (value * total / areas.value).ln();
             let log_slope = first / value - areas.slope / areas.value;
-            let weight = domain.constant(count) / total;
+            let weight = domain.constant(pair.count) / total;
             sum.value = sum.value + weight * first * log;
             sum.slope = sum.slope + weight * (second * log + first * log_slope);
         }
@@ -167,7 +174,7 @@ impl Objective for ThreeCells {
             .map(Interval::point)
             .collect();
         let cells = 2 * u32::try_from(half.len()).ok()? + 1;
-        let grid = CubeGrid::mirrored(&half, cells, &one).ok()?;
+        let grid = BoxGrid::mirrored(UNIT_CUBE, &half, cells, &one).ok()?;
         // 2 (b − a) on each of two axes, for X and for Y
         let share = (Interval::point(upper) - Interval::point(lower)) * domain.constant(8.0);
         Some(*(grid.mutual_information().ok()? + share * bits).upper())

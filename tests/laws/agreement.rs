@@ -2,7 +2,9 @@
 
 use crate::support::strategies::rectangle_pair;
 use glam::DVec3;
-use infoscene::discretize::{CertifiedCut, CertifiedGrid, CubeGrid, Cut, GradientCut, PatchSplit};
+use infoscene::discretize::{
+    BestGrid, BoxGrid, CertifiedCut, CertifiedGrid, Cut, GradientCut, PatchSplit, UNIT_CUBE,
+};
 use infoscene::form_factor::{ExchangeArea, FormFactorError, RectanglePair};
 use infoscene::geometry::{Patch, Rectangle, SplitAxis};
 use infoscene::numeric::{Certificate, Interval, Scalar, tolerance};
@@ -262,7 +264,7 @@ fn gradient_cuts_agree_with_certified_ones() {
 
 fn assert_best_grid(cells: u32) {
     let what = format!("{cells} cells");
-    let fast = CubeGrid::best(cells).unwrap();
+    let fast = BestGrid::find(UNIT_CUBE, cells).unwrap();
     let certified = CertifiedGrid::best(cells, 128).unwrap();
     assert_eq!(certified.half.len(), (cells as usize - 1) / 2);
     for (line, enclosure) in fast.lines().iter().zip(&certified.half) {
@@ -277,7 +279,7 @@ fn assert_best_grid(cells: u32) {
 #[test]
 fn grids_agree_with_certified_ones() {
     for cells in 1..=5 {
-        let fast = CubeGrid::regular(cells)
+        let fast = BoxGrid::regular(UNIT_CUBE, cells)
             .unwrap()
             .mutual_information()
             .unwrap();

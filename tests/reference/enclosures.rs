@@ -1,7 +1,9 @@
 //! Enclosures against the independent values, to one unit of their last printed digit.
 
 use crate::support::references::{Row, rows};
-use infoscene::discretize::{CertifiedGrid, CubeGrid, GradientCut, GradientLimit, PatchSplit};
+use infoscene::discretize::{
+    BoxGrid, CertifiedGrid, GradientCut, GradientLimit, PatchSplit, UNIT_CUBE,
+};
 use infoscene::form_factor::perpendicular::{self, Plate};
 use infoscene::form_factor::{RectanglePair, parallel};
 use infoscene::geometry::{Rectangle, Span, SplitAxis};
@@ -254,7 +256,7 @@ fn figure_4_is_enclosed_to_13_digits() {
             "" => like.clone() / &like.constant(3.0),
             x => Interval::parse(x, BITS).unwrap() / &like.constant(20.0),
         };
-        let grid = CubeGrid::mirrored(&[line], 3, &like).unwrap();
+        let grid = BoxGrid::mirrored(UNIT_CUBE, &[line], 3, &like).unwrap();
         let text = row("cube_grids.csv", id).text("value").to_owned();
         let exact = printed(&text[..text.len().min(15)], 0);
         assert_encloses(&grid.mutual_information().unwrap(), &exact, id);
