@@ -263,7 +263,7 @@ fn best_grid(cells: u32, input: &Inputs) -> Result<CertifiedGrid, ClaimError> {
         Err(_) => Shared::default(),
     };
     shared
-        .get_or_init(|| Ok(CertifiedGrid::best(cells, input.bits())?))
+        .get_or_init(|| Ok(CertifiedGrid::best(UNIT_CUBE, cells, input.bits())?))
         .clone()
 }
 
@@ -288,7 +288,7 @@ fn best_grid_lies_nearer_to_the_edges(input: &Inputs) -> Result<Finding, ClaimEr
     let best = best_grid(cells, input)?;
     only_place(&best.certificate)?;
     let like = &best.mutual_information;
-    let gain = like.clone() - &CertifiedGrid::regular(cells, input.bits())?;
+    let gain = like.clone() - &CertifiedGrid::regular(UNIT_CUBE, cells, input.bits())?;
     let regular = like.constant(1.0) / &like.constant(f64::from(cells));
     let displacement = match best.half.first() {
         Some(line) => (regular - line) * &like.constant(20.0),
@@ -345,7 +345,7 @@ fn regular_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
     let at = |cells: u32| -> Result<f64, ClaimError> {
         Ok(BoxGrid::regular(UNIT_CUBE, cells)?.mutual_information()?)
     };
-    let information = CertifiedGrid::regular(input.count("cells")?, input.bits())?;
+    let information = CertifiedGrid::regular(UNIT_CUBE, input.count("cells")?, input.bits())?;
     let levels = (1..=12).map(at).collect::<Result<Vec<f64>, _>>()?;
     let interval = input.number("printed_from")?..=input.number("printed_to")?;
     let found = levels
@@ -364,7 +364,7 @@ fn regular_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
 fn best_grid_beats_regular_grid(input: &Inputs) -> Result<Finding, ClaimError> {
     let cells = input.count("cells")?;
     let best = best_grid(cells, input)?;
-    let regular = CertifiedGrid::regular(cells, input.bits())?;
+    let regular = CertifiedGrid::regular(UNIT_CUBE, cells, input.bits())?;
     let like = &regular;
     let moved: Vec<Interval> = (1..)
         .zip(&best.half)

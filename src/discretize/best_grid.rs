@@ -26,6 +26,8 @@ pub struct BestGrid {
     pub slope: f64,
     /// Largest eigenvalue of the Hessian, in bits; `None` if no line is free.
     pub curvature: Option<f64>,
+    /// Its error, from differences of gradients along its eigenvector: an estimate.
+    pub curvature_error: f64,
     /// How far off the lines are, relative to the edges: an estimate.
     pub line_error: f64,
     /// How it was searched for.
@@ -54,6 +56,9 @@ const SEED: u64 = 1999;
 /// Lines farther apart than this belong to different maxima.
 const APART: f64 = 1e-6;
 
+/// How far lines move for differences, relative to the least gap between them.
+const ASIDE: f64 = 1e-3;
+
 impl BestGrid {
     /// The best grid of `cells` cells an edge.
     ///
@@ -78,6 +83,7 @@ impl BestGrid {
                 grid: regular,
                 slope: 0.0,
                 curvature: None,
+                curvature_error: 0.0,
                 line_error: 0.0,
                 search: Search {
                     starts: 1,
@@ -87,8 +93,8 @@ impl BestGrid {
                 },
             });
         }
-        let grid = |half: &[f64]| BoxGrid::mirrored(edges, half, cells, &1.0);
-        let climbed = starts.par_iter().map(|start| climb(&grid, start));
+        let grid_of = |half: &[f64]| BoxGrid::mirrored(edges, half, cells, &1.0);
+        let climbed = starts.par_iter().map(|start| climb(&grid_of, start));
         let ends: Vec<_> = climbed.collect();
         let mut maxima: Vec<(BoxGrid, GridInformation, usize)> = Vec::new();
         let mut refusal = None;
@@ -102,7 +108,7 @@ impl BestGrid {
                     continue;
                 }
             };
-            let found = grid(&half)?;
+            let found = grid_of(&half)?;
             match maxima.iter_mut().find(|(known, ..)| is_same(known, &found)) {
                 Some((.., reached)) => *reached += 1,
                 None => {
@@ -123,11 +129,15 @@ impl BestGrid {
         let inverse = &spectrum.eigenvectors
             * DMatrix::from_diagonal(&spectrum.eigenvalues.map(|curvature| 1.0 / curvature))
             * spectrum.eigenvectors.transpose();
+        let (flattest, curvature) = spectrum.eigenvalues.argmin();
+        let along = spectrum.eigenvectors.column(flattest).into_owned();
+        let differences = difference(&grid_of, &half_of(&grid), &along)?;
         Ok(Self {
             grid,
             information,
             slope: derivatives.gradient.amax(),
-            curvature: Some(-spectrum.eigenvalues.min()),
+            curvature: Some(-curvature),
+            curvature_error: (differences + curvature).abs(),
             line_error: (inverse.abs() * left).amax() + f64::EPSILON,
             search: Search {
                 starts: starts.len(),
@@ -137,6 +147,32 @@ impl BestGrid {
             },
         })
     }
+}
+
+/// The lines below 1/2.
+fn half_of(grid: &BoxGrid) -> Vec<f64> {
+    grid.lines()
+        .iter()
+        .copied()
+        .filter(|line| *line < 0.5)
+        .collect()
+}
+
+/// The second derivative along a unit vector, from gradients on either side.
+fn difference(
+    grid: &impl Fn(&[f64]) -> Result<BoxGrid, DiscretizeError>,
+    half: &[f64],
+    along: &DVector<f64>,
+) -> Result<f64, DiscretizeError> {
+    let below = std::iter::once(0.0).chain(half.iter().copied());
+    let gaps = half.iter().copied().chain([0.5]).zip(below);
+    let step = ASIDE * gaps.fold(0.5, |least, (line, below)| f64::min(least, line - below));
+    let slope = |step: f64| -> Result<f64, DiscretizeError> {
+        let moved = half.iter().zip(along).map(|(t, by)| t + step * by);
+        let gradient = grid(&moved.collect::<Vec<f64>>())?.derivatives()?.gradient;
+        Ok(gradient.dot(along))
+    };
+    Ok((slope(step)? - slope(-step)?) / (2.0 * step))
 }
 
 /// Lines below 1/2 to start from, the regular ones first; none if no line is free.

@@ -139,6 +139,27 @@ impl BoxGrid {
         Self::regular_like(edges, checked(cells)?, &1.0)
     }
 
+    /// The same grid in numbers of the type and precision of `like`, its lower lines and edges exactly as they are.
+    ///
+    /// # Errors
+    /// None in practice: the lines were taken before.
+    pub fn lifted<S: Scalar>(&self, like: &S) -> Result<BoxGrid<S>, DiscretizeError> {
+        let cells = u32::try_from(self.cells()).unwrap_or(u32::MAX);
+        let lift = |lines: &[f64]| lines.iter().map(|line| like.constant(*line)).collect();
+        let lines = self.lines();
+        match self.spacing() {
+            Spacing::Regular => BoxGrid::regular_like(self.edges, cells, like),
+            Spacing::Symmetric => {
+                let half: Vec<S> = lift(&lines[..lines.len() / 2]);
+                BoxGrid::mirrored(self.edges, &half, cells, like)
+            }
+            Spacing::Any => {
+                let all: Vec<S> = lift(self.axes[0].lines());
+                BoxGrid::from_lines(self.edges, &all, Spacing::Any)
+            }
+        }
+    }
+
     /// Discrete mutual information with a bound on its error, by the cheapest road to each class of pairs. The same bits for any number of
     /// threads.
     ///

@@ -85,11 +85,6 @@ impl<S: Scalar> Classes<S> {
         &self.rows
     }
 
-    /// Classes of pairs.
-    pub(super) fn count(&self) -> usize {
-        self.rows.iter().map(|row| self.row(row).count()).sum()
-    }
-
     /// One pair of each class of a row.
     pub(super) fn row(&self, row: &Row) -> impl Iterator<Item = CellPair<'_, S>> {
         let Row {
