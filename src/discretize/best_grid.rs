@@ -57,7 +57,7 @@ const SEED: u64 = 1999;
 const APART: f64 = 1e-6;
 
 /// How far lines move for differences, relative to the least gap between them.
-const ASIDE: f64 = 1e-3;
+const ASIDE: f64 = 1e-4;
 
 impl BestGrid {
     /// The best grid of `cells` cells an edge.

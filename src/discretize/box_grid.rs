@@ -56,6 +56,9 @@ pub const UNIT_CUBE: [f64; 3] = [1.0; 3];
 /// classes of pairs.
 pub const MOST_CELLS: u32 = 64;
 
+/// Shortest cell, relative to the edge: rounded lines leave it four digits.
+const NARROWEST: f64 = 1e-12;
+
 /// The longest edge over the shortest.
 pub const LARGEST_ASPECT: f64 = 1e6;
 
@@ -108,14 +111,15 @@ impl BoxGrid {
     /// a rounding, are taken as exactly that, the lower one as given: their pairs are shared.
     ///
     /// # Errors
-    /// [`DiscretizeError::OutOfRange`] unless they increase inside `(0, 1)`, the edges are > 0 and not too different, and there are at most
-    /// [`MOST_CELLS`] cells.
+    /// [`DiscretizeError::OutOfRange`] unless they increase inside `(0, 1)` by at least 1e-12, the edges are > 0 and their ratios at most
+    /// [`LARGEST_ASPECT`], and there are at most [`MOST_CELLS`] cells.
     pub fn try_new(edges: [f64; 3], lines: &[f64]) -> Result<Self, DiscretizeError> {
         let cells = checked(u32::try_from(lines.len() + 1).unwrap_or(u32::MAX))?;
         let mut below = 0.0;
         for line in lines {
-            if !(*line > below && *line < 1.0) {
-                let condition = "inside (0, 1) and above the line before it";
+            if !(line - below >= NARROWEST && 1.0 - line >= NARROWEST) {
+                let condition =
+                    "inside (0, 1), and at least 1e-12 above the line before it and below 1";
                 return Err(refused("a grid line", *line, condition));
             }
             below = *line;

@@ -136,7 +136,7 @@ pub fn grid_report(answer: &GridAnswer<'_>) -> Result<Report, ReportError> {
         ("cells an edge", cells.to_string()),
         ("patches", record.patches.to_string()),
         ("pairs that see each other", record.pairs.to_string()),
-        ("of them not congruent", record.classes.to_string()),
+        ("classes of congruent ones", record.classes.to_string()),
         ("lines, relative to the edge", lines),
         ("mutual information, bits", bits(information)),
         (

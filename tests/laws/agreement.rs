@@ -265,7 +265,7 @@ fn gradient_cuts_agree_with_certified_ones() {
 fn assert_best_grid(cells: u32) {
     let what = format!("{cells} cells");
     let fast = BestGrid::find(UNIT_CUBE, cells).unwrap();
-    let certified = CertifiedGrid::best(cells, 128).unwrap();
+    let certified = CertifiedGrid::best(UNIT_CUBE, cells, 128).unwrap();
     assert_eq!(certified.half.len(), (cells as usize - 1) / 2);
     for (line, enclosure) in fast.lines().iter().zip(&certified.half) {
         assert_near(*line, enclosure, tolerance::POSITION, &what);
@@ -283,7 +283,7 @@ fn grids_agree_with_certified_ones() {
             .unwrap()
             .mutual_information()
             .unwrap();
-        let enclosure = CertifiedGrid::regular(cells, 128).unwrap();
+        let enclosure = CertifiedGrid::regular(UNIT_CUBE, cells, 128).unwrap();
         let allowed = tolerance::GRID_INFORMATION * fast;
         assert_near(fast, &enclosure, allowed, &format!("{cells} regular cells"));
     }

@@ -203,7 +203,7 @@ fn cuts_of_section_4_2_are_enclosed_to_28_digits() {
 #[test]
 fn regular_grids_are_enclosed_to_29_digits() {
     for cells in [1, 2, 3, 4, 6] {
-        let information = CertifiedGrid::regular(cells, BITS).unwrap();
+        let information = CertifiedGrid::regular(UNIT_CUBE, cells, BITS).unwrap();
         assert_row(
             &information,
             "cube_grids.csv",
@@ -214,7 +214,7 @@ fn regular_grids_are_enclosed_to_29_digits() {
 
 /// The best grid of `cells` cells: lines to 20 digits, information to 29.
 fn assert_best_grid(cells: u32) {
-    let best = CertifiedGrid::best(cells, BITS).unwrap();
+    let best = CertifiedGrid::best(UNIT_CUBE, cells, BITS).unwrap();
     let id = format!("cube_optimal_{cells}");
     assert_row(&best.mutual_information, "cube_grids.csv", &id);
     for (k, line) in best.half.iter().enumerate() {
