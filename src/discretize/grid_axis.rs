@@ -24,6 +24,18 @@ pub enum Spacing {
     Any,
 }
 
+impl Spacing {
+    /// `"regular"`, `"symmetric"` or `"any"`.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Regular => "regular",
+            Self::Symmetric => "symmetric",
+            Self::Any => "any",
+        }
+    }
+}
+
 /// How something changes with the free lines: by each of these, so much; the free lines counted from the lower end.
 pub(super) type Moves<S> = Vec<(usize, S)>;
 

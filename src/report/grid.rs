@@ -1,7 +1,7 @@
 //! The mutual information of a grid on a box, and of the best one.
 
 use super::{Report, ReportError, Table, certain_digits, enclosed_digits, scientific};
-use crate::discretize::{BestGrid, BoxGrid, GridInformation};
+use crate::discretize::{BestGrid, BoxGrid, GridInformation, Spacing};
 use crate::numeric::Interval;
 use crate::numeric::interval::DecimalBounds;
 
@@ -38,6 +38,7 @@ pub struct GridEnclosures<'a> {
 struct Record<'a> {
     edges: [f64; 3],
     cells: usize,
+    spacing: &'static str,
     lines: &'a [f64],
     mutual_information: f64,
     error: f64,
@@ -100,6 +101,7 @@ pub fn grid_report(answer: &GridAnswer<'_>) -> Result<Report, ReportError> {
     let record = Record {
         edges: answer.edges,
         cells,
+        spacing: grid.spacing().name(),
         lines: grid.lines(),
         mutual_information: information.mutual_information,
         error: information.error,
@@ -120,12 +122,17 @@ pub fn grid_report(answer: &GridAnswer<'_>) -> Result<Report, ReportError> {
         sampled: None,
         enclosures: answer.enclosed.as_ref().and_then(Enclosures::new),
     };
-    let line = |line: &f64| certain_digits(*line, line_error);
+    let line = |line: &f64| match found {
+        Some(_) => certain_digits(*line, line_error),
+        None => line.to_string(),
+    };
     let lines: Vec<String> = record.lines.iter().map(line).collect();
-    let lines = match (lines.is_empty(), found.is_some()) {
-        (true, _) => "none".to_owned(),
-        (false, true) => format!("({})", lines.join(", ")),
-        (false, false) => lines.join(", "),
+    let is_regular = grid.spacing() == Spacing::Regular;
+    let lines = match (lines.len(), found.is_some()) {
+        (0, _) => "none".to_owned(),
+        (count, _) if is_regular => format!("{count}, equally spaced"),
+        (_, true) => format!("({})", lines.join(", ")),
+        (_, false) => lines.join(", "),
     };
     let [x, y, z] = answer.edges;
     let gain = information.mutual_information - regular.mutual_information;
@@ -143,9 +150,13 @@ pub fn grid_report(answer: &GridAnswer<'_>) -> Result<Report, ReportError> {
             "its error, bits",
             format!("{} (bound)", scientific(information.error)),
         ),
-        ("that of the regular grid, bits", bits(regular)),
-        ("more than that, bits", gain),
     ];
+    if !is_regular {
+        rows.extend([
+            ("that of the regular grid, bits", bits(regular)),
+            ("more than that, bits", gain),
+        ]);
+    }
     if let Some(best) = best {
         rows.extend(evidence(best));
     }
