@@ -103,3 +103,7 @@ pub const RADIOSITY: f64 = 1e-14;
 /// Part of a face that may be left open by the patches that cover it: (a) corners read from twelve decimals are off by
 /// 1e-12 of the diameter, and a face of many patches has some hundred of them around it.
 pub const COVERED: f64 = 1e-10;
+
+/// Part of the sampled lines that may be alone in their cell if an interval is to be given: (b) up to here what is left of
+/// the bias is a part of the standard error, measured by `intervals_cover_the_exact_value`.
+pub const UNSEEN: f64 = 0.01;

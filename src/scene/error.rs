@@ -190,6 +190,16 @@ pub enum SceneError {
         /// Lines drawn.
         lines: u32,
     },
+    /// The scene is too thin for uniform lines.
+    #[error(
+        "of ten thousand times {lines} lines through the sphere around the scene {met} meet it: take local lines"
+    )]
+    LinesMiss {
+        /// Lines that meet a front.
+        met: u32,
+        /// Lines asked for.
+        lines: u32,
+    },
     /// The form factors of a patch sum to more than one.
     #[error(
         "row {row} of the form factors sums to {sum}, 1 + {tolerance:e} at most is possible: patches overlap, or \

@@ -1,0 +1,59 @@
+//! Intervals of 95 % cover the exact values, of discrete and of continuous mutual information.
+
+use crate::{exact, scene};
+use infoscene::information::{LineKind, LineSample};
+use infoscene::numeric::tolerance;
+use rayon::prelude::*;
+
+/// Scene, times quartered, lines, and the continuous mutual information by an independent evaluation to 37 digits, rounded. The lines are few
+/// enough that some cells are met seldom.
+const CASES: [(&str, u32, u32, f64); 4] = [
+    ("cube:4", 0, 50_000, 1.610_473_346_468_777_7),
+    ("tetrahedron", 2, 30_000, 2.619_457_987_927_651_8),
+    ("box:1,1,2", 2, 50_000, 1.796_996_907_794_523),
+    ("box:1,1,2", 1, 10_000, 1.796_996_907_794_523),
+];
+
+/// In how many of the seeds an interval covers the exact value: the discrete one, and the continuous one.
+fn covered((name, times, lines, continuous): (&str, u32, u32, f64), seeds: u64) -> [usize; 2] {
+    let scene = scene(name, times);
+    let discrete = exact(&scene);
+    let of_seed = |seed: u64| {
+        let kind = if seed.is_multiple_of(2) {
+            LineKind::Local
+        } else {
+            LineKind::Global
+        };
+        let sample = LineSample::draw(&scene, kind, lines, seed).unwrap();
+        assert!(sample.counts.unseen() <= tolerance::UNSEEN);
+        let [from, to] = sample.counts.confidence_interval().unwrap();
+        let off = (sample.chords.mutual_information - continuous).abs();
+        [
+            (from..to).contains(&discrete),
+            off < 1.96 * sample.chords.standard_error,
+        ]
+    };
+    let all: Vec<[bool; 2]> = (0..seeds).into_par_iter().map(of_seed).collect();
+    [0, 1].map(|which| all.iter().filter(|covered| covered[which]).count())
+}
+
+/// Of 20 intervals that cover with probability 0.95 fewer than 14 do so with probability 3e-5 (binomial).
+#[test]
+fn intervals_cover_the_exact_value() {
+    let counts = covered(CASES[3], 20);
+    assert!(counts.iter().all(|count| *count >= 14), "{counts:?}");
+}
+
+/// Intervals that cover with probability 0.95 do so in 180 to 198 of 200 with probability 0.998 (binomial).
+#[test]
+#[ignore = "half a minute: cargo test --release --test sampled coverage -- --ignored --nocapture"]
+fn coverage_over_200_seeds() {
+    for case in CASES {
+        let counts = covered(case, 200);
+        println!("{case:?}: {counts:?} of 200");
+        assert!(
+            counts.iter().all(|count| (180..=198).contains(count)),
+            "{case:?}: {counts:?}"
+        );
+    }
+}
