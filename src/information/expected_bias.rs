@@ -56,6 +56,25 @@ pub fn expected_bias(cells: impl IntoIterator<Item = (f64, f64)>, samples: u64) 
     compensated_sum(terms) / LN_2
 }
 
+/// The standard deviation of the estimate, in bits, to second order: `Var Î = (1/N) Σ p_c d_c² + (K − 1)/(2N²)` in nats, with
+/// `d_c = ln(p_c/m_c) − I` ([`PairCounts`](super::PairCounts), where it is estimated).
+///
+/// **Arguments** the probabilities p of the cells, those m if states were independent, and how many have them; `samples` N ≥ 1.
+#[must_use]
+pub fn expected_deviation(cells: &[([f64; 2], f64)], samples: u64) -> f64 {
+    let possible = || cells.iter().filter(|([p, m], _)| *p > 0.0 && *m > 0.0);
+    let mean = |power: i32, from: f64| {
+        let term =
+            |([p, m], count): &([f64; 2], f64)| count * p * ((p / m).ln() - from).powi(power);
+        compensated_sum(possible().map(term))
+    };
+    let variance = mean(2, mean(1, 0.0));
+    let freedom = compensated_sum(possible().map(|(_, count)| *count)) - 1.0;
+    #[allow(clippy::cast_precision_loss, reason = "exact up to 2^53 samples")]
+    let n = samples as f64;
+    (variance / n + 0.5 * freedom / (n * n)).sqrt() / LN_2
+}
+
 /// `E[Î] − I` in bits, of N chords of a closed scene without occlusion, when the weights are known.
 ///
 /// # Errors

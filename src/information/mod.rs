@@ -18,7 +18,7 @@ mod scene;
 pub use brightness::brightness_information;
 pub use chords::{ChordInformation, chord_information};
 pub use continuous::{ContinuousInformation, FacePair, continuous_information};
-pub use expected_bias::{expected_bias, expected_bias_of_scene};
+pub use expected_bias::{expected_bias, expected_bias_of_scene, expected_deviation};
 pub use gain::{divergence, refinement_gain, relative_entropy, subdivision_bound};
 pub use line_sample::{LineKind, LineSample};
 pub use measures::{entropy_rate, mutual_information, positional_entropy};

@@ -17,6 +17,7 @@ mod convex_room;
 mod error;
 mod exchange_areas;
 pub mod files;
+mod gridded;
 mod lattice;
 mod lines;
 mod material;

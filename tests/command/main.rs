@@ -10,6 +10,7 @@ mod gradient_cuts;
 mod keys;
 mod light;
 mod refusals;
+mod sampling;
 mod scene_files;
 mod scenes;
 mod studies;
