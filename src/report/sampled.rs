@@ -2,7 +2,6 @@
 
 use super::{Report, ReportError, Table, certain_digits, scientific};
 use crate::information::LineSample;
-use crate::numeric::tolerance;
 use crate::scene::Scene;
 
 /// The answer as a record: the keys are relied on by scripts.
@@ -29,6 +28,8 @@ struct SampledRecord {
     occupied_cells: usize,
     /// The part of the samples that are alone in their cell.
     unseen: f64,
+    /// What the corrected estimate takes off for pairs not met.
+    taken_for_unseen: f64,
     /// The plug-in estimate with the areas known.
     mutual_information: f64,
     /// How far it lies above the exact value on average, where that is known.
@@ -71,6 +72,7 @@ pub fn sample_report(
             samples: counts.samples(),
             occupied_cells: counts.occupied(),
             unseen: counts.unseen(),
+            taken_for_unseen: counts.taken_for_unseen(),
             mutual_information: counts.plug_in(),
             expected_bias: exact.map(|[_, bias]| bias),
             counted_weights: counts.plug_in_of_counted_weights(),
@@ -156,13 +158,14 @@ fn lines_of(record: &Record) -> Vec<(&'static str, String)> {
 }
 
 fn note(sampled: &SampledRecord) -> String {
-    let most = 100.0 * tolerance::UNSEEN;
-    let bias = "the plug-in estimate lies above the exact value by some (pairs)/(2 N ln 2), all estimates by what pairs not met yet add";
+    let bias = "the plug-in estimate lies above the exact value by some (pairs)/(2 N ln 2), all estimates by part of what pairs not met yet \
+                would add";
     if sampled.confidence_interval.is_some() {
         bias.to_owned()
     } else {
         format!(
-            "{bias}: take more lines, until less than {most} % of the chords are alone with their pair"
+            "{bias}: take more lines, until the {} bit taken off for these are below the standard error",
+            scientific(sampled.taken_for_unseen)
         )
     }
 }

@@ -61,7 +61,7 @@ pub fn sampling_report(rows: &[SamplingRow]) -> Result<Report, ReportError> {
         ("errors", "roots of mean squares over seeds, in bits"),
         (
             "slope",
-            "of log error over log lines, where at most one in a hundred chords is alone with its pair",
+            "of log error over log lines, where pairs are met often enough for an interval",
         ),
         ("seconds", "of one estimate from the most lines"),
     ];

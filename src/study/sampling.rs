@@ -14,7 +14,6 @@ use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::information::{
     LineKind, LineSample, Surroundings, expected_bias_of_scene, scene_information,
 };
-use crate::numeric::tolerance;
 use crate::scene::{Congruence, Scene, ScenePairs};
 use std::time::Instant;
 
@@ -50,6 +49,8 @@ pub struct SamplingRow {
     pub standard_error: Option<f64>,
     /// The mean part of the samples that are alone in their cell.
     pub unseen: Option<f64>,
+    /// Do all the samples have an interval?
+    pub has_interval: bool,
     /// Time of one estimate, in seconds.
     pub seconds: f64,
 }
@@ -66,9 +67,9 @@ const SCENES: [(&str, u32); 5] = [
 /// Numbers of lines, and of seeds.
 const LINES: [(u32, u64); 5] = [
     (1000, 100),
-    (10_000, 50),
-    (100_000, 20),
-    (1_000_000, 10),
+    (10_000, 100),
+    (100_000, 50),
+    (1_000_000, 20),
     (10_000_000, 3),
 ];
 
@@ -105,6 +106,7 @@ pub fn sampling(quick: bool) -> Result<Vec<SamplingRow>, StudyError> {
             expected_bias: None,
             standard_error: None,
             unseen: None,
+            has_interval: false,
             seconds: start.elapsed().as_secs_f64(),
         };
         rows.push(plain.clone());
@@ -114,7 +116,7 @@ pub fn sampling(quick: bool) -> Result<Vec<SamplingRow>, StudyError> {
                 let expected = expected_bias_of_scene(&pairs, (*lines).into())?;
                 let start = Instant::now();
                 let mut sums = [[0.0; 2]; METHODS.len()];
-                let [mut squares, mut unseen] = [0.0; 2];
+                let ([mut squares, mut unseen], mut has_interval) = ([0.0; 2], true);
                 for seed in 0..seeds {
                     let counts = LineSample::draw(&scene, kind, *lines, seed)?.counts;
                     let found = [counts.plug_in(), counts.miller_madow(), counts.corrected()];
@@ -124,6 +126,7 @@ pub fn sampling(quick: bool) -> Result<Vec<SamplingRow>, StudyError> {
                     }
                     squares += counts.standard_error().powi(2);
                     unseen += counts.unseen();
+                    has_interval &= counts.confidence_interval().is_some();
                 }
                 #[allow(clippy::cast_precision_loss, reason = "a hundred")]
                 let count = seeds as f64;
@@ -141,6 +144,7 @@ pub fn sampling(quick: bool) -> Result<Vec<SamplingRow>, StudyError> {
                         expected_bias: (method == METHODS[0]).then_some(expected),
                         standard_error: Some((squares / count).sqrt()),
                         unseen: Some(unseen / count),
+                        has_interval,
                         seconds,
                         ..plain.clone()
                     });
@@ -151,18 +155,21 @@ pub fn sampling(quick: bool) -> Result<Vec<SamplingRow>, StudyError> {
     Ok(rows)
 }
 
-/// The slope of the logarithm of the error over that of the lines, by least squares over the rows in which at most
-/// [`tolerance::UNSEEN`] is unseen; `None` for fewer than two.
+/// The slope of the logarithm of the error over that of the lines, by least squares with the seeds as weights, over the rows that
+/// have an interval; `None` for fewer than two.
 #[must_use]
 pub fn slope<'r>(rows: impl IntoIterator<Item = &'r SamplingRow>) -> Option<f64> {
-    let seen = |row: &&SamplingRow| row.unseen.is_some_and(|part| part <= tolerance::UNSEEN);
-    let rows = rows.into_iter().filter(seen);
-    let points = rows.filter_map(|row| Some([f64::from(row.lines?).ln(), row.error.ln()]));
-    let points: Vec<[f64; 2]> = points.collect();
-    #[allow(clippy::cast_precision_loss, reason = "a few")]
-    let count = points.len() as f64;
-    let [x, y] = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / count);
-    let products: f64 = points.iter().map(|[a, b]| (a - x) * (b - y)).sum();
-    let squares: f64 = points.iter().map(|[a, _]| (a - x).powi(2)).sum();
+    let seen = rows.into_iter().filter(|row| row.has_interval);
+    let point = |row: &SamplingRow| {
+        #[allow(clippy::cast_precision_loss, reason = "a hundred")]
+        let seeds = row.seeds? as f64;
+        Some([seeds, f64::from(row.lines?).ln(), row.error.ln()])
+    };
+    let points: Vec<[f64; 3]> = seen.filter_map(point).collect();
+    let sum = |term: &dyn Fn(&[f64; 3]) -> f64| points.iter().map(|p| p[0] * term(p)).sum::<f64>();
+    let total = sum(&|_| 1.0);
+    let [x, y] = [1, 2].map(|axis| sum(&|point| point[axis]) / total);
+    let products = sum(&|point| (point[1] - x) * (point[2] - y));
+    let squares = sum(&|point| (point[1] - x).powi(2));
     (points.len() > 1).then_some(products / squares)
 }
