@@ -15,7 +15,7 @@
 use super::chords::{ChordInformation, ChordSums};
 use super::pair_counts::PairCounts;
 use crate::chain::ChainError;
-use crate::scene::{Passage, Scene, SceneError, SceneLines};
+use crate::scene::{Chord, GridLines, Passage, Scene, SceneError, SceneLines};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -78,12 +78,49 @@ impl LineSample {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn draw(scene: &Scene, kind: LineKind, lines: u32, seed: u64) -> Result<Self, ChainError> {
-        let lines = lines.max(2);
         let ready = SceneLines::of(scene);
+        Self::of(
+            kind,
+            lines,
+            seed,
+            &scene.row_areas(),
+            |random, chords| match kind {
+                LineKind::Global => ready.global(random.random(), chords),
+                LineKind::Local => met(ready.local(random.random()), chords),
+            },
+        )
+    }
+
+    /// Draws local lines through the inside of a box whose faces all have the same grid. A line finds its cells by bisection.
+    ///
+    /// **Arguments** as of [`draw`](Self::draw).
+    ///
+    /// # Errors
+    /// None but for rounding: what [`draw`](Self::draw) refuses does not happen in a box.
+    pub fn draw_in_grid(grid: &GridLines, lines: u32, seed: u64) -> Result<Self, ChainError> {
+        Self::of(
+            LineKind::Local,
+            lines,
+            seed,
+            &grid.areas(),
+            |random, chords| met(grid.local(random.random()), chords),
+        )
+    }
+
+    fn of(
+        kind: LineKind,
+        lines: u32,
+        seed: u64,
+        areas: &[f64],
+        line: impl Fn(&mut ChaCha8Rng, &mut Vec<Chord>) -> Passage + Sync,
+    ) -> Result<Self, ChainError> {
+        let lines = lines.max(2);
         let tallies = (0..lines.div_ceil(CHUNK)).into_par_iter();
         let tallies = tallies.fold(Tally::default, |mut tally, chunk| {
+            let mut random = ChaCha8Rng::seed_from_u64(seed);
+            random.set_stream(chunk.into());
             let quota = CHUNK.min(lines - chunk * CHUNK);
-            tally.draw(&ready, kind, quota, (seed, chunk));
+            tally.draw(chunk, quota, |chords| line(&mut random, chords));
             tally
         });
         let mut tally = tallies.reduce(Tally::default, Tally::merged);
@@ -105,9 +142,19 @@ impl LineSample {
         Ok(Self {
             kind,
             lines,
-            counts: PairCounts::of_lines(&scene.row_areas(), tally.cells, &tally.bundles)?,
+            counts: PairCounts::of_lines(areas, tally.cells, &tally.bundles)?,
             chords: sums.mean(lines),
         })
+    }
+}
+
+/// What a local line comes upon.
+fn met(chord: Option<Chord>, chords: &mut Vec<Chord>) -> Passage {
+    chords.extend(chord);
+    if chord.is_some() {
+        Passage::Chords
+    } else {
+        Passage::Escape
     }
 }
 
@@ -124,26 +171,13 @@ struct Tally {
 }
 
 impl Tally {
-    fn draw(&mut self, ready: &SceneLines, kind: LineKind, quota: u32, (seed, chunk): (u64, u32)) {
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
-        random.set_stream(chunk.into());
+    fn draw(&mut self, chunk: u32, quota: u32, mut line: impl FnMut(&mut Vec<Chord>) -> Passage) {
         let (mut chords, mut sums) = (Vec::new(), ChordSums::default());
         let (mut found, mut drawn) = (0, 0);
         while found < quota && drawn < MOST_MISSES * u64::from(quota) {
             drawn += 1;
             chords.clear();
-            let passage = match kind {
-                LineKind::Global => ready.global(random.random(), &mut chords),
-                LineKind::Local => {
-                    chords.extend(ready.local(random.random()));
-                    if chords.is_empty() {
-                        Passage::Escape
-                    } else {
-                        Passage::Chords
-                    }
-                }
-            };
-            match passage {
+            match line(&mut chords) {
                 Passage::Nothing => {}
                 Passage::Escape => {
                     found += 1;

@@ -40,6 +40,7 @@ pub use blockers::{Blocker, Blockers, Obstacle};
 pub use closure::{Closure, RowSum};
 pub use error::SceneError;
 pub use exchange_areas::ExchangeAreas;
+pub use gridded::GridLines;
 pub use lines::{Chord, Passage, SceneLines};
 pub use material::{Material, MaterialError};
 pub use pairs::{Account, ScenePairs};

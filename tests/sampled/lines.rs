@@ -3,7 +3,7 @@
 use crate::support::rooms::{L, polygon, prism};
 use crate::{exact, pairs, scene, two_boxes};
 use infoscene::information::{LineKind, LineSample, PairCounts};
-use infoscene::scene::{Congruence, NamedPatch, Scene, SceneLines, ScenePairs};
+use infoscene::scene::{Congruence, GridLines, NamedPatch, Scene, SceneLines, ScenePairs};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeMap;
@@ -33,8 +33,7 @@ fn cells(scene: &Scene, kind: LineKind, lines: u32) -> BTreeMap<[usize; 2], f64>
 
 /// Pearson's `Σ (n − Np)²/(Np)`, of K − 1 degrees of freedom, is below K + 5 √(2K) with probability above 1 − 1e-5 for K ≥ 15, and
 /// where p = 0 nothing is met.
-fn assert_distributed(scene: &Scene, kind: LineKind) {
-    let counts = cells(scene, kind, 40_000);
+fn assert_counts(scene: &Scene, counts: &BTreeMap<[usize; 2], f64>, kind: &str) {
     let total: f64 = counts.values().sum();
     let exchange = ScenePairs::try_new(scene, 1e-9, Congruence::Shared).unwrap();
     let area: f64 = exchange.areas().iter().sum();
@@ -56,6 +55,10 @@ fn assert_distributed(scene: &Scene, kind: LineKind) {
     assert!(pearson < most, "{kind:?}: {pearson} of {possible}");
 }
 
+fn assert_distributed(scene: &Scene, kind: LineKind) {
+    assert_counts(scene, &cells(scene, kind, 40_000), kind.name());
+}
+
 #[test]
 fn lines_meet_pairs_as_often_as_they_exchange() {
     for (name, times) in [("cube:2", 0), ("tetrahedron", 1), ("dodecahedron", 0)] {
@@ -63,6 +66,47 @@ fn lines_meet_pairs_as_often_as_they_exchange() {
             assert_distributed(&scene(name, times), kind);
         }
     }
+}
+
+/// Lines in a grid on a box find the cells of the same box as a scene, by their numbers; and the same chords.
+#[test]
+fn grids_find_their_cells_by_bisection() {
+    let (edges, inner) = ([1.0, 2.0, 0.5], [0.2, 0.5]);
+    let scene = Scene::gridded_box(edges, &inner).unwrap();
+    let grid = GridLines::try_new(edges, &inner).unwrap();
+    for (one, other) in grid.areas().iter().zip(scene.row_areas()) {
+        // the grid's unit is 2
+        assert!((4.0 * one - other).abs() < 1e-15);
+    }
+    let sample = LineSample::draw_in_grid(&grid, 60_000, 2).unwrap();
+    let expected = exact(&scene);
+    let (found, error) = (sample.counts.corrected(), sample.counts.standard_error());
+    assert!(
+        (found - expected).abs() < 5.0 * error && error < 0.02,
+        "{found} {expected} {error}"
+    );
+    let continuous = infoscene::information::continuous_information(&scene).unwrap();
+    let (found, error) = (
+        sample.chords.mutual_information,
+        sample.chords.standard_error,
+    );
+    assert!(
+        (found - continuous.mutual_information).abs() < 5.0 * error,
+        "{found} {error}"
+    );
+    let mut random = ChaCha8Rng::seed_from_u64(6);
+    let mut counts = BTreeMap::new();
+    for _ in 0..40_000 {
+        let chord = grid.local(random.random()).unwrap();
+        let [i, j] = chord.rows;
+        *counts.entry([i.min(j), i.max(j)]).or_insert(0.0) += 1.0;
+    }
+    assert_counts(&scene, &counts, "grid");
+    for lines in [&[0.5, 0.2][..], &[0.0], &[f64::NAN], &[1.5]] {
+        assert!(GridLines::try_new(edges, lines).is_err(), "{lines:?}");
+        assert!(Scene::gridded_box(edges, lines).is_err(), "{lines:?}");
+    }
+    assert!(GridLines::try_new([1.0, 0.0, 1.0], &[]).is_err());
 }
 
 /// A window in a wall, a pane in the window; two faces that are one row.
