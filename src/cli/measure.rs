@@ -1,13 +1,13 @@
 //! `infoscene measure SCENE`.
 
 use super::light::Light;
-use super::output::Output;
+use super::output::{Output, progress_bar};
 use super::scene_pairs::{ScenePairsOptions, outcome};
 use super::{Answer, Outcome};
 use crate::chain::ChainError;
 use crate::information::{
     LineKind, LineSample, Surroundings, brightness_information, continuous_information,
-    expected_bias_of_scene, scene_information,
+    expected_bias_of_scene, pair_losses, scene_information,
 };
 use crate::report::{measure_report, sample_report};
 use crate::scene::{NamedPatch, Scene, SceneError};
@@ -25,6 +25,9 @@ pub(super) struct Measure {
     /// The continuous mutual information, too: of a closed scene that is convex inside, or from random lines.
     #[arg(long)]
     continuous: bool,
+    /// What each pair of patches loses against the continuous one: the most that subdividing both can gain.
+    #[arg(long, requires = "continuous", conflicts_with = "sample")]
+    pairs: bool,
     /// Estimates from so many random lines: of any closed scene, concave or occluded; light and tolerance do not enter.
     #[arg(long, visible_alias = "lines", value_name = "LINES", conflicts_with = "open",
         value_parser = clap::value_parser!(u32).range(2..))]
@@ -92,12 +95,22 @@ impl Measure {
         } else {
             None
         };
+        let losses = if self.pairs {
+            let all = scene.patches().len();
+            let bar = progress_bar((all * (all - 1) / 2) as u64, "pairs")?;
+            let losses = pair_losses(&scene, || bar.inc(1))?;
+            bar.finish_and_clear();
+            Some(losses)
+        } else {
+            None
+        };
         let patches: Vec<&str> = scene.patches().iter().map(NamedPatch::name).collect();
         let continuous = continuous.as_ref().map(|found| (patches.as_slice(), found));
         let written = self.output.write(&measure_report(
             &scene.group_names(),
             &measured,
             continuous,
+            losses.as_deref(),
         )?)?;
         match outcome(&scene, Some(&measured.account), pairs.tolerance()) {
             Outcome::Done => Ok(written),

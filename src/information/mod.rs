@@ -13,6 +13,7 @@ mod gain;
 mod line_sample;
 mod measures;
 mod pair_counts;
+mod pair_losses;
 mod scene;
 
 pub use brightness::brightness_information;
@@ -23,6 +24,7 @@ pub use gain::{divergence, refinement_gain, relative_entropy, subdivision_bound}
 pub use line_sample::{LineKind, LineSample};
 pub use measures::{entropy_rate, mutual_information, positional_entropy};
 pub use pair_counts::PairCounts;
+pub use pair_losses::{PairLoss, pair_losses};
 pub use scene::{ErrorGrade, SceneInformation, Surroundings, scene_information};
 
 /// From this x on `a φ(x) = p (ln(p/a) − 1) + a` is used, whose factors cannot overflow.

@@ -35,7 +35,7 @@ pub use certified::{
 };
 pub use compensated_sum::{CompensatedSum, compensated_sum};
 pub use digamma::digamma;
-pub use dilogarithm::{dilogarithm_of_complement, imaginary_dilogarithm};
+pub use dilogarithm::{dilogarithm_deficit, dilogarithm_of_complement, imaginary_dilogarithm};
 pub use double_double::{DoubleDouble, SQUARED_EPSILON};
 pub use dual::Dual;
 pub use entropy_kernel::{divergence_kernel, x_ln_x, x_log2_ratio, x_log2_x};

@@ -1,7 +1,7 @@
 //! The information of a scene.
 
 use super::{Report, ReportError, Table, certain_digits, scientific};
-use crate::information::{ContinuousInformation, ErrorGrade, FacePair, SceneInformation};
+use crate::information::{ContinuousInformation, ErrorGrade, FacePair, PairLoss, SceneInformation};
 use crate::numeric::tolerance;
 use crate::scene::PlanSummary;
 
@@ -25,6 +25,8 @@ struct Record<'r> {
     continuous_error_grade: Option<&'static str>,
     /// What pairs of faces contribute to it, both directions together.
     continuous_contributions: Option<Vec<PairRecord<'r>>>,
+    /// What pairs of patches contribute to both, and lose.
+    pair_losses: Option<Vec<LossRecord>>,
     mutual_information_error: f64,
     error_grade: &'static str,
     closure: WorstRow<'r>,
@@ -40,6 +42,45 @@ struct PairRecord<'r> {
     patches: [usize; 2],
     probability: f64,
     mutual_information: f64,
+}
+
+/// Two patches, both directions together.
+#[derive(Debug, serde::Serialize)]
+struct LossRecord {
+    patches: [usize; 2],
+    probability: f64,
+    mutual_information: f64,
+    continuous_mutual_information: f64,
+    loss: f64,
+    error: f64,
+}
+
+impl From<&PairLoss> for LossRecord {
+    fn from(pair: &PairLoss) -> Self {
+        Self {
+            patches: [pair.first, pair.second],
+            probability: pair.probability,
+            mutual_information: pair.mutual_information,
+            continuous_mutual_information: pair.continuous_mutual_information,
+            loss: pair.loss,
+            error: pair.error,
+        }
+    }
+}
+
+/// The pairs of patches that lose the most.
+fn loss_rows(names: &[&str], losses: &[PairLoss]) -> Vec<Vec<String>> {
+    let mut most: Vec<&PairLoss> = losses.iter().collect();
+    most.sort_by(|a, b| b.loss.total_cmp(&a.loss));
+    let row = |pair: &PairLoss| {
+        let [one, other] = [pair.first, pair.second].map(|index| names[index]);
+        let quantity = format!("lost between {one} and {other}, bits");
+        vec![
+            quantity,
+            format!("({})", certain_digits(pair.loss, pair.error)),
+        ]
+    };
+    most.into_iter().take(MOST_ROWS).map(row).collect()
 }
 
 /// The row of form factors whose sum is farthest from one.
@@ -127,7 +168,7 @@ fn continuous_rows(
 }
 
 /// What was measured of a scene whose patches, or rows of them, have these names; with the continuous mutual information
-/// if it was asked for, whose faces have the names of patches.
+/// if it was asked for, whose faces have the names of patches, and what pairs of these lose against it.
 ///
 /// # Errors
 /// [`ReportError`] if a number is not finite.
@@ -135,6 +176,7 @@ pub fn measure_report(
     names: &[&str],
     measured: &SceneInformation,
     continuous: Option<(&[&str], &ContinuousInformation)>,
+    losses: Option<&[PairLoss]>,
 ) -> Result<Report, ReportError> {
     let worst = measured.closure.worst();
     let closed = measured.closure.is_closed();
@@ -214,8 +256,13 @@ pub fn measure_report(
         .map(|(quantity, value)| vec![quantity.to_owned(), value])
         .collect();
     let pairs = continuous.map(|(patches, found)| pair_records(patches, found));
-    if let (Some((_, found)), Some(pairs)) = (continuous, &pairs) {
+    if let (Some((patches, found)), Some(pairs)) = (continuous, &pairs) {
         rows.extend(continuous_rows(found, pairs));
+        rows.extend(
+            losses
+                .into_iter()
+                .flat_map(|losses| loss_rows(patches, losses)),
+        );
     }
     let mut most: Vec<&Contribution<'_>> = contributions.iter().collect();
     most.sort_by(|a, b| b.mutual_information.total_cmp(&a.mutual_information));
@@ -243,6 +290,7 @@ pub fn measure_report(
         continuous_error: continuous.map(|(_, found)| found.error),
         continuous_error_grade: continuous.map(|(_, found)| found.error_grade.name()),
         continuous_contributions: pairs,
+        pair_losses: losses.map(|losses| losses.iter().map(LossRecord::from).collect()),
         mutual_information_error: measured.error,
         error_grade: measured.error_grade.name(),
         closure: WorstRow {

@@ -16,6 +16,7 @@ pub fn refinements_report(rows: &[RefinementRow]) -> Result<Report, ReportError>
             row.mutual_information,
             row.continuous_mutual_information,
             row.gap,
+            row.gap_per_edge,
             row.seconds,
         ];
         let others = [row.ratio, row.extrapolated_gap].into_iter().flatten();
@@ -34,6 +35,7 @@ pub fn refinements_report(rows: &[RefinementRow]) -> Result<Report, ReportError>
             row.patches.to_string(),
             certain_digits(row.mutual_information, row.error),
             digits(Some(row.gap), 6),
+            digits(Some(row.gap_per_edge), 3),
             digits(row.ratio, 3),
             row.extrapolated_gap.map_or_else(String::new, scientific),
         ]
@@ -46,13 +48,17 @@ pub fn refinements_report(rows: &[RefinementRow]) -> Result<Report, ReportError>
             scene[0].continuous_error,
         );
         let mut last = vec![scene[0].scene.clone(), "∞".to_owned(), format!("({limit})")];
-        last.resize(6, String::new());
+        last.resize(7, String::new());
         lines.push(last);
     }
     let notes = [
         (
             "gap",
             "continuous mutual information less the discrete one, bits; the patches are quartered from line to line",
+        ),
+        (
+            "per edge",
+            "gap × area / (length of all edges × size of a patch): tends to a number of the angles and the shape of the patches",
         ),
         (
             "ratio",
@@ -66,6 +72,7 @@ pub fn refinements_report(rows: &[RefinementRow]) -> Result<Report, ReportError>
             "patches",
             "I, bits",
             "gap",
+            "per edge",
             "ratio",
             "extrapolated",
         ],

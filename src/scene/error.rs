@@ -136,7 +136,7 @@ pub enum SceneError {
         part: usize,
     },
     /// What takes patches one by one has met one that counts without others.
-    #[error("patch {index} {what}, and cuts are of whole patches: leave it out")]
+    #[error("patch {index} {what}, and this takes whole patches: leave it out")]
     NotAPatchOfItsOwn {
         /// Index of the patch.
         index: usize,

@@ -172,6 +172,12 @@ fn measure_answers_with_the_continuous_one_if_asked() {
     assert!((sum - exact).abs() < 1e-12);
     assert!(number(&answer, "mutual_information") < exact);
     assert!(stdout(&["measure", "cube:1", "--continuous"]).contains("(1.610473346"));
+    assert_eq!(answer["pair_losses"], Value::Null);
+    let answer = json(&["measure", "cube:2", "--continuous", "--pairs"]);
+    let pairs = answer["pair_losses"].as_array().unwrap();
+    assert_eq!(pairs.len(), 15 * 16);
+    let lost: f64 = pairs.iter().map(|pair| number(pair, "loss")).sum();
+    assert!((lost + number(&answer, "mutual_information") - exact).abs() < 1e-12);
 
     let chords = [
         "measure",

@@ -5,10 +5,12 @@
     reason = "a test may panic, and compares what is exact"
 )]
 
+mod cross_sections;
 mod dilogarithms;
 mod invariance;
 mod known_values;
 mod other_roads;
+mod pair_losses;
 mod refinement;
 mod refusals;
 
@@ -30,6 +32,10 @@ fn information(name: &str) -> ContinuousInformation {
         found
     })
 }
+
+/// Relative accuracy promised for moderate and for extreme rooms.
+const MODERATE: f64 = 1e-12;
+const EXTREME: f64 = 1e-10;
 
 const SOLIDS: [&str; 5] = [
     "tetrahedron",

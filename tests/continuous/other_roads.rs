@@ -69,7 +69,12 @@ fn pairs_apart_agree_with_quadrature_of_the_definition() {
         patch(&[[0.0, 0.0, 2.0], [0.3, 1.0, 2.4], [1.0, 0.2, 2.2]]),
         patch(&[[-2.0, 0.0, 1.0], [-2.5, 1.0, 1.0], [-1.5, 1.0, 2.0]]),
     ];
-    for other in &others {
+    // planes that meet far away or not at all
+    let lids = [1e-1, 1e-2, 1e-5, 1e-9, 1e-13].map(|tilt| {
+        let lid = [[0.0, 0.0], [0.3, 1.0], [1.0, 0.2]];
+        patch(&lid.map(|[x, y]| [x, y, 2.0 + tilt * (x - 2.0 * y)]))
+    });
+    for other in others.iter().chain(&lids) {
         let found = Logarithms::of(&floor, other).unwrap();
         let expected = by_quadrature(&floor, other);
         let found = [found.distance, found.cosines[0], found.cosines[1]];
@@ -109,6 +114,31 @@ fn parts_of_touching_pairs_sum_to_the_whole() {
                 );
             }
         }
+    }
+}
+
+/// A lid close to its floor and not quite parallel to it, where most parts see it as in `pairs_apart_agree_with_quadrature_of_the_definition`.
+#[test]
+fn parts_under_a_close_lid_sum_to_the_whole() {
+    let corners = [[0.0, 0.0], [1.0, 0.0], [1.1, 0.9], [0.0, 1.0]];
+    let floor = patch(&corners.map(|[x, y]| [x, y, 0.0]));
+    for (gap, tilt) in [(0.1, 1e-3), (0.02, 1e-5), (0.02, 5e-4), (0.02, 1e-2)] {
+        let mut lid = corners.map(|[x, y]| [x, y, gap + tilt * x * gap / 0.02]);
+        lid.reverse();
+        let lid = patch(&lid);
+        let whole = Logarithms::of(&floor, &lid).unwrap();
+        let mut sum = 0.0;
+        for one in quartered(&floor).unwrap() {
+            for part in quartered(&one).unwrap() {
+                sum += Logarithms::of(&part, &lid).unwrap().distance;
+            }
+        }
+        let off = (whole.distance - sum).abs();
+        assert!(
+            off < 1e-13 * floor.area() * gap.ln().abs(),
+            "{gap} {tilt}: {off:e} {}",
+            whole.error_estimate
+        );
     }
 }
 

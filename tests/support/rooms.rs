@@ -46,6 +46,27 @@ pub fn mapped_patch(patch: &NamedPatch, map: impl Fn(DVec3) -> DVec3) -> NamedPa
     NamedPatch::new(patch.name().to_owned(), Patch::try_new(corners).unwrap())
 }
 
+/// The inside of a box whose edges are whole numbers, in squares, `cells` for each unit.
+pub fn tiled_box(size: [f64; 3], cells: f64) -> Scene {
+    let mut patches = Vec::new();
+    for axis in 0..3 {
+        let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+        let counts = [u, v].map(|k| (size[k] * cells).round() as u32);
+        for (i, j) in (0..counts[0]).flat_map(|i| (0..counts[1]).map(move |j| (i, j))) {
+            for (level, up) in [(0.0, true), (size[axis], false)] {
+                let corners = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(di, dj)| {
+                    let mut corner = [level; 3];
+                    corner[u] = f64::from(i + di) / cells;
+                    corner[v] = f64::from(j + dj) / cells;
+                    corner
+                });
+                patches.push(facing(&format!("{axis} {level} {i} {j}"), corners, up));
+            }
+        }
+    }
+    Scene::try_new(patches).unwrap()
+}
+
 /// The room over a polygon in the plane z = 0 that runs counter-clockwise: floor, ceiling at z = 1, and walls, fronts inward.
 pub fn prism(floor: &[[f64; 2]]) -> Scene {
     let at = |z: f64| floor.iter().map(move |[x, y]| [*x, *y, z]);
