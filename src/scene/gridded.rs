@@ -14,7 +14,7 @@ impl Scene {
     /// **Arguments** `edges`: of the box. `lines`: increasing between 0 and 1, which are left out.
     ///
     /// # Errors
-    /// [`SceneError::Patch`] unless edges and cells are finite and > 0.
+    /// [`SceneError::GridLine`] for the lines; [`SceneError::Patch`] unless edges and cells are finite and > 0.
     ///
     /// # Examples
     /// ```
@@ -24,7 +24,7 @@ impl Scene {
     /// # Ok::<(), infoscene::scene::SceneError>(())
     /// ```
     pub fn gridded_box(edges: [f64; 3], lines: &[f64]) -> Result<Self, SceneError> {
-        let ends: Vec<f64> = [&[0.0], lines, &[1.0]].concat();
+        let ends = ends_of_cells(lines)?;
         let axes = [DVec3::X, DVec3::Y, DVec3::Z];
         let [x, y, z] = [0, 1, 2].map(|axis| edges[axis] * axes[axis]);
         let mut patches: Vec<NamedPatch> = Vec::with_capacity(6 * (lines.len() + 1).pow(2));
@@ -42,6 +42,21 @@ impl Scene {
             }
         }
         Self::try_new(patches)
+    }
+}
+
+/// The lines with 0 and 1, if they increase.
+fn ends_of_cells(lines: &[f64]) -> Result<Vec<f64>, SceneError> {
+    let ends = [&[0.0], lines, &[1.0]].concat();
+    // no comparison holds for NaN
+    let increases =
+        |index: &usize| ends[*index] < ends[index + 1] && ends[index + 1] < ends[index + 2];
+    match (0..lines.len()).find(|index| !increases(index)) {
+        Some(index) => Err(SceneError::GridLine {
+            index,
+            position: lines[index],
+        }),
+        None => Ok(ends),
     }
 }
 
@@ -68,15 +83,14 @@ impl GridLines {
     /// # Errors
     /// [`SceneError::Patch`] for what [`Scene::gridded_box`] refuses.
     pub fn try_new(edges: [f64; 3], lines: &[f64]) -> Result<Self, SceneError> {
-        // one row of cells has all that can be wrong
-        let ends: Vec<f64> = [&[0.0], lines, &[1.0]].concat();
-        for (index, cell) in ends.windows(2).enumerate() {
-            let [x, y, z] = edges;
-            let longest = edges.iter().copied().fold(0.0, f64::max);
-            for length in [x, y, z] {
-                let (u, v) = ((cell[1] - cell[0]) * length * DVec3::X, longest * DVec3::Y);
-                built_in::rectangle_patch(index, &format!("cell {index}"), DVec3::ZERO, u, v)?;
-            }
+        let ends = ends_of_cells(lines)?;
+        // one face a direction, of the narrowest cells, has all that can be wrong
+        let narrowest = ends.windows(2).map(|cell| cell[1] - cell[0]);
+        let narrowest = narrowest.fold(1.0, f64::min);
+        let [x, y, z] = edges.map(|edge| narrowest * edge);
+        let faces = built_in::box_faces(x * DVec3::X, y * DVec3::Y, z * DVec3::Z);
+        for (index, (name, origin, u, v)) in faces.into_iter().enumerate() {
+            built_in::rectangle_patch(index, name, origin, u, v)?;
         }
         // squares stay in range in units of a power of two near the size
         let unit = edges
@@ -95,7 +109,7 @@ impl GridLines {
     /// The areas of the cells, in one unit.
     #[must_use]
     pub fn areas(&self) -> Vec<f64> {
-        let ends: Vec<f64> = [&[0.0], self.lines.as_slice(), &[1.0]].concat();
+        let ends = [&[0.0], self.lines.as_slice(), &[1.0]].concat();
         let widths: Vec<f64> = ends.windows(2).map(|cell| cell[1] - cell[0]).collect();
         let mut areas = Vec::with_capacity(6 * widths.len().pow(2));
         for [_, along, across] in AXES {
