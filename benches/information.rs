@@ -8,10 +8,14 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use infoscene::chain::{ReversibleChain, visibility_chain};
 use infoscene::claims::{DEFAULT_PRECISION, judge, judge_all, registry};
-use infoscene::discretize::{CubeGrid, GradientCut, PatchSplit};
+use infoscene::discretize::{BestGrid, BoxGrid, GradientCut, PatchSplit, UNIT_CUBE};
+use infoscene::form_factor::DEFAULT_TOLERANCE;
 use infoscene::geometry::SplitAxis;
-use infoscene::information::{divergence, entropy_rate, mutual_information, positional_entropy};
-use infoscene::scene::Scene;
+use infoscene::information::{
+    Surroundings, divergence, entropy_rate, mutual_information, positional_entropy,
+    scene_information,
+};
+use infoscene::scene::{Congruence, Scene, ScenePairs};
 use std::hint::black_box;
 
 fn measures(criterion: &mut Criterion) {
@@ -24,7 +28,7 @@ fn measures(criterion: &mut Criterion) {
     });
     criterion.bench_function("mutual information, 216 states, cells shared", |bencher| {
         bencher.iter(|| {
-            CubeGrid::regular(black_box(6))
+            BoxGrid::regular(UNIT_CUBE, black_box(6))
                 .unwrap()
                 .mutual_information()
                 .unwrap()
@@ -83,6 +87,35 @@ fn cuts(criterion: &mut Criterion) {
     });
 }
 
+fn grids(criterion: &mut Criterion) {
+    let regular = || {
+        BoxGrid::regular(black_box(UNIT_CUBE), 64)
+            .unwrap()
+            .information()
+    };
+    // a quarter as fine, by other code
+    let cube = Scene::built_in("cube:16").unwrap();
+    let pairs = ScenePairs::try_new(&cube, DEFAULT_TOLERANCE, Congruence::Shared).unwrap();
+    let exact = scene_information(&pairs, Surroundings::None).unwrap();
+    let found = BoxGrid::regular(UNIT_CUBE, 16)
+        .unwrap()
+        .information()
+        .unwrap();
+    let difference = found.mutual_information - exact.mutual_information;
+    assert!(difference.abs() <= found.error + exact.error);
+    assert!(regular().unwrap().error < 1e-13);
+    let mut group = criterion.benchmark_group("grids");
+    group.sample_size(20);
+    group.bench_function("regular, 64 cells an edge", |bencher| bencher.iter(regular));
+    // 20 digits: data/reference/cube_grids.csv
+    let line = BestGrid::find(UNIT_CUBE, 6).unwrap().grid.lines()[0];
+    assert!((line - 0.098_485_808_008_412_18).abs() < 1e-14);
+    group.bench_function("best, 8 cells an edge", |bencher| {
+        bencher.iter(|| BestGrid::find(black_box(UNIT_CUBE), 8));
+    });
+    group.finish();
+}
+
 fn reproduction(criterion: &mut Criterion) {
     let claims = registry().unwrap();
     for claim in &claims {
@@ -97,5 +130,5 @@ fn reproduction(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, measures, large_chain, cuts, reproduction);
+criterion_group!(benches, measures, large_chain, cuts, grids, reproduction);
 criterion_main!(benches);

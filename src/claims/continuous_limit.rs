@@ -3,7 +3,7 @@
 use super::extremes::{larger, smaller};
 use super::finding::Computation;
 use super::{ClaimError, Finding, Inputs};
-use crate::discretize::CubeGrid;
+use crate::discretize::{BoxGrid, UNIT_CUBE};
 use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::information::{Surroundings, continuous_information, scene_information};
 use crate::scene::{Congruence, Scene, ScenePairs};
@@ -99,13 +99,13 @@ fn continuous_is_least_upper_bound(input: &Inputs) -> Result<Finding, ClaimError
         for lines in [vec![t, 1.0 - t], vec![0.3 * t, t, 1.0 - t, 1.0 - 0.3 * t]] {
             smallest = smaller(
                 smallest,
-                limit - CubeGrid::try_new(&lines)?.mutual_information()?,
+                limit - BoxGrid::try_new(UNIT_CUBE, &lines)?.mutual_information()?,
             );
         }
     }
     let mut regular = Vec::new();
     for doublings in 0..=input.count("cube_times")?.min(6) {
-        let gap = limit - CubeGrid::regular(1 << doublings)?.mutual_information()?;
+        let gap = limit - BoxGrid::regular(UNIT_CUBE, 1 << doublings)?.mutual_information()?;
         smallest = smaller(smallest, gap);
         regular.push(gap);
     }

@@ -27,7 +27,7 @@ mod verdict;
 
 pub use claim::{Claim, Printed, Task};
 pub use error::ClaimError;
-pub use figure_5::SampledGrid;
+pub use figure_5::samples_for;
 pub use finding::{Computation, Evidence, Finding, Measure};
 pub use inputs::{DEFAULT_PRECISION, Inputs};
 pub use registry::{Judgement, computations, judge, judge_all, judge_control, registry};

@@ -4,7 +4,9 @@ use super::extremes::larger;
 use super::figure_5::{chosen_grid_information, reading};
 use super::finding::Computation;
 use super::{ClaimError, Finding, Inputs};
-use crate::discretize::{CertifiedGrid, ContactShadow, CubeGrid, PatchSplit, regular_positions};
+use crate::discretize::{
+    BoxGrid, CertifiedGrid, ContactShadow, PatchSplit, UNIT_CUBE, regular_positions,
+};
 use crate::geometry::SplitAxis;
 use crate::numeric::{Certificate, CertifiedMaximum, Interval, Scalar, tolerance};
 use crate::scene::Scene;
@@ -249,7 +251,7 @@ fn orthogonal_slope_explains_the_shift(input: &Inputs) -> Result<Finding, ClaimE
 
 /// Lines at t and 1 − t.
 fn three_cells<S: Scalar>(t: &S) -> Result<S, ClaimError> {
-    let grid = CubeGrid::mirrored(std::slice::from_ref(t), 3, t)?;
+    let grid = BoxGrid::mirrored(UNIT_CUBE, std::slice::from_ref(t), 3, t)?;
     Ok(grid.mutual_information()?)
 }
 
@@ -265,7 +267,7 @@ fn best_grid(cells: u32, input: &Inputs) -> Result<CertifiedGrid, ClaimError> {
         Err(_) => Shared::default(),
     };
     shared
-        .get_or_init(|| Ok(CertifiedGrid::best(cells, input.bits())?))
+        .get_or_init(|| Ok(CertifiedGrid::best(UNIT_CUBE, cells, input.bits())?))
         .clone()
 }
 
@@ -290,7 +292,7 @@ fn best_grid_lies_nearer_to_the_edges(input: &Inputs) -> Result<Finding, ClaimEr
     let best = best_grid(cells, input)?;
     only_place(&best.certificate)?;
     let like = &best.mutual_information;
-    let gain = like.clone() - &CertifiedGrid::regular(cells, input.bits())?;
+    let gain = like.clone() - &CertifiedGrid::regular(UNIT_CUBE, cells, input.bits())?;
     let regular = like.constant(1.0) / &like.constant(f64::from(cells));
     let displacement = match best.half.first() {
         Some(line) => (regular - line) * &like.constant(20.0),
@@ -335,7 +337,12 @@ fn best_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
         .iter()
         .map(|line| format!("{:.4}", line.to_f64()))
         .collect();
-    let all = CubeGrid::mirrored(&grid.half, input.count("cells")?, &grid.mutual_information)?;
+    let all = BoxGrid::mirrored(
+        UNIT_CUBE,
+        &grid.half,
+        input.count("cells")?,
+        &grid.mutual_information,
+    )?;
     let all: Vec<f64> = all.lines().iter().map(Interval::to_f64).collect();
     let note = format!(
         "lines at {} from either end, a strict local maximum, not shown to be the highest of all; the figure states neither cells nor lines; {}",
@@ -347,9 +354,9 @@ fn best_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
 
 fn regular_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
     let at = |cells: u32| -> Result<f64, ClaimError> {
-        Ok(CubeGrid::regular(cells)?.mutual_information()?)
+        Ok(BoxGrid::regular(UNIT_CUBE, cells)?.mutual_information()?)
     };
-    let information = CertifiedGrid::regular(input.count("cells")?, input.bits())?;
+    let information = CertifiedGrid::regular(UNIT_CUBE, input.count("cells")?, input.bits())?;
     let levels = (1..=12).map(at).collect::<Result<Vec<f64>, _>>()?;
     let interval = input.number("printed_from")?..=input.number("printed_to")?;
     let found = levels
@@ -370,7 +377,7 @@ fn regular_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
 fn best_grid_beats_regular_grid(input: &Inputs) -> Result<Finding, ClaimError> {
     let cells = input.count("cells")?;
     let best = best_grid(cells, input)?;
-    let regular = CertifiedGrid::regular(cells, input.bits())?;
+    let regular = CertifiedGrid::regular(UNIT_CUBE, cells, input.bits())?;
     let like = &regular;
     let moved: Vec<Interval> = (1..)
         .zip(&best.half)
@@ -379,7 +386,7 @@ fn best_grid_beats_regular_grid(input: &Inputs) -> Result<Finding, ClaimError> {
             twice - line
         })
         .collect();
-    let other = CubeGrid::mirrored(&moved, cells, like)?.mutual_information()?;
+    let other = BoxGrid::mirrored(UNIT_CUBE, &moved, cells, like)?.mutual_information()?;
     let note = format!(
         "lines moved as far the other way: {:.5} bit against {:.5}",
         other.to_f64(),

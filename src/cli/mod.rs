@@ -9,6 +9,7 @@ mod cut;
 mod form_factor;
 #[cfg(feature = "proptest")]
 mod fuzz;
+mod grid;
 mod light;
 mod measure;
 mod output;
@@ -45,6 +46,8 @@ enum Question {
     Split(split::Split),
     /// Find the cuts of patches whose radiosity grows as a power (§4.2).
     Cut(cut::Cut),
+    /// Divide the faces of a box by a grid: its mutual information, and the best lines (figs. 4 and 5).
+    Grid(grid::Grid),
     /// Compute the form factors of a scene.
     FormFactor(form_factor::FormFactor),
     /// Measure the information of a scene: entropies and mutual information.
@@ -108,6 +111,7 @@ fn answer(question: Question) -> Answer {
         Question::Curve(question) => question.answer(),
         Question::Split(question) => question.answer(),
         Question::Cut(question) => question.answer(),
+        Question::Grid(question) => question.answer(),
         Question::FormFactor(question) => question.answer(),
         Question::Measure(question) => question.answer(),
         Question::Radiosity(question) => question.answer(),

@@ -1,124 +1,189 @@
-//! Two cells on opposite or adjacent faces of a cube, and which pairs exchange the same.
-//!
-//! A cell has an index on each axis of its face. With lines symmetric about the middle, two indices (i, k) along a
-//! common axis are as good as (k, i) and as their mirror images (n−1−i, n−1−k), because a form factor is even in the
-//! distance along it; opposite faces have two such axes, which trade places, adjacent ones a common axis and two depths,
-//! which trade places.
+//! Two cells on opposite or adjacent faces of a box, and what they exchange.
 
 use super::DiscretizeError;
-use crate::form_factor::{parallel, perpendicular};
+use super::grid_axis::{Depth, Relation};
+use crate::form_factor::{
+    EdgeSlopes, Exchange, ExchangeArea, Sides, exchange_by_rules, parallel, perpendicular,
+};
 use crate::geometry::{Offsets, Span};
-use crate::numeric::Scalar;
-use std::collections::BTreeMap;
-
-/// The faces that two cells lie on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Faces {
-    /// Six ordered pairs.
-    Opposite,
-    /// Twenty-four ordered pairs; the first index of a cell is its depth.
-    Adjacent,
-}
+use crate::numeric::{DoubleDouble, SQUARED_EPSILON, Scalar, tolerance};
 
 /// A pair of cells that stands for all that exchange the same.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Class {
-    faces: Faces,
-    first: [usize; 2],
-    second: [usize; 2],
-    /// How many ordered pairs on the whole cube.
-    pub(super) count: f64,
-}
-
-/// The classes of a grid with `n` cells a side.
-pub(super) fn classes(n: usize) -> Vec<Class> {
-    let along = |i: usize, k: usize| {
-        let (mirrored_i, mirrored_k) = (n - 1 - i, n - 1 - k);
-        let pairs = [
-            (i, k),
-            (k, i),
-            (mirrored_i, mirrored_k),
-            (mirrored_k, mirrored_i),
-        ];
-        pairs.into_iter().min().unwrap_or((i, k))
-    };
-    let mut counts: BTreeMap<_, f64> = BTreeMap::new();
-    let indices = || (0..n).flat_map(move |i| (0..n).map(move |k| (i, k)));
-    for (i, k) in indices() {
-        for (j, l) in indices() {
-            let (x, y) = (along(i, k), along(j, l));
-            *counts
-                .entry((Faces::Opposite, x.min(y), x.max(y)))
-                .or_default() += 6.0;
-            let depth = (i.min(k), i.max(k));
-            *counts.entry((Faces::Adjacent, depth, y)).or_default() += 24.0;
-        }
-    }
-    let class = |((faces, (i, k), (j, l)), count)| Class {
-        faces,
-        first: [i, j],
-        second: [k, l],
-        count,
-    };
-    counts.into_iter().map(class).collect()
-}
-
-/// Two cells by their indices, on a grid.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CellPair<'g, S> {
-    cells: &'g [Span<S>],
-    class: Class,
+    pub faces: Faces<'g, S>,
+    /// How many ordered pairs there are in the whole box.
+    pub count: f64,
 }
 
-impl<'g, S: Scalar> CellPair<'g, S> {
-    pub(super) const fn new(cells: &'g [Span<S>], class: Class) -> Self {
-        Self { cells, class }
-    }
+/// The faces that two cells lie on.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Faces<'g, S> {
+    /// Two common axes.
+    Opposite {
+        along: [&'g Relation<S>; 2],
+        distance: &'g S,
+    },
+    /// A depth each over the plane of the other one, and a common axis.
+    Adjacent {
+        depths: [&'g Depth<S>; 2],
+        along: &'g Relation<S>,
+    },
+}
 
-    fn spans(&self, cell: [usize; 2]) -> [Span<S>; 2] {
-        cell.map(|index| self.cells[index].clone())
-    }
-
-    /// Line `a` less line `b`, both counted from 0 at the edge; exactly 0 for the same line.
-    fn offset(&self, a: usize, b: usize) -> S {
-        let zero = self.cells[0].length().zero();
-        let between = self.cells[a.min(b)..a.max(b)]
-            .iter()
-            .fold(zero, |sum, cell| sum + cell.length());
-        if a < b { -between } else { between }
-    }
-
-    /// How cells `a` and `b` of one axis lie to each other.
-    fn offsets(&self, a: usize, b: usize) -> Offsets<S> {
-        let differences = [a, a + 1].map(|line| [b, b + 1].map(|other| self.offset(line, other)));
-        let lengths = [a, b].map(|cell| self.cells[cell].length().clone());
-        Offsets::new(differences, lengths)
-    }
-
+impl<S: Scalar> CellPair<'_, S> {
     /// The product of both areas.
     pub(super) fn areas(&self) -> S {
-        let [i, j] = self.class.first;
-        let [k, l] = self.class.second;
-        [j, k, l]
-            .into_iter()
-            .fold(self.cells[i].length().clone(), |area, index| {
-                area * self.cells[index].length()
-            })
+        let product = |relation: &Relation<S>| {
+            relation.spans[0].length().clone() * relation.spans[1].length()
+        };
+        match &self.faces {
+            Faces::Opposite { along, .. } => product(along[0]) * &product(along[1]),
+            Faces::Adjacent { depths, along } => {
+                let [first, second] = depths.map(|depth| depth.span.length());
+                product(along) * first * second
+            }
+        }
     }
 
-    /// The exchange area.
+    /// The exchange area in closed form.
     pub(super) fn exchange(&self) -> Result<S, DiscretizeError> {
-        let (first, second) = (self.class.first, self.class.second);
-        let exchange = match self.class.faces {
-            Faces::Opposite => {
-                let distance = self.cells[0].length().constant(1.0);
-                parallel::exchange_area(&self.spans(first), &self.spans(second), &distance)?
+        Ok(self.closed_form()?.certain()?)
+    }
+
+    fn closed_form(&self) -> Result<Exchange<S>, DiscretizeError> {
+        Ok(match &self.faces {
+            Faces::Opposite { along, distance } => {
+                let [first, second] = [0, 1].map(|cell| along.map(|r| r.spans[cell].clone()));
+                parallel::exchange_area(&first, &second, distance)?
             }
-            Faces::Adjacent => perpendicular::exchange_area_at(
-                [&self.cells[first[0]], &self.cells[second[0]]],
-                &self.offsets(first[1], second[1]),
-            ),
+            Faces::Adjacent { depths, along } => {
+                let spans = depths.map(|depth| &depth.span);
+                perpendicular::exchange_area_at(spans, &along.offsets)
+            }
+        })
+    }
+
+    /// How the exchange area changes with the places of the edges.
+    pub(super) fn slopes(&self) -> EdgeSlopes<S> {
+        match &self.faces {
+            Faces::Opposite { along, distance } => {
+                EdgeSlopes::parallel(along.map(|relation| &relation.offsets), distance)
+            }
+            Faces::Adjacent { depths, along } => {
+                let ends = depths.map(|depth| [depth.span.lower(), depth.span.upper()]);
+                EdgeSlopes::perpendicular(ends, &along.offsets)
+            }
+        }
+    }
+
+    /// How these places move with the free lines.
+    pub(super) fn moves(&self) -> [&[(usize, S)]; 8] {
+        let all: [&Vec<(usize, S)>; 8] = match &self.faces {
+            Faces::Opposite { along: [u, v], .. } => {
+                let [a, b, c, d] = u.moves.each_ref();
+                let [e, f, g, h] = v.moves.each_ref();
+                [a, b, c, d, e, f, g, h]
+            }
+            Faces::Adjacent {
+                depths: [x, z],
+                along,
+            } => {
+                let ([a, b], [c, d]) = (x.moves.each_ref(), z.moves.each_ref());
+                let [e, f, g, h] = along.moves.each_ref();
+                [a, b, c, d, e, f, g, h]
+            }
         };
-        Ok(exchange.certain()?)
+        all.map(Vec::as_slice)
     }
 }
+
+impl CellPair<'_, f64> {
+    /// The exchange area by the cheapest road whose bound is within `allowed` of it and `product`, what independent cells would
+    /// exchange, else the one with the least bound: rules along the sides of far cells, the closed form, the same in
+    /// double-double.
+    pub(super) fn exchange_area(
+        &self,
+        product: f64,
+        allowed: f64,
+    ) -> Result<ExchangeArea, DiscretizeError> {
+        let by_rules = if self.is_far() {
+            exchange_by_rules(&self.sides(), allowed)
+        } else {
+            None
+        };
+        let found = match by_rules {
+            Some(found) => found,
+            None => self.closed_form()?.in_range(1.0)?,
+        };
+        if found.error_bound <= allowed * (found.value.abs() + product) {
+            return Ok(found);
+        }
+        let precise = self.precise()?;
+        Ok(if precise.error_bound < found.error_bound {
+            precise
+        } else {
+            found
+        })
+    }
+
+    /// Farther apart than long: nearer ones would take too many points.
+    fn is_far(&self) -> bool {
+        let gap = |spans: &[Span; 2]| {
+            let [a, b] = spans;
+            let gap = (b.lower() - a.upper()).max(a.lower() - b.upper()).max(0.0);
+            (gap * gap, a.length().max(*b.length()))
+        };
+        let (square, longest) = match &self.faces {
+            Faces::Opposite { along, distance } => {
+                let [(u, a), (v, b)] = along.map(|relation| gap(&relation.spans));
+                (u + v + *distance * *distance, a.max(b))
+            }
+            Faces::Adjacent { depths, along } => {
+                let (v, longest) = gap(&along.spans);
+                let [x, z] = depths.map(|depth| &depth.span);
+                let square = v + x.lower() * x.lower() + z.lower() * z.lower();
+                (square, longest.max(*x.length()).max(*z.length()))
+            }
+        };
+        square > longest * longest
+    }
+
+    fn sides(&self) -> Sides<'_> {
+        match &self.faces {
+            Faces::Opposite { along, distance } => Sides::Parallel {
+                sides: along.map(|relation| relation.spans.each_ref()),
+                distance: **distance,
+            },
+            Faces::Adjacent { depths, along } => Sides::Perpendicular {
+                depths: depths.map(|depth| &depth.span),
+                widths: along.spans.each_ref(),
+            },
+        }
+    }
+
+    fn precise(&self) -> Result<ExchangeArea, DiscretizeError> {
+        let lifted = |span: &Span| span.lifted(&DoubleDouble::from(0.0));
+        let exchange = match &self.faces {
+            Faces::Opposite { along, distance } => {
+                let [first, second] = [0, 1].map(|cell| along.map(|r| lifted(&r.spans[cell])));
+                parallel::exchange_area(&first, &second, &DoubleDouble::from(**distance))?
+            }
+            Faces::Adjacent { depths, along } => {
+                let [x, z] = depths.map(|depth| lifted(&depth.span));
+                let [first, second] = along.spans.each_ref().map(lifted);
+                perpendicular::exchange_area_at([&x, &z], &Offsets::between(&first, &second))
+            }
+        };
+        // each term takes some twenty operations within 64 ε²
+        let cancelled = DOUBLE_DOUBLE_TERMS * SQUARED_EPSILON * exchange.magnitude.to_f64();
+        let value = exchange.value.to_f64();
+        Ok(ExchangeArea {
+            value,
+            error_bound: cancelled + f64::EPSILON * value.abs(),
+        })
+    }
+}
+
+/// The factor of ε² in the bound of a closed form in double-double.
+const DOUBLE_DOUBLE_TERMS: f64 = 64.0 * tolerance::RECTANGLE_TERMS;

@@ -1,4 +1,4 @@
-//! The best tensor grid on the inside of a cube, with proof.
+//! The best tensor grid on the inside of a box, with proof.
 //!
 //! With one free line (three cells a side) the maximum is global. Away from it the chain rule of information bounds the
 //! value: states refined from X to X′ satisfy
@@ -14,7 +14,8 @@
 //! **Not covered**: the global maximum over several lines.
 
 use super::DiscretizeError;
-use super::cube_grid::{CubeGrid, TOTAL_AREA};
+use super::best_grid::BestGrid;
+use super::box_grid::BoxGrid;
 use crate::numeric::{
     Certificate, CertifiedMaximum, Dual, Interval, Objective, Scalar, VectorFunction,
     certified_maximum, certified_stationary_point,
@@ -36,22 +37,22 @@ impl CertifiedGrid {
     ///
     /// # Errors
     /// [`DiscretizeError::OutOfRange`] for zero cells.
-    pub fn regular(cells: u32, bits: u32) -> Result<Interval, DiscretizeError> {
-        CubeGrid::regular_like(cells, &Interval::precise(1.0, bits))?.mutual_information()
+    pub fn regular(edges: [f64; 3], cells: u32, bits: u32) -> Result<Interval, DiscretizeError> {
+        BoxGrid::regular_like(edges, cells, &Interval::precise(1.0, bits))?.mutual_information()
     }
 
     /// The best grid of `cells` cells a side: the global maximum for three, else the maximum near the regular grid.
     ///
     /// # Errors
     /// [`DiscretizeError::Numeric`] if it cannot be isolated; [`DiscretizeError::OutOfRange`] for zero cells.
-    pub fn best(cells: u32, bits: u32) -> Result<Self, DiscretizeError> {
+    pub fn best(edges: [f64; 3], cells: u32, bits: u32) -> Result<Self, DiscretizeError> {
         if cells == 3 {
             let CertifiedMaximum {
                 position,
                 value,
                 certificate,
                 ..
-            } = certified_maximum(&ThreeCells, (0.0, 0.5), bits)?;
+            } = certified_maximum(&ThreeCells { edges }, (0.0, 0.5), bits)?;
             return Ok(Self {
                 half: vec![position],
                 mutual_information: value,
@@ -62,17 +63,22 @@ impl CertifiedGrid {
             // no line is free
             return Ok(Self {
                 half: Vec::new(),
-                mutual_information: Self::regular(cells, bits)?,
+                mutual_information: Self::regular(edges, cells, bits)?,
                 certificate: Certificate::Unique {
                     is_only_stationary_point: None,
                 },
             });
         }
-        let near = CubeGrid::best(cells)?.lines();
-        let near: Vec<f64> = near.into_iter().filter(|line| *line < 0.5).collect();
-        let half = certified_stationary_point(&Gradient { cells }, &near, bits)?;
+        let near = BestGrid::find(edges, cells)?.grid;
+        let near: Vec<f64> = near
+            .lines()
+            .iter()
+            .copied()
+            .filter(|line| *line < 0.5)
+            .collect();
+        let half = certified_stationary_point(&Gradient { edges, cells }, &near, bits)?;
         let like = Interval::precise(1.0, bits);
-        let grid = CubeGrid::mirrored(&half, cells, &like)?;
+        let grid = BoxGrid::mirrored(edges, &half, cells, &like)?;
         Ok(Self {
             mutual_information: grid.mutual_information()?,
             half,
@@ -86,13 +92,14 @@ impl CertifiedGrid {
 
 /// Mutual information as the gradient's function.
 struct Gradient {
+    edges: [f64; 3],
     cells: u32,
 }
 
 impl VectorFunction for Gradient {
     fn values<S: Scalar>(&self, point: &[S]) -> Option<Vec<S>> {
         let like = point.first()?;
-        CubeGrid::mirrored(point, self.cells, like)
+        BoxGrid::mirrored(self.edges, point, self.cells, like)
             .ok()?
             .gradient()
             .ok()
@@ -100,21 +107,23 @@ impl VectorFunction for Gradient {
 }
 
 /// Lines at t and 1 − t.
-struct ThreeCells;
+struct ThreeCells {
+    edges: [f64; 3],
+}
 
 impl ThreeCells {
-    fn grid<S: Scalar>(line: &S) -> Option<CubeGrid<S>> {
-        CubeGrid::mirrored(std::slice::from_ref(line), 3, line).ok()
+    fn grid<S: Scalar>(&self, line: &S) -> Option<BoxGrid<S>> {
+        BoxGrid::mirrored(self.edges, std::slice::from_ref(line), 3, line).ok()
     }
 }
 
 impl Objective for ThreeCells {
     fn value<S: Scalar>(&self, x: &S) -> Option<S> {
-        Self::grid(x)?.mutual_information().ok()
+        self.grid(x)?.mutual_information().ok()
     }
 
     fn slope<S: Scalar>(&self, x: &S) -> Option<S> {
-        Self::grid(x)?.gradient().ok()?.pop()
+        self.grid(x)?.gradient().ok()?.pop()
     }
 
     /// Each exchange area by its Taylor form about the middle m of the box: `E″(m) + E‴(X)(X − m)` for the
@@ -122,14 +131,15 @@ impl Objective for ThreeCells {
     fn slope_on_box(&self, domain: &Interval<f64>) -> Option<Dual<Interval<f64>>> {
         let middle = Interval::point(domain.midpoint());
         let aside = *domain - middle;
-        let on_box = Self::grid(&Dual::variable(Dual::variable(Dual::variable(*domain))))?;
-        let at_middle = Self::grid(&Dual::variable(Dual::variable(middle)))?;
-        let total = domain.constant(TOTAL_AREA);
+        let on_box = self.grid(&Dual::variable(Dual::variable(Dual::variable(*domain))))?;
+        let at_middle = self.grid(&Dual::variable(Dual::variable(middle)))?;
+        let (total, _) = BoxGrid::regular_like(self.edges, 1, domain).ok()?.faces();
+        let (on_box, at_middle) = (on_box.classes().ok()?, at_middle.classes().ok()?);
         let mut sum = Dual {
             value: domain.zero(),
             slope: domain.zero(),
         };
-        for ((pair, count), (middle_pair, _)) in on_box.pairs().zip(at_middle.pairs()) {
+        for (pair, middle_pair) in on_box.pairs().zip(at_middle.pairs()) {
             let (natural, at_middle) = (pair.exchange().ok()?, middle_pair.exchange().ok()?);
             let second = at_middle.slope.slope + natural.slope.slope.slope * aside;
             let first = at_middle.slope.value + second * aside;
@@ -137,7 +147,7 @@ impl Objective for ThreeCells {
             let areas = pair.areas().value.value;
             let log = (value * total / areas.value).ln();
             let log_slope = first / value - areas.slope / areas.value;
-            let weight = domain.constant(count) / total;
+            let weight = domain.constant(pair.count) / total;
             sum.value = sum.value + weight * first * log;
             sum.slope = sum.slope + weight * (second * log + first * log_slope);
         }
@@ -167,7 +177,7 @@ impl Objective for ThreeCells {
             .map(Interval::point)
             .collect();
         let cells = 2 * u32::try_from(half.len()).ok()? + 1;
-        let grid = CubeGrid::mirrored(&half, cells, &one).ok()?;
+        let grid = BoxGrid::mirrored(self.edges, &half, cells, &one).ok()?;
         // 2 (b − a) on each of two axes, for X and for Y
         let share = (Interval::point(upper) - Interval::point(lower)) * domain.constant(8.0);
         Some(*(grid.mutual_information().ok()? + share * bits).upper())
@@ -181,14 +191,15 @@ mod tests {
     /// The Taylor form and the bound on a box hold at every point of it.
     #[test]
     fn boxes_contain_what_their_points_say() {
+        let cube = ThreeCells { edges: [1.0; 3] };
         for (lower, width) in [(0.05, 1e-5), (0.2, 1e-3), (0.3, 4e-3), (0.45, 1e-3)] {
             let domain = Interval::try_new(lower, lower + width);
             let domain = domain.as_ref();
-            let slopes = domain.and_then(|domain| ThreeCells.slope_on_box(domain));
-            let bound = domain.and_then(|domain| ThreeCells.bound_on(domain));
+            let slopes = domain.and_then(|domain| cube.slope_on_box(domain));
+            let bound = domain.and_then(|domain| cube.bound_on(domain));
             for share in [0.0, 0.3, 0.5, 1.0] {
                 let at = Interval::precise(f64::min(lower + share * width, lower + width), 128);
-                let exact = ThreeCells.slope(&Dual::variable(at.clone()));
+                let exact = cube.slope(&Dual::variable(at.clone()));
                 let (Some(slopes), Some(exact)) = (&slopes, exact) else {
                     panic!("no slope at {lower}");
                 };
@@ -196,7 +207,7 @@ mod tests {
                 {
                     assert!(Interval::from_doubles(wide, 128).contains(point), "{lower}");
                 }
-                let value = ThreeCells.value(&at).map(|value| value.to_doubles().1);
+                let value = cube.value(&at).map(|value| value.to_doubles().1);
                 assert!(value <= bound, "{lower}: {value:?} above {bound:?}");
             }
         }

@@ -46,6 +46,9 @@ pub enum DiscretizeError {
          do without --precision, or name only rectangles that are aligned"
     )]
     NotEnclosed,
+    /// No start came to rest.
+    #[error("no start of the search ends at a maximum")]
+    NoMaximum,
     /// An optimiser refused.
     #[error(transparent)]
     Numeric(#[from] NumericError),

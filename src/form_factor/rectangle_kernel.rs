@@ -28,7 +28,7 @@ const MOST_NODES: usize = 3 * MOST;
 
 /// Four sides, two of each rectangle: `[x, ξ]` and `[y, η]` for parallel ones, a depth each and `[y, η]` for perpendicular
 /// ones; and the heights of one over the other's plane.
-pub(super) enum Sides<'a> {
+pub(crate) enum Sides<'a> {
     Parallel {
         sides: [[&'a Span; 2]; 2],
         distance: f64,
@@ -40,7 +40,7 @@ pub(super) enum Sides<'a> {
 }
 
 /// The exchange area in the spans' unit, if few points are certain to leave an error below `tolerance`, relative.
-pub(super) fn exchange_area(sides: &Sides, tolerance: f64) -> Option<ExchangeArea> {
+pub(crate) fn exchange_area(sides: &Sides, tolerance: f64) -> Option<ExchangeArea> {
     let spans = match sides {
         Sides::Parallel {
             sides: [[x, xi], [y, eta]],

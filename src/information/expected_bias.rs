@@ -22,7 +22,7 @@
 //! References: Miller, *Note on the bias of information estimates*, 1955; Romanovsky, Biometrika 15, 1923.
 
 use crate::chain::ChainError;
-use crate::numeric::{compensated_sum, divergence_kernel};
+use crate::numeric::{CompensatedSum, compensated_sum, divergence_kernel};
 use crate::scene::ScenePairs;
 use std::f64::consts::LN_2;
 
@@ -61,18 +61,25 @@ pub fn expected_bias(cells: impl IntoIterator<Item = (f64, f64)>, samples: u64) 
 ///
 /// **Arguments** the probabilities p of the cells, those m if states were independent, and how many have them; `samples` N ≥ 1.
 #[must_use]
-pub fn expected_deviation(cells: &[([f64; 2], f64)], samples: u64) -> f64 {
-    let possible = || cells.iter().filter(|([p, m], _)| *p > 0.0 && *m > 0.0);
-    let mean = |power: i32, from: f64| {
-        let term =
-            |([p, m], count): &([f64; 2], f64)| count * p * ((p / m).ln() - from).powi(power);
-        compensated_sum(possible().map(term))
-    };
-    let variance = mean(2, mean(1, 0.0));
-    let freedom = compensated_sum(possible().map(|(_, count)| *count)) - 1.0;
+pub fn expected_deviation(cells: impl IntoIterator<Item = ([f64; 2], f64)>, samples: u64) -> f64 {
+    let mut sums = [CompensatedSum::default(); 3];
+    let possible = cells.into_iter().filter(|([p, m], _)| *p > 0.0 && *m > 0.0);
+    for ([p, m], count) in possible {
+        let logarithm = (p / m).ln();
+        let terms = [
+            count,
+            count * p * logarithm,
+            count * p * logarithm * logarithm,
+        ];
+        sums.iter_mut()
+            .zip(terms)
+            .for_each(|(sum, term)| sum.add(term));
+    }
+    let [count, mean, square] = sums.each_ref().map(CompensatedSum::total);
+    let variance = (square - mean * mean).max(0.0);
     #[allow(clippy::cast_precision_loss, reason = "exact up to 2^53 samples")]
     let n = samples as f64;
-    (variance / n + 0.5 * freedom / (n * n)).sqrt() / LN_2
+    (variance / n + 0.5 * (count - 1.0).max(0.0) / (n * n)).sqrt() / LN_2
 }
 
 /// `E[Î] − I` in bits, of N chords of a closed scene without occlusion, when the weights are known.

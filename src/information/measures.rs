@@ -74,7 +74,7 @@ pub fn mutual_information(chain: &ReversibleChain) -> f64 {
 /// `w_i p_j φ(x)` with `x = J_ij/(w_i p_j) − 1`: one term of eq. (3), in nats and in the scale of J and w.
 ///
 /// **Arguments** the joint entry, the weight of one state > 0, the probability of the other > 0.
-pub(super) fn pair_divergence(joint: f64, weight: f64, probability: f64) -> f64 {
+pub(crate) fn pair_divergence(joint: f64, weight: f64, probability: f64) -> f64 {
     let transition = joint / weight;
     let x = transition / probability - 1.0;
     if x < FAR_ABOVE {

@@ -22,9 +22,11 @@ pub use continuous::{ContinuousInformation, FacePair, continuous_information};
 pub use expected_bias::{expected_bias, expected_bias_of_scene, expected_deviation};
 pub use gain::{divergence, refinement_gain, relative_entropy, subdivision_bound};
 pub use line_sample::{LineKind, LineSample};
+pub(crate) use measures::pair_divergence;
 pub use measures::{entropy_rate, mutual_information, positional_entropy};
 pub use pair_counts::PairCounts;
 pub use pair_losses::{PairLoss, pair_losses};
+pub(crate) use scene::divergence_error;
 pub use scene::{ErrorGrade, SceneInformation, Surroundings, scene_information};
 
 /// From this x on `a φ(x) = p (ln(p/a) − 1) + a` is used, whose factors cannot overflow.

@@ -244,7 +244,7 @@ impl Outside {
 }
 
 /// What an error of the exchange area may change `J ln(J/q) − J + q` by, in nats.
-pub(super) fn divergence_error(value: f64, bound: f64, product: f64) -> f64 {
+pub(crate) fn divergence_error(value: f64, bound: f64, product: f64) -> f64 {
     if bound <= 0.0 {
         return 0.0;
     }

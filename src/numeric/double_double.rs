@@ -265,6 +265,9 @@ impl Scalar for DoubleDouble {
     }
     #[inline(always)]
     fn ln(&self) -> Self {
+        if !(self.high > 0.0 && self.high < f64::INFINITY) {
+            return Self::from(self.high.ln());
+        }
         // exact powers of two, so that the leading half of m lies in [√½, √2)
         let exponent = (self.high * std::f64::consts::SQRT_2).log2().floor();
         let m = self

@@ -100,9 +100,34 @@ const INNERMOST: f64 = 1.0 / 256.0;
 
 /// A maximum in several ordered coordinates `0 < t_1 < … < t_n < 1`, as the root of the gradient.
 ///
-/// Newton's method with a Hessian from central differences, damped so that no coordinate passes its
-/// neighbour; it ends where a step no longer moves anything beyond rounding, and only at a
-/// negative definite Hessian.
+/// [`maximum_by_derivatives`] with a Hessian from central differences.
+///
+/// # Errors
+/// As there.
+pub fn maximum_of_many(
+    gradient: impl Fn(&[f64]) -> Vec<f64>,
+    start: Vec<f64>,
+) -> Result<Vec<f64>, NumericError> {
+    let derivatives = |position: &[f64]| {
+        let n = position.len();
+        let slope = DVector::from_vec(gradient(position));
+        let mut curvature = DMatrix::zeros(n, n);
+        for k in 0..n {
+            let mut aside = [position.to_vec(), position.to_vec()];
+            aside[0][k] -= DIFFERENCE;
+            aside[1][k] += DIFFERENCE;
+            let [before, after] = aside.map(|position| DVector::from_vec(gradient(&position)));
+            curvature.set_column(k, &((after - before) / (2.0 * DIFFERENCE)));
+        }
+        (slope, curvature)
+    };
+    maximum_by_derivatives(derivatives, start)
+}
+
+/// A maximum in several ordered coordinates `0 < t_1 < … < t_n < 1`, by Newton's method for gradient and Hessian.
+///
+/// Steps are damped so that no coordinate passes its neighbour, and climb where the Hessian is not negative definite; the method ends
+/// where a step no longer moves anything beyond rounding, and only at a negative definite Hessian.
 ///
 /// **Accuracy** each coordinate as far as the gradient's rounding over its curvature lets it be seen:
 /// about [`tolerance::AT_REST`] for curvatures of order one. A local maximum near the start.
@@ -110,42 +135,27 @@ const INNERMOST: f64 = 1.0 / 256.0;
 /// # Errors
 /// [`NumericError::NotFinite`]; [`NumericError::NotConverged`] if the steps do not die out, or end at
 /// something else than a maximum.
-pub fn maximum_of_many(
-    gradient: impl Fn(&[f64]) -> Vec<f64>,
+pub fn maximum_by_derivatives(
+    derivatives: impl Fn(&[f64]) -> (DVector<f64>, DMatrix<f64>),
     start: Vec<f64>,
 ) -> Result<Vec<f64>, NumericError> {
-    let n = start.len();
     let mut position = DVector::from_vec(start);
-    let gradient = |position: &DVector<f64>| -> Result<DVector<f64>, NumericError> {
-        let gradient = DVector::from_vec(gradient(position.as_slice()));
-        match gradient
-            .iter()
-            .zip(position.iter())
-            .find(|(value, _)| !value.is_finite())
-        {
-            Some((value, at)) => Err(NumericError::NotFinite {
-                position: *at,
-                value: *value,
-            }),
-            None => Ok(gradient),
-        }
-    };
     let mut moved = f64::INFINITY;
     for _ in 0..tolerance::NEWTON_STEPS {
-        let slope = gradient(&position)?;
-        let mut curvature = DMatrix::zeros(n, n);
-        for k in 0..n {
-            let mut aside = [position.clone(), position.clone()];
-            aside[0][k] -= DIFFERENCE;
-            aside[1][k] += DIFFERENCE;
-            let change = gradient(&aside[1])? - gradient(&aside[0])?;
-            curvature.set_column(k, &(change / (2.0 * DIFFERENCE)));
+        let (slope, curvature) = derivatives(position.as_slice());
+        let all = slope.iter().chain(curvature.iter());
+        if let Some((k, value)) = all.enumerate().find(|(_, value)| !value.is_finite()) {
+            return Err(NumericError::NotFinite {
+                position: position[k % position.len()],
+                value: *value,
+            });
         }
-        // −H is symmetric and, at a maximum, positive definite; elsewhere climb along the slope
+        // −H is symmetric and, at a maximum, positive definite
         let symmetric = -(&curvature + curvature.transpose()) * 0.5;
-        let newton = symmetric.cholesky().map(|factor| factor.solve(&slope));
+        let newton = symmetric.clone().cholesky();
+        let newton = newton.map(|factor| factor.solve(&slope));
         let is_maximum = newton.is_some();
-        let step = newton.unwrap_or_else(|| &slope * (0.01 / slope.amax()));
+        let step = newton.unwrap_or_else(|| climbing(symmetric, &slope));
         let step = &step * damping(&position, &step);
         let before = moved;
         moved = step.amax();
@@ -161,6 +171,17 @@ pub fn maximum_of_many(
         best: position[0],
         residual: moved,
     })
+}
+
+/// Newton's step with the curvatures' magnitudes: uphill in every principal direction, away from saddles.
+fn climbing(symmetric: DMatrix<f64>, slope: &DVector<f64>) -> DVector<f64> {
+    let principal = symmetric.symmetric_eigen();
+    let least = f64::EPSILON * principal.eigenvalues.amax().max(f64::MIN_POSITIVE);
+    let mut step = principal.eigenvectors.tr_mul(slope);
+    for (along, curvature) in step.iter_mut().zip(&principal.eigenvalues) {
+        *along /= curvature.abs().max(least);
+    }
+    principal.eigenvectors * step
 }
 
 /// Width of the central differences: their error, of the square of this, only slows convergence.

@@ -43,7 +43,7 @@ pub use error::NumericError;
 pub use expansion::Expansion;
 pub use gauss_legendre::{GaussLegendre, MOST_POINTS};
 pub use interval::{Interval, Precise};
-pub use maximum::{Maximum, maximum, maximum_of_many};
+pub use maximum::{Maximum, maximum, maximum_by_derivatives, maximum_of_many};
 pub use quadrature::{Integral, integral};
 pub use root::{Root, root};
 pub use scalar::Scalar;

@@ -19,9 +19,78 @@ struct Record {
     sampled: SampledRecord,
 }
 
+impl SampledRecord {
+    /// With the exact mutual information and the expected bias, where they are known.
+    pub(super) fn new(sample: &LineSample, seed: u64, exact: Option<[f64; 2]>) -> Self {
+        let counts = &sample.counts;
+        Self {
+            lines: sample.lines,
+            seed,
+            kind: sample.kind.name(),
+            samples: counts.samples(),
+            occupied_cells: counts.occupied(),
+            unseen: counts.unseen(),
+            taken_for_unseen: counts.taken_for_unseen(),
+            mutual_information: counts.plug_in(),
+            expected_bias: exact.map(|[_, bias]| bias),
+            counted_weights: counts.plug_in_of_counted_weights(),
+            miller_madow: counts.miller_madow(),
+            corrected: counts.corrected(),
+            standard_error: counts.standard_error(),
+            error_grade: "sample",
+            confidence_interval: counts.confidence_interval(),
+            exact_mutual_information: exact.map(|[information, _]| information),
+        }
+    }
+
+    /// The rows of a table.
+    pub(super) fn rows(&self) -> Vec<(&'static str, String)> {
+        // a digit more than is certain, to see the estimates apart
+        let digits = |value: f64| certain_digits(value, 0.1 * self.standard_error);
+        let estimate = |value: f64| format!("({})", digits(value));
+        let interval = match self.confidence_interval {
+            Some(ends) => {
+                let [from, to] = ends.map(digits);
+                format!("{from} to {to}")
+            }
+            None => "none: too many pairs are not met yet".to_owned(),
+        };
+        let mut rows = vec![
+            (
+                "lines, seed",
+                format!("{} {}, {}", self.lines, self.kind, self.seed),
+            ),
+            ("chords", self.samples.to_string()),
+            ("pairs met", self.occupied_cells.to_string()),
+            (
+                "chords alone with their pair",
+                format!("{:.2} %", 100.0 * self.unseen),
+            ),
+            ("sampled: plug-in, bits", estimate(self.mutual_information)),
+            (
+                "the same, weights counted, too",
+                estimate(self.counted_weights),
+            ),
+            ("less bias (Miller and Madow)", estimate(self.miller_madow)),
+            ("corrected (Chao, Wang and Jost)", estimate(self.corrected)),
+            (
+                "standard error of each, bits",
+                scientific(self.standard_error),
+            ),
+            ("interval of 95 %, bits", interval),
+        ];
+        if let Some(bias) = self.expected_bias {
+            rows.push(("bias expected of the plug-in, bits", format!("{bias:.3e}")));
+        }
+        rows
+    }
+}
+
 /// Estimates from counted pairs.
 #[derive(Debug, serde::Serialize)]
-struct SampledRecord {
+pub(super) struct SampledRecord {
+    lines: u32,
+    seed: u64,
     kind: &'static str,
     /// Chords: several for a line where a room is not convex.
     samples: u64,
@@ -56,7 +125,6 @@ pub fn sample_report(
     continuous: bool,
     seed: u64,
 ) -> Result<Report, ReportError> {
-    let counts = &sample.counts;
     let chords = continuous.then_some(sample.chords);
     let record = Record {
         patches: scene.group_count(),
@@ -67,22 +135,7 @@ pub fn sample_report(
         continuous_error_grade: chords.map(|_| "sample"),
         lines: sample.lines,
         seed,
-        sampled: SampledRecord {
-            kind: sample.kind.name(),
-            samples: counts.samples(),
-            occupied_cells: counts.occupied(),
-            unseen: counts.unseen(),
-            taken_for_unseen: counts.taken_for_unseen(),
-            mutual_information: counts.plug_in(),
-            expected_bias: exact.map(|[_, bias]| bias),
-            counted_weights: counts.plug_in_of_counted_weights(),
-            miller_madow: counts.miller_madow(),
-            corrected: counts.corrected(),
-            standard_error: counts.standard_error(),
-            error_grade: "sample",
-            confidence_interval: counts.confidence_interval(),
-            exact_mutual_information: exact.map(|[information, _]| information),
-        },
+        sampled: SampledRecord::new(sample, seed, exact),
     };
     let table = Table {
         columns: vec!["quantity", "value"],
@@ -97,54 +150,10 @@ pub fn sample_report(
 }
 
 fn lines_of(record: &Record) -> Vec<(&'static str, String)> {
-    let sampled = &record.sampled;
-    // a digit more than is certain, to see the estimates apart
-    let digits = |value: f64| certain_digits(value, 0.1 * sampled.standard_error);
-    let estimate = |value: f64| format!("({})", digits(value));
-    let mut rows = vec![
-        ("patches", record.patches.to_string()),
-        (
-            "lines, seed",
-            format!("{} {}, {}", record.lines, sampled.kind, record.seed),
-        ),
-        ("chords", sampled.samples.to_string()),
-        ("pairs met", sampled.occupied_cells.to_string()),
-        (
-            "chords alone with their pair",
-            format!("{:.2} %", 100.0 * sampled.unseen),
-        ),
-        (
-            "mutual information, plug-in, bits",
-            estimate(sampled.mutual_information),
-        ),
-        (
-            "the same, weights counted, too",
-            estimate(sampled.counted_weights),
-        ),
-        (
-            "less bias (Miller and Madow)",
-            estimate(sampled.miller_madow),
-        ),
-        (
-            "corrected (Chao, Wang and Jost)",
-            estimate(sampled.corrected),
-        ),
-        (
-            "standard error of each, bits",
-            scientific(sampled.standard_error),
-        ),
-    ];
-    let interval = match sampled.confidence_interval {
-        Some(ends) => {
-            let [from, to] = ends.map(digits);
-            format!("{from} to {to}")
-        }
-        None => "none: too many pairs are not met yet".to_owned(),
-    };
-    rows.push(("interval of 95 %, bits", interval));
-    if let (Some(exact), Some(bias)) = (sampled.exact_mutual_information, sampled.expected_bias) {
+    let mut rows = vec![("patches", record.patches.to_string())];
+    rows.extend(record.sampled.rows());
+    if let Some(exact) = record.sampled.exact_mutual_information {
         rows.push(("exact, bits", format!("{exact:.9}")));
-        rows.push(("bias expected of the plug-in, bits", format!("{bias:.3e}")));
     }
     let continuous = record
         .continuous_mutual_information

@@ -1,13 +1,14 @@
 //! Fig. 5 read as plug-in estimates from random lines: one number of lines fitted, three printed values.
 //!
-//! [`SampledGrid`] says what is expected; each grid is also sampled, all with the same lines, so that the differences between
-//! grids are known better than the values.
+//! [`BoxGrid`] says what is expected; each grid is also sampled, all with the same lines, so that the differences between
+//! grids are known better than the values. Lines start from points of the faces; in a cube the chords of global lines are the same.
 
 use super::StudyError;
-use crate::claims::SampledGrid;
-use crate::discretize::CubeGrid;
-use crate::information::{LineKind, LineSample};
-use crate::scene::Scene;
+use crate::claims::samples_for;
+use crate::discretize::{BestGrid, BoxGrid, UNIT_CUBE};
+use crate::information::expected_bias;
+use crate::numeric::compensated_sum;
+use crate::scene::GridLines;
 
 /// One grid.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -59,32 +60,30 @@ const CELLS: u32 = 6;
 /// # Errors
 /// [`StudyError`] if a grid is refused; none is known to be.
 pub fn figure_5(quick: bool) -> Result<Vec<Figure5Row>, StudyError> {
-    let regular = SampledGrid::regular(CELLS)?;
-    let fitted = |printed: f64| regular.samples_for(printed);
-    let samples = fitted(PRINTED[0]).unwrap_or(u64::from(u32::MAX));
+    let regular = BoxGrid::regular(UNIT_CUBE, CELLS)?;
+    let samples = samples_for(&regular, PRINTED[0])?.unwrap_or(u64::from(u32::MAX));
     let lines = u32::try_from(samples).unwrap_or(u32::MAX);
     let runs = if quick { 2 } else { 40 };
+    let of_lines = |lines: &[f64]| BoxGrid::try_new(UNIT_CUBE, lines);
+    let best = BestGrid::find(UNIT_CUBE, CELLS)?.grid;
     let grids = [
-        (
-            "regular",
-            (1..CELLS)
-                .map(|k| f64::from(k) / f64::from(CELLS))
-                .collect(),
-            Some(PRINTED[0]),
-        ),
-        ("best", CubeGrid::best(CELLS)?.lines(), Some(PRINTED[1])),
+        ("regular", regular, Some(PRINTED[0])),
+        ("best", best, Some(PRINTED[1])),
         (
             "lines at a quarter",
-            vec![0.25, 0.375, 0.5, 0.625, 0.75],
+            of_lines(&[0.25, 0.375, 0.5, 0.625, 0.75])?,
             Some(PRINTED[2]),
         ),
-        ("first line at a tenth", vec![0.1, 0.3, 0.5, 0.7, 0.9], None),
+        (
+            "first line at a tenth",
+            of_lines(&[0.1, 0.3, 0.5, 0.7, 0.9])?,
+            None,
+        ),
     ];
     let mut reference: Vec<f64> = Vec::new();
     let mut rows = Vec::new();
-    for (case, grid_lines, printed) in grids {
-        let grid = SampledGrid::try_new(&grid_lines)?;
-        let estimates = sampled(grid.scene(), lines, runs)?;
+    for (case, grid, printed) in grids {
+        let estimates = sampled(&grid, lines, runs)?;
         if reference.is_empty() {
             reference.clone_from(&estimates);
         }
@@ -97,24 +96,31 @@ pub fn figure_5(quick: bool) -> Result<Vec<Figure5Row>, StudyError> {
             mean_and_deviation(&estimates),
             mean_and_deviation(&differences),
         );
-        let for_printed = printed.and_then(|printed| {
-            let of = |value: f64| grid.samples_for(value);
-            Some([
-                of(printed)?,
-                of(printed + ROUNDING)?,
-                of(printed - ROUNDING)?,
-            ])
-        });
+        let for_printed = match printed {
+            Some(printed) => {
+                let of = |value: f64| samples_for(&grid, value);
+                let all = [
+                    of(printed)?,
+                    of(printed + ROUNDING)?,
+                    of(printed - ROUNDING)?,
+                ];
+                let [at, from, to] = all;
+                at.zip(from.zip(to)).map(|(at, (from, to))| [at, from, to])
+            }
+            None => None,
+        };
+        let mutual_information = grid.information()?.mutual_information;
+        let expected = mutual_information + grid.expected_bias(samples)?;
         rows.push(Figure5Row {
             case,
-            lines: grid_lines,
+            lines: grid.lines().to_vec(),
             printed,
-            mutual_information: grid.mutual_information(),
+            mutual_information,
             samples_for_printed: for_printed,
             samples,
-            expected: grid.expected(samples),
-            expected_with_counted_weights: grid.expected_with_counted_weights(samples),
-            deviation: grid.deviation(samples),
+            expected,
+            expected_with_counted_weights: expected - bias_of_weights(&grid, samples)?,
+            deviation: grid.expected_deviation(samples)?,
             runs,
             sampled: mean,
             sampled_deviation: deviation,
@@ -126,13 +132,18 @@ pub fn figure_5(quick: bool) -> Result<Vec<Figure5Row>, StudyError> {
     Ok(rows)
 }
 
-/// Plug-in estimates; global lines of one seed are the same for all grids.
-fn sampled(scene: &Scene, lines: u32, runs: u64) -> Result<Vec<f64>, StudyError> {
-    let estimate = |seed| {
-        let sample = LineSample::draw(scene, LineKind::Global, lines, seed)?;
-        Ok(sample.counts.plug_in())
-    };
+/// Plug-in estimates; lines of one seed are the same for all grids.
+fn sampled(grid: &BoxGrid, lines: u32, runs: u64) -> Result<Vec<f64>, StudyError> {
+    let estimate = |seed| Ok(grid.sample(lines, seed)?.counts.plug_in());
     (1..=runs).map(estimate).collect()
+}
+
+/// What counted weights take off the bias: each cell is an end of a binomial number of lines.
+fn bias_of_weights(grid: &BoxGrid, samples: u64) -> Result<f64, StudyError> {
+    let areas = GridLines::try_new(UNIT_CUBE, grid.lines())?.areas();
+    let total = compensated_sum(areas.iter().copied());
+    let ends = areas.iter().map(|area| (2.0 * area / total, 1.0));
+    Ok(expected_bias(ends, samples))
 }
 
 fn mean_and_deviation(values: &[f64]) -> [f64; 2] {

@@ -6,7 +6,7 @@
 //! named, proof of the global maximum included.
 
 use super::Row;
-use crate::discretize::{CubeGrid, DiscretizeError, GradientCut, PatchSplit};
+use crate::discretize::{BoxGrid, DiscretizeError, GradientCut, PatchSplit, UNIT_CUBE};
 use crate::form_factor::RectanglePair;
 use crate::geometry::SplitAxis;
 use crate::numeric::{Interval, Scalar};
@@ -47,7 +47,7 @@ struct RegularGrid(u32);
 
 impl Quantity for RegularGrid {
     fn at<S: Scalar>(&self, like: &S) -> Result<S, DiscretizeError> {
-        CubeGrid::regular_like(self.0, like)?.mutual_information()
+        BoxGrid::regular_like(UNIT_CUBE, self.0, like)?.mutual_information()
     }
 }
 

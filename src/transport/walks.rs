@@ -88,19 +88,8 @@ impl Interreflection<'_> {
         }
         let mut ways = Ways::new(self, &brightness);
         statistics(walks, seed, |random| {
-            let (mut at, mut weight) = (from, 1.0);
-            let mut found = emittances[at];
-            let mut steps = 0;
-            while let Some((next, received)) = ways.step(at, random) {
-                weight *= self.reflectances[at] * received / brightness[next];
-                at = next;
-                found += weight * emittances[at];
-                steps += 1;
-                if weight * brightness[at] <= LEFT * found || steps == MOST_STEPS {
-                    break;
-                }
-            }
-            (found, steps)
+            let reflected = |at: usize, _| self.reflectances[at];
+            ways.follow([emittances, &brightness], (from, 1.0), reflected, random)
         })
     }
 
@@ -137,22 +126,12 @@ impl Interreflection<'_> {
         let starts = Cumulative::new(chances);
         let mut ways = Ways::new(self, &brightness);
         statistics(walks, seed, |random| {
-            let Some(mut at) = starts.draw(random) else {
+            let Some(at) = starts.draw(random) else {
                 return (0.0, 0);
             };
-            let mut weight = starts.total() / importance[at];
-            let mut found = weight * direct[at];
-            let mut steps = 0;
-            while let Some((next, received)) = ways.step(at, random) {
-                weight *= self.reflectances[next] * received / brightness[next];
-                at = next;
-                found += weight * direct[at];
-                steps += 1;
-                if weight * importance[at] <= LEFT * found || steps == MOST_STEPS {
-                    break;
-                }
-            }
-            (found, steps)
+            let start = (at, starts.total() / importance[at]);
+            let reflected = |_, next: usize| self.reflectances[next];
+            ways.follow([direct, &importance], start, reflected, random)
         })
     }
 
@@ -208,6 +187,31 @@ impl<'w, 'e> Ways<'w, 'e> {
             brightness,
             rows,
         }
+    }
+
+    /// A walk from a patch with a weight, until what is left does not count: what it finds, and its steps.
+    ///
+    /// **Arguments** `finds`, `left`: what a patch adds per weight, and how much may follow; `reflected`: of a step, the reflectance that it
+    /// passes.
+    fn follow(
+        &mut self,
+        [finds, left]: [&[f64]; 2],
+        (mut at, mut weight): (usize, f64),
+        reflected: impl Fn(usize, usize) -> f64,
+        random: &mut ChaCha8Rng,
+    ) -> (f64, u32) {
+        let mut found = weight * finds[at];
+        let mut steps = 0;
+        while let Some((next, received)) = self.step(at, random) {
+            weight *= reflected(at, next) * received / self.brightness[next];
+            at = next;
+            found += weight * finds[at];
+            steps += 1;
+            if weight * left[at] <= LEFT * found || steps == MOST_STEPS {
+                break;
+            }
+        }
+        (found, steps)
     }
 
     /// The next patch, and what this one receives, `Σ_j F_ij β_j`; `None` if that is nothing.

@@ -7,6 +7,7 @@
 
 mod fuzzing;
 mod gradient_cuts;
+mod grids;
 mod keys;
 mod light;
 mod refusals;

@@ -123,6 +123,30 @@ fn what_lines_do_not_know_is_refused() {
     }
 }
 
+/// A grid of 24,576 patches: lines find their cells, the bias is known, and the estimate less the bias agrees.
+#[test]
+fn grids_are_sampled() {
+    let small = [
+        "grid", "--box", "1,2,3", "--cells", "4", "--sample", "40000", "--seed", "3",
+    ];
+    let large = [
+        "grid", "--box", "1,1,1", "--cells", "64", "--sample", "100000",
+    ];
+    for call in [&small[..], &large] {
+        let answer = json(call);
+        let sampled = |key: &str| number(&answer["sampled"][key]);
+        let off = sampled("mutual_information") - sampled("expected_bias");
+        let off = off - number(&answer["mutual_information"]);
+        // nearly all is unseen in the large one, where the standard error is too small
+        assert!(off.abs() < 10.0 * sampled("standard_error"), "{answer}");
+        assert_eq!(stdout(call), stdout(&[call, &["--threads", "3"]].concat()));
+    }
+    assert!(stdout(&small).contains("sampled: plug-in, bits"));
+    infoscene(&["grid", "--box", "1,1,1", "--cells", "2", "--seed", "3"])
+        .assert()
+        .code(2);
+}
+
 /// Errors are those that the known bias and the standard error explain: within a factor, of four seeds.
 #[test]
 fn sampling_study_has_the_errors_it_expects() {

@@ -2,7 +2,9 @@
 
 use crate::support::strategies::rectangle_pair;
 use glam::DVec3;
-use infoscene::discretize::{CertifiedCut, CertifiedGrid, CubeGrid, Cut, GradientCut, PatchSplit};
+use infoscene::discretize::{
+    BestGrid, BoxGrid, CertifiedCut, CertifiedGrid, Cut, GradientCut, PatchSplit, UNIT_CUBE,
+};
 use infoscene::form_factor::{ExchangeArea, FormFactorError, RectanglePair};
 use infoscene::geometry::{Patch, Rectangle, SplitAxis};
 use infoscene::numeric::{Certificate, Interval, Scalar, tolerance};
@@ -262,8 +264,8 @@ fn gradient_cuts_agree_with_certified_ones() {
 
 fn assert_best_grid(cells: u32) {
     let what = format!("{cells} cells");
-    let fast = CubeGrid::best(cells).unwrap();
-    let certified = CertifiedGrid::best(cells, 128).unwrap();
+    let fast = BestGrid::find(UNIT_CUBE, cells).unwrap();
+    let certified = CertifiedGrid::best(UNIT_CUBE, cells, 128).unwrap();
     assert_eq!(certified.half.len(), (cells as usize - 1) / 2);
     for (line, enclosure) in fast.lines().iter().zip(&certified.half) {
         assert_near(*line, enclosure, tolerance::POSITION, &what);
@@ -277,11 +279,11 @@ fn assert_best_grid(cells: u32) {
 #[test]
 fn grids_agree_with_certified_ones() {
     for cells in 1..=5 {
-        let fast = CubeGrid::regular(cells)
+        let fast = BoxGrid::regular(UNIT_CUBE, cells)
             .unwrap()
             .mutual_information()
             .unwrap();
-        let enclosure = CertifiedGrid::regular(cells, 128).unwrap();
+        let enclosure = CertifiedGrid::regular(UNIT_CUBE, cells, 128).unwrap();
         let allowed = tolerance::GRID_INFORMATION * fast;
         assert_near(fast, &enclosure, allowed, &format!("{cells} regular cells"));
     }

@@ -1,6 +1,8 @@
 //! What every best cut has in common.
 
-use infoscene::discretize::{ContactShadow, CubeGrid, GradientCut, PatchSplit, regular_positions};
+use infoscene::discretize::{
+    BestGrid, BoxGrid, ContactShadow, GradientCut, PatchSplit, UNIT_CUBE, regular_positions,
+};
 use infoscene::geometry::SplitAxis;
 use infoscene::scene::Scene;
 
@@ -129,9 +131,15 @@ fn contact_shadow_changes_sides_at_its_limit() {
 /// Lines that are not symmetric are refused; one cell is the whole face.
 #[test]
 fn grids_are_checked() {
-    assert!(CubeGrid::try_new(&[0.2, 0.7]).is_err());
-    assert!(CubeGrid::try_new(&[0.5, 0.5]).is_err());
-    assert!(CubeGrid::regular(0).is_err() && CubeGrid::best(0).is_err());
-    assert_eq!(CubeGrid::best(1).unwrap(), CubeGrid::regular(1).unwrap());
-    assert_eq!(CubeGrid::best(2).unwrap().lines(), [0.5]);
+    assert!(BoxGrid::try_new(UNIT_CUBE, &[0.2, 0.7]).is_err());
+    assert!(BoxGrid::try_new(UNIT_CUBE, &[0.5, 0.5]).is_err());
+    assert!(BoxGrid::regular(UNIT_CUBE, 0).is_err() && BestGrid::find(UNIT_CUBE, 0).is_err());
+    assert_eq!(
+        BestGrid::find(UNIT_CUBE, 1).unwrap(),
+        BoxGrid::regular(UNIT_CUBE, 1).unwrap()
+    );
+    assert_eq!(
+        BestGrid::find(UNIT_CUBE, 2).unwrap().grid.lines().to_vec(),
+        [0.5]
+    );
 }

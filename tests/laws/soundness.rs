@@ -1,7 +1,7 @@
 //! What is said to be proved, where the branches of a formula meet: jumps, kinks, ends.
 
 use glam::DVec3;
-use infoscene::discretize::CertifiedGrid;
+use infoscene::discretize::{CertifiedGrid, UNIT_CUBE};
 use infoscene::form_factor::RectanglePair;
 use infoscene::geometry::{Rectangle, Span, SplitAxis};
 use infoscene::numeric::{Dual, Function, Interval, Scalar, certified_roots};
@@ -65,6 +65,6 @@ fn a_part_that_may_end_on_a_plane_is_not_dark() {
 /// No grid has zero cells.
 #[test]
 fn a_grid_without_cells_is_refused() {
-    assert!(CertifiedGrid::regular(0, 128).is_err());
-    assert!(CertifiedGrid::best(0, 128).is_err());
+    assert!(CertifiedGrid::regular(UNIT_CUBE, 0, 128).is_err());
+    assert!(CertifiedGrid::best(UNIT_CUBE, 0, 128).is_err());
 }

@@ -2,7 +2,7 @@
 
 use crate::support::references::{rows, value};
 use infoscene::chain::visibility_chain;
-use infoscene::discretize::CubeGrid;
+use infoscene::discretize::{BestGrid, BoxGrid, UNIT_CUBE};
 use infoscene::information::mutual_information;
 use infoscene::numeric::tolerance;
 use infoscene::scene::Scene;
@@ -15,7 +15,7 @@ fn grids(id: &str) -> f64 {
 #[test]
 fn regular_grids_agree_with_29_digits() {
     for cells in [1, 2, 3, 4, 6] {
-        let information = CubeGrid::regular(cells)
+        let information = BoxGrid::regular(UNIT_CUBE, cells)
             .unwrap()
             .mutual_information()
             .unwrap();
@@ -61,7 +61,7 @@ fn best_grids_agree_with_20_digits() {
             .chain(has_middle.then_some(0.5))
             .chain(mirrored)
             .collect();
-        let grid = CubeGrid::try_new(&all).unwrap();
+        let grid = BoxGrid::try_new(UNIT_CUBE, &all).unwrap();
         let information = grid.mutual_information().unwrap();
         assert!(
             (information / grids(&id) - 1.0).abs() <= tolerance::GRID_INFORMATION,
@@ -70,7 +70,11 @@ fn best_grids_agree_with_20_digits() {
         for (k, slope) in grid.gradient().unwrap().into_iter().enumerate() {
             assert!(slope.abs() < 1e-12, "{cells}: slope {slope:e} in line {k}");
         }
-        let found = CubeGrid::best(cells).unwrap().lines();
+        let found = BestGrid::find(UNIT_CUBE, cells)
+            .unwrap()
+            .grid
+            .lines()
+            .to_vec();
         for (found, exact) in found.into_iter().zip(all) {
             assert!(
                 (found - exact).abs() <= tolerance::POSITION,
@@ -89,7 +93,7 @@ fn figure_4_agrees_with_13_digits() {
         (20.0 / 3.0, "fig4_x6.666667 (regular)"),
     ] {
         let t = x / 20.0;
-        let information = CubeGrid::try_new(&[t, 1.0 - t])
+        let information = BoxGrid::try_new(UNIT_CUBE, &[t, 1.0 - t])
             .unwrap()
             .mutual_information()
             .unwrap();

@@ -1,7 +1,9 @@
 //! Enclosures against the independent values, to one unit of their last printed digit.
 
 use crate::support::references::{Row, rows};
-use infoscene::discretize::{CertifiedGrid, CubeGrid, GradientCut, GradientLimit, PatchSplit};
+use infoscene::discretize::{
+    BoxGrid, CertifiedGrid, GradientCut, GradientLimit, PatchSplit, UNIT_CUBE,
+};
 use infoscene::form_factor::perpendicular::{self, Plate};
 use infoscene::form_factor::{RectanglePair, parallel};
 use infoscene::geometry::{Rectangle, Span, SplitAxis};
@@ -201,7 +203,7 @@ fn cuts_of_section_4_2_are_enclosed_to_28_digits() {
 #[test]
 fn regular_grids_are_enclosed_to_29_digits() {
     for cells in [1, 2, 3, 4, 6] {
-        let information = CertifiedGrid::regular(cells, BITS).unwrap();
+        let information = CertifiedGrid::regular(UNIT_CUBE, cells, BITS).unwrap();
         assert_row(
             &information,
             "cube_grids.csv",
@@ -212,7 +214,7 @@ fn regular_grids_are_enclosed_to_29_digits() {
 
 /// The best grid of `cells` cells: lines to 20 digits, information to 29.
 fn assert_best_grid(cells: u32) {
-    let best = CertifiedGrid::best(cells, BITS).unwrap();
+    let best = CertifiedGrid::best(UNIT_CUBE, cells, BITS).unwrap();
     let id = format!("cube_optimal_{cells}");
     assert_row(&best.mutual_information, "cube_grids.csv", &id);
     for (k, line) in best.half.iter().enumerate() {
@@ -254,7 +256,7 @@ fn figure_4_is_enclosed_to_13_digits() {
             "" => like.clone() / &like.constant(3.0),
             x => Interval::parse(x, BITS).unwrap() / &like.constant(20.0),
         };
-        let grid = CubeGrid::mirrored(&[line], 3, &like).unwrap();
+        let grid = BoxGrid::mirrored(UNIT_CUBE, &[line], 3, &like).unwrap();
         let text = row("cube_grids.csv", id).text("value").to_owned();
         let exact = printed(&text[..text.len().min(15)], 0);
         assert_encloses(&grid.mutual_information().unwrap(), &exact, id);

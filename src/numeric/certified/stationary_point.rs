@@ -31,7 +31,7 @@ const STEPS: u32 = 200;
 ///
 /// # Errors
 /// [`NumericError::NotIsolated`] if the operator does not map the box around `near` into itself, or the Hessian is not
-/// shown to be negative definite there (by Gershgorin's circles).
+/// shown to be negative definite there.
 pub fn certified_stationary_point(
     gradient: &impl VectorFunction,
     near: &[f64],
@@ -139,14 +139,30 @@ fn hessian(
     )
 }
 
-/// Do all of Gershgorin's circles lie left of 0?
+/// Do all of Gershgorin's circles of `VᵀHV` lie left of 0? V is near the eigenvectors of H, which makes the product nearly diagonal; whatever
+/// V is, H is negative definite if the product is.
 fn is_negative_definite(hessian: &[Vec<Interval<f64>>]) -> bool {
-    hessian.iter().enumerate().all(|(i, row)| {
-        let others = row
-            .iter()
-            .enumerate()
-            .filter(|(j, _)| *j != i)
-            .fold(row[i].zero(), |sum, (_, entry)| sum + entry.abs());
-        row[i] + others < row[i].zero()
+    let n = hessian.len();
+    let middle = DMatrix::from_fn(n, n, |i, k| {
+        0.5 * (hessian[i][k].to_f64() + hessian[k][i].to_f64())
+    });
+    if middle.iter().any(|entry| !entry.is_finite()) {
+        return false;
+    }
+    let vectors = middle.symmetric_eigen().eigenvectors;
+    let entry = |i: usize, k: usize| {
+        let row = |j: usize| {
+            (0..n).fold(hessian[0][0].zero(), |sum, l| {
+                sum + hessian[j][l] * Interval::point(vectors[(l, k)])
+            })
+        };
+        (0..n).fold(hessian[0][0].zero(), |sum, j| {
+            sum + row(j) * Interval::point(vectors[(j, i)])
+        })
+    };
+    (0..n).all(|i| {
+        let others = (0..n).filter(|k| *k != i);
+        let radius = others.fold(hessian[0][0].zero(), |sum, k| sum + entry(i, k).abs());
+        entry(i, i) + radius < radius.zero()
     })
 }

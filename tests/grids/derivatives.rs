@@ -1,0 +1,94 @@
+//! Derivatives by the lines against differences of enclosures.
+
+use infoscene::discretize::{BestGrid, BoxGrid, UNIT_CUBE};
+use infoscene::numeric::{Interval, Scalar};
+
+const BITS: u32 = 160;
+
+/// I at half-lines moved by powers of two of an edge, at 160 bits.
+fn information(edges: [f64; 3], half: &[f64], cells: u32, by: &[f64]) -> Interval {
+    let like = Interval::precise(1.0, BITS);
+    let lines = half.iter().zip(by);
+    let moved = lines.map(|(line, by)| like.constant(*line) + like.constant(*by));
+    let moved: Vec<Interval> = moved.collect();
+    let grid = BoxGrid::mirrored(edges, &moved, cells, &like).unwrap();
+    grid.mutual_information().unwrap()
+}
+
+/// 2⁻⁴⁰ of an edge: central differences are off by its square, 1e-24 times the next derivative.
+const STEP: f64 = 1.0 / (1_u64 << 40) as f64;
+
+fn aside(lines: usize, of: &[(usize, f64)]) -> Vec<f64> {
+    let mut by = vec![0.0; lines];
+    for (line, step) in of {
+        by[*line] += step;
+    }
+    by
+}
+
+/// `(I(t + h) − I(t − h))/(2h)`
+#[test]
+fn gradients_are_differences() {
+    for (edges, half, cells) in [
+        (UNIT_CUBE, vec![0.3], 3),
+        (UNIT_CUBE, vec![0.07, 0.3], 5),
+        ([1.0, 2.0, 3.0], vec![0.3], 4),
+        ([1.0, 0.05, 0.05], vec![0.1, 0.2], 5),
+        ([1.0, 0.01, 7.0], vec![0.45], 3),
+    ] {
+        let like = Interval::precise(1.0, BITS);
+        let exact: Vec<f64> = (0..half.len())
+            .map(|line| {
+                let at =
+                    |step| information(edges, &half, cells, &aside(half.len(), &[(line, step)]));
+                ((at(STEP) - at(-STEP)) / like.constant(2.0 * STEP)).to_f64()
+            })
+            .collect();
+        let grid = BoxGrid::mirrored(edges, &half, cells, &1.0).unwrap();
+        let found = grid.gradient().unwrap();
+        for (found, exact) in found.iter().zip(&exact) {
+            assert!(
+                (found - exact).abs() <= 1e-11,
+                "{edges:?} {half:?}: {found} {exact}"
+            );
+        }
+        assert_eq!(found.len(), half.len());
+        // over intervals it encloses the same number, up to the difference's own error
+        let lifted = grid.lifted(&like).unwrap().gradient().unwrap();
+        for (enclosure, exact) in lifted.iter().zip(&exact) {
+            assert!(enclosure.width() < 1e-30);
+            assert!((enclosure.to_f64() - exact).abs() <= 1e-15 * (1.0 + exact.abs()));
+        }
+    }
+}
+
+/// The largest eigenvalue of the Hessian, whose entries are second differences.
+#[test]
+fn curvatures_are_second_differences() {
+    for (edges, cells) in [(UNIT_CUBE, 3), ([1.0, 2.0, 3.0], 4), ([1.0, 0.1, 0.1], 5)] {
+        let best = BestGrid::find(edges, cells).unwrap();
+        let half: Vec<f64> = best
+            .grid
+            .lines()
+            .iter()
+            .copied()
+            .filter(|t| *t < 0.5)
+            .collect();
+        let n = half.len();
+        let like = Interval::precise(1.0, BITS);
+        let second = |i: usize, k: usize| {
+            let at = |s, t| information(edges, &half, cells, &aside(n, &[(i, s), (k, t)]));
+            let mixed = at(STEP, STEP) - at(STEP, -STEP) - at(-STEP, STEP) + at(-STEP, -STEP);
+            (mixed / like.constant(4.0 * STEP * STEP)).to_f64()
+        };
+        let hessian = nalgebra::DMatrix::from_fn(n, n, second);
+        let largest = hessian.symmetric_eigenvalues().max();
+        let found = best.curvature.unwrap();
+        assert!(
+            (found - largest).abs() <= 1e-9 * largest.abs(),
+            "{edges:?} {cells}: {found} {largest}"
+        );
+        assert!((found - largest).abs() <= best.curvature_error);
+        assert!(found < 0.0);
+    }
+}
