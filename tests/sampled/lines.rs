@@ -1,7 +1,7 @@
 //! Lines meet what is visible, in proportion to it.
 
 use crate::support::rooms::{L, polygon, prism};
-use crate::{exact, pairs, scene, two_boxes};
+use crate::{exact, pairs, scene, slabs};
 use infoscene::information::{LineKind, LineSample, PairCounts};
 use infoscene::scene::{Congruence, GridLines, NamedPatch, Scene, SceneLines, ScenePairs};
 use rand::{Rng, SeedableRng};
@@ -139,7 +139,7 @@ fn parts_and_rows_are_told_apart() {
 fn a_wall_is_not_seen_through() {
     let expected = exact(&scene("box:1,1,0.5", 0)) + 1.0;
     for kind in KINDS {
-        let sample = LineSample::draw(&two_boxes(), kind, 40_000, 7).unwrap();
+        let sample = LineSample::draw(&slabs(2), kind, 40_000, 7).unwrap();
         let (found, error) = (sample.counts.corrected(), sample.counts.standard_error());
         assert!(
             (found - expected).abs() < 5.0 * error,

@@ -35,23 +35,21 @@ fn exact(scene: &Scene) -> f64 {
     measured.mutual_information
 }
 
-/// The cube with a wall across that leaves two boxes 1 × 1 × ½; its faces are patches. Every line through the cube
-/// that is not level crosses it.
-fn two_boxes() -> Scene {
-    let walls = [(0.5, true), (0.5, false)];
+/// The cube with walls across that leave n slabs 1 × 1 × 1/n; its faces are patches. Lines that are not level cross several.
+fn slabs(n: usize) -> Scene {
+    let heights = || (1..n).map(|k| k as f64 / n as f64);
+    let walls = heights().flat_map(|z| [(z, true), (z, false)]);
     let walls = walls.map(|(z, up)| support::rooms::level("wall", [0.0, 1.0], [0.0, 1.0], z, up));
     let mut patches = Vec::new();
     for patch in Scene::built_in("cube:1").unwrap().patches() {
         let corners = patch.shape().corners();
-        let is_wall = patch.shape().normal().z == 0.0;
-        let halves = if is_wall { vec![0.0, 0.5] } else { vec![0.0] };
-        let scale = if is_wall { 0.5 } else { 1.0 };
-        for low in halves {
-            let moved = corners.iter().map(|c| [c.x, c.y, low + scale * c.z]);
-            patches.push(support::rooms::polygon(
-                patch.name(),
-                &moved.collect::<Vec<_>>(),
-            ));
+        let is_side = patch.shape().normal().z == 0.0;
+        let parts = if is_side { n } else { 1 };
+        for part in 0..parts {
+            let height = |z: f64| (part as f64 + z) / parts as f64;
+            let moved = corners.iter().map(|c| [c.x, c.y, height(c.z)]);
+            let moved: Vec<[f64; 3]> = moved.collect();
+            patches.push(support::rooms::polygon(patch.name(), &moved));
         }
     }
     Scene::try_new(patches.into_iter().chain(walls).collect()).unwrap()

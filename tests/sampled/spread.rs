@@ -1,7 +1,7 @@
 //! Standard errors are the spread over seeds.
 
 use crate::support::rooms::{L, prism};
-use crate::{scene, two_boxes};
+use crate::{scene, slabs};
 use infoscene::information::{LineKind, LineSample};
 use infoscene::scene::Scene;
 
@@ -46,7 +46,7 @@ fn standard_errors_are_the_spread_over_seeds() {
             4000,
         ),
         ("box", scene("box:1,1,2", 1), LineKind::Global, 8000),
-        ("two boxes", two_boxes(), LineKind::Global, 3000),
+        ("slabs", slabs(12), LineKind::Global, 1000),
         ("L", concave, LineKind::Global, 3000),
     ] {
         let samples = samples(&scene, kind, lines);

@@ -1,6 +1,6 @@
 //! The same sample for any number of threads.
 
-use crate::{scene, two_boxes};
+use crate::{scene, slabs};
 use infoscene::information::{LineKind, LineSample};
 use rayon::ThreadPoolBuilder;
 
@@ -9,7 +9,7 @@ fn samples_do_not_depend_on_the_number_of_threads() {
     for (scene, kind) in [
         (scene("cube:3", 0), LineKind::Local),
         (scene("cube:3", 0), LineKind::Global),
-        (two_boxes(), LineKind::Global),
+        (slabs(2), LineKind::Global),
     ] {
         let samples = [1, 2, 5].map(|threads| {
             let pool = ThreadPoolBuilder::new()
