@@ -86,6 +86,17 @@ pub enum ChainError {
         /// Largest index.
         last: usize,
     },
+    /// Nothing was counted.
+    #[error("no pair of states was counted: an estimate needs samples")]
+    NoSamples,
+    /// A pair was counted that has no probability.
+    #[error("the pair ({row}, {column}) was counted, but one of the two has weight 0")]
+    ImpossiblePair {
+        /// One state, from 0.
+        row: usize,
+        /// The other.
+        column: usize,
+    },
     /// A coarse state has no part in a refinement.
     #[error("state {state} has no part in the refined chain")]
     NoPart {

@@ -13,6 +13,7 @@ mod claim;
 mod continuous_limit;
 mod error;
 mod extremes;
+mod figure_5;
 mod finding;
 mod inputs;
 mod registry;
@@ -26,6 +27,7 @@ mod verdict;
 
 pub use claim::{Claim, Printed, Task};
 pub use error::ClaimError;
+pub use figure_5::samples_for;
 pub use finding::{Computation, Evidence, Finding, Measure};
 pub use inputs::{DEFAULT_PRECISION, Inputs};
 pub use registry::{Judgement, computations, judge, judge_all, judge_control, registry};

@@ -1,9 +1,12 @@
 //! §4.1: figures 1 to 5.
 
 use super::extremes::larger;
+use super::figure_5::{chosen_grid_information, reading};
 use super::finding::Computation;
 use super::{ClaimError, Finding, Inputs};
-use crate::discretize::{BoxGrid, CertifiedGrid, ContactShadow, PatchSplit, UNIT_CUBE};
+use crate::discretize::{
+    BoxGrid, CertifiedGrid, ContactShadow, PatchSplit, UNIT_CUBE, regular_positions,
+};
 use crate::geometry::SplitAxis;
 use crate::numeric::{Certificate, CertifiedMaximum, Interval, Scalar, tolerance};
 use crate::scene::Scene;
@@ -36,6 +39,7 @@ pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
     ("figure_4_cases_lose", figure_4_cases_lose),
     ("best_grid_information", best_grid_information),
     ("regular_grid_information", regular_grid_information),
+    ("chosen_grid_information", chosen_grid_information),
     ("best_grid_beats_regular_grid", best_grid_beats_regular_grid),
 ];
 
@@ -337,10 +341,17 @@ fn best_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
         .iter()
         .map(|line| format!("{:.4}", line.to_f64()))
         .collect();
+    let all = BoxGrid::mirrored(
+        UNIT_CUBE,
+        &grid.half,
+        input.count("cells")?,
+        &grid.mutual_information,
+    )?;
+    let all: Vec<f64> = all.lines().iter().map(Interval::to_f64).collect();
     let note = format!(
-        "lines at {} from either end, a strict local maximum, not shown to be the highest of all; the figure states neither cells nor lines, and the difference to the regular grid agrees better \
-         than the level",
-        lines.join(", ")
+        "lines at {} from either end, a strict local maximum, not shown to be the highest of all; the figure states neither cells nor lines; {}",
+        lines.join(", "),
+        reading(input, &all)?
     );
     Ok(Finding::enclosed(grid.mutual_information).noting(note))
 }
@@ -360,8 +371,10 @@ fn regular_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
         .count();
     let note = format!(
         "of the regular grids with up to 12 cells a side {found} have the printed value: 7 cells give {:.4}, 8 \
-         give {:.4}; the printed numbers look like sampled estimates, whose bias is positive",
-        levels[6], levels[7]
+         give {:.4}; {}",
+        levels[6],
+        levels[7],
+        reading(input, &regular_positions(input.count("cells")?))?
     );
     Ok(Finding::enclosed(information).noting(note))
 }

@@ -39,6 +39,12 @@ pub(super) struct Grid {
     /// to 12 cells.
     #[arg(long, value_name = "BITS", value_parser = precision())]
     precision: Option<u32>,
+    /// Estimate it from so many random lines, too.
+    #[arg(long, value_name = "LINES", value_parser = clap::value_parser!(u32).range(2..))]
+    sample: Option<u32>,
+    /// The same seed draws the same lines.
+    #[arg(long, value_name = "S", requires = "sample", default_value_t = 1)]
+    seed: u64,
     #[command(flatten)]
     output: Output,
 }
@@ -102,6 +108,14 @@ impl Grid {
             Some(best) => best.information,
             None => grid.information()?,
         };
+        let sampled = match self.sample {
+            Some(lines) => Some((
+                grid.sample(lines, self.seed)?,
+                self.seed,
+                grid.expected_bias(lines.into())?,
+            )),
+            None => None,
+        };
         let answer = GridAnswer {
             edges,
             information,
@@ -109,6 +123,7 @@ impl Grid {
             grid: &grid,
             best: best.as_ref(),
             enclosed,
+            sampled,
         };
         self.output.write(&grid_report(&answer)?)
     }

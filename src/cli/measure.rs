@@ -6,10 +6,10 @@ use super::scene_pairs::{ScenePairsOptions, outcome};
 use super::{Answer, Outcome};
 use crate::chain::ChainError;
 use crate::information::{
-    Surroundings, brightness_information, chord_information, continuous_information, pair_losses,
-    scene_information,
+    LineKind, LineSample, Surroundings, brightness_information, continuous_information,
+    expected_bias_of_scene, pair_losses, scene_information,
 };
-use crate::report::{chord_report, measure_report};
+use crate::report::{measure_report, sample_report};
 use crate::scene::{NamedPatch, Scene, SceneError};
 use std::error::Error;
 
@@ -22,22 +22,45 @@ pub(super) struct Measure {
     /// Take an open scene, too: what escapes goes to one more state, outside.
     #[arg(long)]
     open: bool,
-    /// The continuous mutual information, too, of a closed scene that is convex inside.
+    /// The continuous mutual information, too: of a closed scene that is convex inside, or from random lines.
     #[arg(long)]
     continuous: bool,
     /// What each pair of patches loses against the continuous one: the most that subdividing both can gain.
-    #[arg(long, requires = "continuous", conflicts_with = "lines")]
+    #[arg(long, requires = "continuous", conflicts_with = "sample")]
     pairs: bool,
-    /// The continuous one alone, from so many random chords: of any closed scene, concave or occluded.
-    #[arg(long, value_name = "N", requires = "continuous", conflicts_with = "open",
+    /// Estimates from so many random lines: of any closed scene, concave or occluded; light and tolerance do not enter.
+    #[arg(long, visible_alias = "lines", value_name = "LINES", conflicts_with = "open",
         value_parser = clap::value_parser!(u32).range(2..))]
-    lines: Option<u32>,
+    sample: Option<u32>,
+    /// How the lines are drawn.
+    #[arg(long, value_enum, requires = "sample", default_value_t = KindName::Local)]
+    kind: KindName,
     /// The same seed draws the same lines.
-    #[arg(long, value_name = "S", requires = "lines", default_value_t = 1)]
+    #[arg(long, value_name = "S", requires = "sample", default_value_t = 1)]
     seed: u64,
     #[command(flatten)]
     output: Output,
 }
+
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+enum KindName {
+    /// From points of the patches, to what is met first.
+    Local,
+    /// Through the whole scene, with all that is met.
+    Global,
+}
+
+impl From<KindName> for LineKind {
+    fn from(name: KindName) -> Self {
+        match name {
+            KindName::Local => Self::Local,
+            KindName::Global => Self::Global,
+        }
+    }
+}
+
+/// Rows up to which the exact value stands beside a sampled one, where nothing is in the way: a second or so.
+const MOST_ROWS: usize = 6144;
 
 /// A row of form factors that does not sum to one, with the name of its patch.
 #[derive(Debug, thiserror::Error)]
@@ -51,12 +74,8 @@ struct BadRow {
 impl Measure {
     pub(super) fn answer(&self) -> Answer {
         self.output.check()?;
-        if let Some(lines) = self.lines {
-            let scene = self.scene.any_scene()?;
-            let chords = chord_information(&scene, lines, self.seed)?;
-            return self
-                .output
-                .write(&chord_report(&scene, &chords, self.seed)?);
+        if let Some(lines) = self.sample {
+            return self.sampled(lines);
         }
         let scene = self.scene.scene(None, None)?;
         let pairs = self.scene.pairs(&scene)?;
@@ -97,6 +116,27 @@ impl Measure {
             Outcome::Done => Ok(written),
             differs @ Outcome::Differs => Ok(differs),
         }
+    }
+
+    fn sampled(&self, lines: u32) -> Answer {
+        if !self.light.is_visibility()? {
+            return Err(
+                "lines at random know the chain of visibility only: leave out --sample, or --chain"
+                    .into(),
+            );
+        }
+        let scene = self.scene.occluded_scene()?;
+        let sample = LineSample::draw(&scene, self.kind.into(), lines, self.seed)?;
+        let exact = if scene.group_count() <= MOST_ROWS && scene.check_unblocked().is_ok() {
+            let pairs = self.scene.pairs(&scene)?;
+            let measured = scene_information(&pairs, Surroundings::None)?;
+            let bias = expected_bias_of_scene(&pairs, sample.counts.samples())?;
+            Some([measured.mutual_information, bias])
+        } else {
+            None
+        };
+        let report = sample_report(&scene, &sample, exact, self.continuous, self.seed)?;
+        self.output.write(&report)
     }
 }
 

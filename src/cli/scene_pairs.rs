@@ -27,9 +27,14 @@ fn relative(text: &str) -> Result<f64, String> {
 }
 
 impl ScenePairsOptions {
-    /// The scene, whatever stands in it.
-    pub(super) fn any_scene(&self) -> Result<Scene, SceneError> {
-        self.scene.read()
+    /// The scene, whatever stands in it, for lines that end at what they first meet.
+    pub(super) fn occluded_scene(&self) -> Result<Scene, Box<dyn Error>> {
+        if self.scene.is_unoccluded() {
+            return Err(
+                "lines at random end at what they first meet: leave out --unoccluded".into(),
+            );
+        }
+        Ok(self.scene.read()?)
     }
 
     /// The scene, if nothing stands between the rows asked for.

@@ -1,18 +1,20 @@
-//! `infoscene study accuracy|stability|precision|limits|profiles|directions|refinement`.
+//! `infoscene study SUBJECT`.
 
 use super::Answer;
 use super::output::{Output, check_place, write_file};
 use crate::report::{
-    accuracy_report, directions_report, limits_report, profiles_report, refinements_figure,
-    refinements_report, stability_report, study_report,
+    accuracy_report, directions_report, figure_5_report, limits_report, profiles_report,
+    refinements_figure, refinements_report, sampling_report, stability_report, study_report,
 };
 use crate::study::accuracy::accuracy;
 use crate::study::directions::directions;
 use crate::study::extreme_pairs::{StabilityRow, route_stability};
+use crate::study::figure_5::figure_5;
 use crate::study::gradient_limits::gradient_limits;
 use crate::study::precision::work_precision;
 use crate::study::profiles::profiles;
 use crate::study::refinement::refinements;
+use crate::study::sampling::sampling;
 use crate::study::stability::gain_stability;
 use crate::study::transport_stability::transport_stability;
 use crate::study::walk_variance::walk_variance;
@@ -52,6 +54,11 @@ enum Subject {
     Walks,
     /// How discrete mutual information approaches the continuous one.
     Refinement,
+    /// Error against run time of mutual information from random lines.
+    Sampling,
+    /// Fig. 5 read as estimates from random lines.
+    #[value(name = "figure-5")]
+    Figure5,
 }
 
 impl Study {
@@ -96,6 +103,14 @@ impl Study {
                     write_file(path, refinements_figure(&rows).to_svg()?.as_bytes())?;
                 }
                 self.output.write(&refinements_report(&rows)?)
+            }
+            Subject::Sampling => {
+                self.output.check()?;
+                self.output.write(&sampling_report(&sampling(self.quick)?)?)
+            }
+            Subject::Figure5 => {
+                self.output.check()?;
+                self.output.write(&figure_5_report(&figure_5(self.quick)?)?)
             }
             Subject::Directions => self.output.write(&directions_report(&directions()?)?),
             Subject::Profiles => self.output.write(&profiles_report(&profiles()?)?),

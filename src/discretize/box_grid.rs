@@ -298,6 +298,11 @@ impl<S: Scalar> BoxGrid<S> {
         (total, unseen)
     }
 
+    /// Edges in the grid's unit.
+    pub(super) const fn edges(&self) -> [f64; 3] {
+        self.edges
+    }
+
     pub(super) fn axes(&self) -> &[Axis<S>; 3] {
         &self.axes
     }

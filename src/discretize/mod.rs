@@ -29,6 +29,7 @@ mod gradient_cut;
 mod gradient_limit;
 mod grid_axis;
 mod grid_derivatives;
+mod grid_sample;
 mod patch_split;
 mod profile;
 mod profile_cut;

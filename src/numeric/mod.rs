@@ -10,6 +10,7 @@
 
 mod certified;
 mod compensated_sum;
+mod digamma;
 mod dilogarithm;
 mod double_double;
 mod dual;
@@ -33,6 +34,7 @@ pub use certified::{
     VectorFunction, certified_maximum, certified_roots, certified_stationary_point,
 };
 pub use compensated_sum::{CompensatedSum, compensated_sum};
+pub use digamma::digamma;
 pub use dilogarithm::{dilogarithm_deficit, dilogarithm_of_complement, imaginary_dilogarithm};
 pub use double_double::{DoubleDouble, SQUARED_EPSILON};
 pub use dual::Dual;

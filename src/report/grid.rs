@@ -1,7 +1,9 @@
 //! The mutual information of a grid on a box, and of the best one.
 
+use super::sampled::SampledRecord;
 use super::{Report, ReportError, Table, certain_digits, enclosed_digits, scientific};
 use crate::discretize::{BestGrid, BoxGrid, GridInformation, Spacing};
+use crate::information::LineSample;
 use crate::numeric::Interval;
 use crate::numeric::interval::DecimalBounds;
 
@@ -20,6 +22,8 @@ pub struct GridAnswer<'a> {
     pub best: Option<&'a BestGrid>,
     /// What is enclosed of it.
     pub enclosed: Option<GridEnclosures<'a>>,
+    /// What random lines say, with their seed and the bias expected of the plug-in estimate, in bits.
+    pub sampled: Option<(LineSample, u64, f64)>,
 }
 
 /// Enclosures, and what is proved.
@@ -56,7 +60,7 @@ struct Record<'a> {
     starts_at_maximum: Option<usize>,
     starts_lost: Option<usize>,
     other_maxima: Option<&'a [f64]>,
-    sampled: Option<f64>,
+    sampled: Option<SampledRecord>,
     #[serde(skip_serializing_if = "Option::is_none")]
     enclosures: Option<Enclosures>,
 }
@@ -119,7 +123,9 @@ pub fn grid_report(answer: &GridAnswer<'_>) -> Result<Report, ReportError> {
         starts_at_maximum: best.map(|best| best.search.reached),
         starts_lost: best.map(|best| best.search.lost),
         other_maxima: best.map(|best| best.search.others.as_slice()),
-        sampled: None,
+        sampled: answer.sampled.as_ref().map(|(sample, seed, bias)| {
+            SampledRecord::new(sample, *seed, Some([information.mutual_information, *bias]))
+        }),
         enclosures: answer.enclosed.as_ref().and_then(Enclosures::new),
     };
     let line = |line: &f64| match found {
@@ -160,6 +166,7 @@ pub fn grid_report(answer: &GridAnswer<'_>) -> Result<Report, ReportError> {
     if let Some(best) = best {
         rows.extend(evidence(best));
     }
+    rows.extend(record.sampled.iter().flat_map(SampledRecord::rows));
     let notes = answer.enclosed.iter().flat_map(|enclosed| {
         let lines = (1..).zip(enclosed.half);
         let lines = lines.map(|(k, line)| (format!("line {k}"), enclosed_digits(line)));

@@ -1,11 +1,9 @@
 //! The information of a scene.
 
 use super::{Report, ReportError, Table, certain_digits, scientific};
-use crate::information::{
-    ChordInformation, ContinuousInformation, ErrorGrade, FacePair, PairLoss, SceneInformation,
-};
+use crate::information::{ContinuousInformation, ErrorGrade, FacePair, PairLoss, SceneInformation};
 use crate::numeric::tolerance;
-use crate::scene::{PlanSummary, Scene};
+use crate::scene::PlanSummary;
 
 /// Patches whose contributions a table shows; records carry all.
 const MOST_ROWS: usize = 6;
@@ -167,59 +165,6 @@ fn continuous_rows(
         rows.push(vec![quantity, in_parentheses(pair.mutual_information)]);
     }
     rows
-}
-
-/// Continuous mutual information by random chords, as a record.
-#[derive(Debug, serde::Serialize)]
-struct ChordRecord {
-    patches: usize,
-    total_area: f64,
-    mutual_information: Option<f64>,
-    continuous_mutual_information: f64,
-    continuous_standard_error: f64,
-    continuous_error_grade: &'static str,
-    lines: u32,
-    seed: u64,
-}
-
-/// What random chords from this seed say about the continuous mutual information of a scene.
-///
-/// # Errors
-/// [`ReportError`] if a number is not finite.
-pub fn chord_report(
-    scene: &Scene,
-    chords: &ChordInformation,
-    seed: u64,
-) -> Result<Report, ReportError> {
-    let record = ChordRecord {
-        patches: scene.patches().len(),
-        total_area: scene.total_area(),
-        mutual_information: None,
-        continuous_mutual_information: chords.mutual_information,
-        continuous_standard_error: chords.standard_error,
-        continuous_error_grade: "sample",
-        lines: chords.lines,
-        seed,
-    };
-    let digits = certain_digits(chords.mutual_information, chords.standard_error);
-    let rows = [
-        ("patches", record.patches.to_string()),
-        ("continuous mutual information, bits", format!("({digits})")),
-        (
-            "its standard error, bits",
-            scientific(chords.standard_error),
-        ),
-        ("lines, seed", format!("{}, {seed}", chords.lines)),
-    ];
-    let table = Table {
-        columns: vec!["quantity", "value"],
-        rows: rows
-            .into_iter()
-            .map(|(quantity, value)| vec![quantity.to_owned(), value])
-            .collect(),
-        ..Table::default()
-    };
-    Report::one(table, &record)
 }
 
 /// What was measured of a scene whose patches, or rows of them, have these names; with the continuous mutual information

@@ -49,7 +49,11 @@ impl Scene {
                 }
                 let size = name.strip_prefix("cube:").and_then(|n| n.parse().ok());
                 match size.filter(|n| (1..=LARGEST_CUBE).contains(n)) {
-                    Some(n) => cube(n),
+                    Some(n) => {
+                        #[allow(clippy::cast_precision_loss, reason = "n is at most LARGEST_CUBE")]
+                        let line = |k: usize| k as f64 / n as f64;
+                        Self::gridded_box([1.0; 3], &(1..n).map(line).collect::<Vec<_>>())
+                    }
                     None => Err(SceneError::UnknownName {
                         name: name.to_owned(),
                         largest: LARGEST_CUBE,
@@ -149,29 +153,8 @@ fn corner() -> Result<Scene, SceneError> {
     ])
 }
 
-/// The six faces of the unit cube, fronts inward, each cut into n × n squares.
-fn cube(n: usize) -> Result<Scene, SceneError> {
-    let faces = box_faces(DVec3::X, DVec3::Y, DVec3::Z);
-    #[allow(clippy::cast_precision_loss, reason = "n is at most LARGEST_CUBE")]
-    let line = |k: usize| k as f64 / n as f64;
-    let mut patches = Vec::with_capacity(6 * n * n);
-    for (name, origin, u, v) in faces {
-        for row in 0..n {
-            for column in 0..n {
-                let index = patches.len();
-                // corners from the grid lines themselves, so that neighbours share them exactly
-                let corner = origin + u * line(column) + v * line(row);
-                let (du, dv) = (line(column + 1) - line(column), line(row + 1) - line(row));
-                let name = format!("{name} {row},{column}");
-                patches.push(rectangle_patch(index, &name, corner, u * du, v * dv)?);
-            }
-        }
-    }
-    Scene::try_new(patches)
-}
-
 /// Name, corner and edges of the faces of a box, fronts inward.
-fn box_faces(x: DVec3, y: DVec3, z: DVec3) -> [(&'static str, DVec3, DVec3, DVec3); 6] {
+pub(super) fn box_faces(x: DVec3, y: DVec3, z: DVec3) -> [(&'static str, DVec3, DVec3, DVec3); 6] {
     [
         ("floor", DVec3::ZERO, x, y),
         ("ceiling", z, y, x),
@@ -182,7 +165,7 @@ fn box_faces(x: DVec3, y: DVec3, z: DVec3) -> [(&'static str, DVec3, DVec3, DVec
     ]
 }
 
-fn rectangle_patch(
+pub(super) fn rectangle_patch(
     index: usize,
     name: &str,
     origin: DVec3,

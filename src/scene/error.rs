@@ -190,6 +190,24 @@ pub enum SceneError {
         /// Lines drawn.
         lines: u32,
     },
+    /// The lines of a grid do not increase from 0 to 1.
+    #[error("grid line {index} is at {position}: lines must increase between 0 and 1")]
+    GridLine {
+        /// Which, from 0.
+        index: usize,
+        /// As given.
+        position: f64,
+    },
+    /// The scene is too thin for uniform lines.
+    #[error(
+        "of ten thousand times {lines} lines through the sphere around the scene {met} meet it: take local lines"
+    )]
+    LinesMiss {
+        /// Lines that meet a front.
+        met: u32,
+        /// Lines asked for.
+        lines: u32,
+    },
     /// The form factors of a patch sum to more than one.
     #[error(
         "row {row} of the form factors sums to {sum}, 1 + {tolerance:e} at most is possible: patches overlap, or \

@@ -131,6 +131,20 @@ impl Scene {
         groups.filter_map(move |(patch, row)| (*row == group).then_some(patch))
     }
 
+    /// The area of each row, without what lies in it and is of another row.
+    #[must_use]
+    pub fn row_areas(&self) -> Vec<f64> {
+        let mut areas = vec![0.0; self.group_count()];
+        for (index, patch) in self.patches.iter().enumerate() {
+            let area = patch.shape().area();
+            areas[self.groups[index]] += area;
+            if let Some(base) = self.bases[index] {
+                areas[self.groups[base]] -= area;
+            }
+        }
+        areas
+    }
+
     /// The name of each row, in order: that of its first patch.
     #[must_use]
     pub fn group_names(&self) -> Vec<&str> {

@@ -1,6 +1,8 @@
 //! What a study cannot measure.
 
 use crate::chain::ChainError;
+use crate::claims::ClaimError;
+use crate::discretize::DiscretizeError;
 use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
 use crate::scene::SceneError;
@@ -13,6 +15,12 @@ pub enum StudyError {
     /// A gain's chain.
     #[error(transparent)]
     Chain(#[from] ChainError),
+    /// A grid of a figure.
+    #[error(transparent)]
+    Claim(#[from] ClaimError),
+    /// A grid.
+    #[error(transparent)]
+    Discretize(#[from] DiscretizeError),
     /// A pair's polygons.
     #[error(transparent)]
     Geometry(#[from] GeometryError),

@@ -5,7 +5,8 @@
 //! pairs too; [`stability`] measures what naive forms of the gain lose, [`extreme_pairs`] what the routes
 //! keep of stiff and extreme pairs, [`transport_stability`] what solvers keep of radiosities, [`precision`] what an enclosure costs. [`Truth`] judges.
 //! [`gradient_limits`] follows the cuts of §4.2 to their limits, [`profiles`] sets both cuts side by side for other radiosities,
-//! [`directions`] turns the cut. [`mod@refinement`] follows discrete mutual information to the continuous one.
+//! [`directions`] turns the cut. [`mod@refinement`] follows discrete mutual information to the continuous one, [`mod@sampling`] estimates
+//! it from random lines, as [`mod@figure_5`] reads fig. 5.
 //!
 //! **Not here**: printing.
 
@@ -14,6 +15,7 @@ pub mod directions;
 mod error;
 mod exact_gain;
 pub mod extreme_pairs;
+pub mod figure_5;
 #[cfg(feature = "proptest")]
 pub mod fuzz;
 mod gauss_order;
@@ -22,6 +24,7 @@ pub mod polygon_pairs;
 pub mod precision;
 pub mod profiles;
 pub mod refinement;
+pub mod sampling;
 pub mod stability;
 pub mod transport_stability;
 mod truth;

@@ -11,6 +11,7 @@ mod grids;
 mod keys;
 mod light;
 mod refusals;
+mod sampling;
 mod scene_files;
 mod scenes;
 mod studies;

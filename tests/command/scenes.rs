@@ -209,9 +209,6 @@ fn measure_answers_with_the_continuous_one_if_asked() {
     infoscene(&["measure", "two-squares", "--continuous", "--open"])
         .assert()
         .code(2);
-    infoscene(&["measure", "cube:1", "--lines", "100"])
-        .assert()
-        .code(2);
 }
 
 /// cube_grids.csv, row cube_regular_3.
