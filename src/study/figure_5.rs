@@ -4,7 +4,7 @@
 //! grids are known better than the values. Lines start from points of the faces; in a cube the chords of global lines are the same.
 
 use super::StudyError;
-use crate::claims::samples_for;
+use crate::claims::{ClaimError, Printed, registry, samples_for};
 use crate::discretize::{BestGrid, BoxGrid, UNIT_CUBE};
 use crate::information::expected_bias;
 use crate::numeric::compensated_sum;
@@ -46,33 +46,33 @@ pub struct Figure5Row {
     pub printed_difference: Option<f64>,
 }
 
-/// As printed in the paper: regular, optimal, "bad".
-const PRINTED: [f64; 3] = [1.3331, 1.3569, 1.2554];
-/// Half a unit of the last decimal printed.
-const ROUNDING: f64 = 5e-5;
 /// Cells a side.
 const CELLS: u32 = 6;
 
+/// Runs, all with the same number of lines: enough for a tenth of the deviation of one.
+const RUNS: u64 = 160;
+
 /// The regular grid, the best one, one with lines at a quarter, and one a little off the best.
 ///
-/// **Arguments** `quick`: two runs in place of 40.
+/// **Arguments** `quick`: two runs in place of 160.
 ///
 /// # Errors
 /// [`StudyError`] if a grid is refused; none is known to be.
 pub fn figure_5(quick: bool) -> Result<Vec<Figure5Row>, StudyError> {
     let regular = BoxGrid::regular(UNIT_CUBE, CELLS)?;
-    let samples = samples_for(&regular, PRINTED[0])?.unwrap_or(u64::from(u32::MAX));
+    let fitted = printed("fig5-regular")?;
+    let samples = samples_for(&regular, fitted.value)?.unwrap_or(u64::from(u32::MAX));
     let lines = u32::try_from(samples).unwrap_or(u32::MAX);
-    let runs = if quick { 2 } else { 40 };
+    let runs = if quick { 2 } else { RUNS };
     let of_lines = |lines: &[f64]| BoxGrid::try_new(UNIT_CUBE, lines);
     let best = BestGrid::find(UNIT_CUBE, CELLS)?.grid;
     let grids = [
-        ("regular", regular, Some(PRINTED[0])),
-        ("best", best, Some(PRINTED[1])),
+        ("regular", regular, Some(fitted.clone())),
+        ("best", best, Some(printed("fig5-optimal")?)),
         (
             "lines at a quarter",
             of_lines(&[0.25, 0.375, 0.5, 0.625, 0.75])?,
-            Some(PRINTED[2]),
+            Some(printed("fig5-bad")?),
         ),
         (
             "first line at a tenth",
@@ -96,14 +96,11 @@ pub fn figure_5(quick: bool) -> Result<Vec<Figure5Row>, StudyError> {
             mean_and_deviation(&estimates),
             mean_and_deviation(&differences),
         );
-        let for_printed = match printed {
+        let for_printed = match &printed {
             Some(printed) => {
                 let of = |value: f64| samples_for(&grid, value);
-                let all = [
-                    of(printed)?,
-                    of(printed + ROUNDING)?,
-                    of(printed - ROUNDING)?,
-                ];
+                let (low, high) = printed.interval();
+                let all = [of(printed.value)?, of(high)?, of(low)?];
                 let [at, from, to] = all;
                 at.zip(from.zip(to)).map(|(at, (from, to))| [at, from, to])
             }
@@ -114,7 +111,7 @@ pub fn figure_5(quick: bool) -> Result<Vec<Figure5Row>, StudyError> {
         rows.push(Figure5Row {
             case,
             lines: grid.lines().to_vec(),
-            printed,
+            printed: printed.as_ref().map(|printed| printed.value),
             mutual_information,
             samples_for_printed: for_printed,
             samples,
@@ -126,10 +123,20 @@ pub fn figure_5(quick: bool) -> Result<Vec<Figure5Row>, StudyError> {
             sampled_deviation: deviation,
             difference,
             difference_deviation: of_differences,
-            printed_difference: printed.map(|printed| printed - PRINTED[0]),
+            printed_difference: printed.map(|printed| printed.value - fitted.value),
         });
     }
     Ok(rows)
+}
+
+/// The number that a claim is about.
+fn printed(id: &str) -> Result<Printed, ClaimError> {
+    let claim = registry()?.into_iter().find(|claim| claim.id == id);
+    let unknown = || ClaimError::UnknownClaim {
+        id: id.to_owned(),
+        nearest: None,
+    };
+    claim.and_then(|claim| claim.printed).ok_or_else(unknown)
 }
 
 /// Plug-in estimates; lines of one seed are the same for all grids.
