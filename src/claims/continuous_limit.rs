@@ -99,13 +99,19 @@ fn continuous_is_least_upper_bound(input: &Inputs) -> Result<Finding, ClaimError
         for lines in [vec![t, 1.0 - t], vec![0.3 * t, t, 1.0 - t, 1.0 - 0.3 * t]] {
             smallest = smaller(
                 smallest,
-                limit - BoxGrid::try_new(UNIT_CUBE, &lines)?.mutual_information()?,
+                limit
+                    - BoxGrid::try_new(UNIT_CUBE, &lines)?
+                        .information()?
+                        .mutual_information,
             );
         }
     }
     let mut regular = Vec::new();
     for doublings in 0..=input.count("cube_times")?.min(6) {
-        let gap = limit - BoxGrid::regular(UNIT_CUBE, 1 << doublings)?.mutual_information()?;
+        let gap = limit
+            - BoxGrid::regular(UNIT_CUBE, 1 << doublings)?
+                .information()?
+                .mutual_information;
         smallest = smaller(smallest, gap);
         regular.push(gap);
     }

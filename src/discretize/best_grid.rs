@@ -56,6 +56,10 @@ const SEED: u64 = 1999;
 /// Lines farther apart than this belong to different maxima.
 const APART: f64 = 1e-6;
 
+/// Errors of exchange areas while climbing, and at the top.
+const HASTY: f64 = 1e-11;
+const STRICT: f64 = 1e-13;
+
 /// How far lines move for differences, relative to the least gap between them.
 const ASIDE: f64 = 1e-4;
 
@@ -120,10 +124,21 @@ impl BestGrid {
         let information = |found: &(_, GridInformation, _)| found.1.mutual_information;
         maxima.sort_by(|a, b| information(b).total_cmp(&information(a)));
         let others = maxima.iter().skip(1).map(information).collect();
-        let Some((grid, information, reached)) = maxima.into_iter().next() else {
+        let Some((grid, _, reached)) = maxima.into_iter().next() else {
             return Err(refusal.unwrap_or(DiscretizeError::NoMaximum));
         };
-        let derivatives = grid.derivatives()?;
+        // climbing was in haste
+        let near = grid.derivatives(STRICT)?;
+        let step = near.hessian.lu().solve(&near.gradient);
+        let step = step.ok_or(DiscretizeError::NoMaximum)?;
+        let half: Vec<f64> = half_of(&grid)
+            .iter()
+            .zip(&step)
+            .map(|(t, by)| t - by)
+            .collect();
+        let grid = grid_of(&half)?;
+        let information = grid.information()?;
+        let derivatives = grid.derivatives(STRICT)?;
         let spectrum = (-derivatives.hessian).symmetric_eigen();
         let left = derivatives.gradient.abs() + &derivatives.gradient_error;
         let inverse = &spectrum.eigenvectors
@@ -131,7 +146,7 @@ impl BestGrid {
             * spectrum.eigenvectors.transpose();
         let (flattest, curvature) = spectrum.eigenvalues.argmin();
         let along = spectrum.eigenvectors.column(flattest).into_owned();
-        let differences = difference(&grid_of, &half_of(&grid), &along)?;
+        let differences = difference(&grid_of, &half, &along)?;
         Ok(Self {
             grid,
             information,
@@ -169,7 +184,9 @@ fn difference(
     let step = ASIDE * gaps.fold(0.5, |least, (line, below)| f64::min(least, line - below));
     let slope = |step: f64| -> Result<f64, DiscretizeError> {
         let moved = half.iter().zip(along).map(|(t, by)| t + step * by);
-        let gradient = grid(&moved.collect::<Vec<f64>>())?.derivatives()?.gradient;
+        let gradient = grid(&moved.collect::<Vec<f64>>())?
+            .derivatives(HASTY)?
+            .gradient;
         Ok(gradient.dot(along))
     };
     Ok((slope(step)? - slope(-step)?) / (2.0 * step))
@@ -227,7 +244,7 @@ fn climb(
     let halved = |doubled: &[f64]| doubled.iter().map(|line| 0.5 * line).collect::<Vec<f64>>();
     // a refused grid has no gradient; the optimiser reports where
     let derivatives = |doubled: &[f64]| {
-        let found = grid(&halved(doubled)).and_then(|grid| grid.derivatives());
+        let found = grid(&halved(doubled)).and_then(|grid| grid.derivatives(HASTY));
         match found {
             Ok(found) => (found.gradient * 0.5, found.hessian * 0.25),
             Err(_) => {

@@ -17,6 +17,10 @@
 //!
 //! With n cells an edge there are O(n³) such classes for regular lines and O(n⁴) for others; equal edges share them, too.
 //!
+//! The antiderivatives are not tabulated at the corners that cells share, although that would take a sixteenth of the evaluations: with 64
+//! cells the closed forms cancel by up to 1e10, with one of the four differences taken in closed form, and leave a bound of 1e-8 bit;
+//! rules along the sides of far cells, at 0.3 µs a class, leave 1e-13.
+//!
 //! **Errors** as for [`scene_information`](crate::information::scene_information): a *bound*, for the edges of the cells as
 //! rounded.
 //!

@@ -32,18 +32,15 @@ pub(super) struct GridDerivatives {
     pub hessian: DMatrix<f64>,
 }
 
-/// As for values, less strictly: lines move by the error of the gradient over the curvature, and roundings are random.
-const ALLOWED: f64 = 1e-11;
-
 /// Rows that are summed together, so that the order of sums does not depend on threads.
 const ROWS: usize = 32;
 
 impl BoxGrid {
-    /// Gradient and Hessian.
+    /// Gradient and Hessian, from exchange areas within `allowed` of themselves or of what independent cells would exchange.
     ///
     /// # Errors
     /// [`DiscretizeError::FormFactor`] if a pair is refused.
-    pub(super) fn derivatives(&self) -> Result<GridDerivatives, DiscretizeError> {
+    pub(super) fn derivatives(&self, allowed: f64) -> Result<GridDerivatives, DiscretizeError> {
         let grid = self.with_free_lines()?;
         let (classes, free) = (grid.classes()?, grid.axes()[0].free());
         let (total, _) = grid.faces();
@@ -51,7 +48,7 @@ impl BoxGrid {
             let mut sums = Sums::new(free, &total, true);
             for pair in rows.iter().flat_map(|row| classes.row(row)) {
                 let product = pair.areas() / total;
-                let exchange = pair.exchange_area(product, ALLOWED)?;
+                let exchange = pair.exchange_area(product, allowed)?;
                 let error = exchange.error_bound / exchange.value;
                 sums.add(&pair, &exchange.value, &product, error);
             }

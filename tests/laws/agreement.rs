@@ -267,10 +267,10 @@ fn assert_best_grid(cells: u32) {
     let fast = BestGrid::find(UNIT_CUBE, cells).unwrap();
     let certified = CertifiedGrid::best(UNIT_CUBE, cells, 128).unwrap();
     assert_eq!(certified.half.len(), (cells as usize - 1) / 2);
-    for (line, enclosure) in fast.lines().iter().zip(&certified.half) {
+    for (line, enclosure) in fast.grid.lines().iter().zip(&certified.half) {
         assert_near(*line, enclosure, tolerance::POSITION, &what);
     }
-    let information = fast.mutual_information().unwrap();
+    let information = fast.information.mutual_information;
     let allowed = tolerance::GRID_INFORMATION * information;
     assert_near(information, &certified.mutual_information, allowed, &what);
 }

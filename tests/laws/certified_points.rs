@@ -103,16 +103,23 @@ fn only_maxima_nearby_are_certified() {
     assert!(!is_refused(&far, &far.near()), "a thousand");
 }
 
-/// A known failure: a negative definite Hessian that Gershgorin's circles do not show to be so.
+/// A negative definite Hessian that is not diagonally dominant, and one that is not negative definite.
 #[test]
-fn strong_coupling_of_three_variables_is_refused() {
-    // −2 on the diagonal and −1.5 beside it: eigenvalues −0.5, −0.5, −5, circles up to +1
-    let hill = Hill {
+fn strong_coupling_of_three_variables_is_told_from_a_saddle() {
+    let hill = |coupling| Hill {
         thirds: vec![0, 1, 2],
         curvatures: vec![1.0; 3],
         quartic: 0.0,
-        coupling: -1.5,
+        coupling,
     };
-    let refusal = certified_stationary_point(&hill, &hill.near(), BITS).unwrap_err();
+    // −2 on the diagonal and −1.5 beside it: eigenvalues −0.5, −0.5, −5
+    let strong = hill(-1.5);
+    let point = certified_stationary_point(&strong, &strong.near(), BITS).unwrap();
+    for (x, third) in point.iter().zip([0.0, 1.0, 2.0]) {
+        assert!((x.constant(3.0) * x).contains(&x.constant(third)));
+    }
+    // −2.5 beside it: 0.5, 0.5, −7
+    let saddle = hill(-2.5);
+    let refusal = certified_stationary_point(&saddle, &saddle.near(), BITS).unwrap_err();
     assert!(matches!(refusal, NumericError::NotIsolated { .. }));
 }

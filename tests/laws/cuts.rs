@@ -1,8 +1,6 @@
 //! What every best cut has in common.
 
-use infoscene::discretize::{
-    BestGrid, BoxGrid, ContactShadow, GradientCut, PatchSplit, UNIT_CUBE, regular_positions,
-};
+use infoscene::discretize::{ContactShadow, GradientCut, PatchSplit, regular_positions};
 use infoscene::geometry::SplitAxis;
 use infoscene::scene::Scene;
 
@@ -126,20 +124,4 @@ fn contact_shadow_changes_sides_at_its_limit() {
             "{line}"
         );
     }
-}
-
-/// Lines that are not symmetric are refused; one cell is the whole face.
-#[test]
-fn grids_are_checked() {
-    assert!(BoxGrid::try_new(UNIT_CUBE, &[0.2, 0.7]).is_err());
-    assert!(BoxGrid::try_new(UNIT_CUBE, &[0.5, 0.5]).is_err());
-    assert!(BoxGrid::regular(UNIT_CUBE, 0).is_err() && BestGrid::find(UNIT_CUBE, 0).is_err());
-    assert_eq!(
-        BestGrid::find(UNIT_CUBE, 1).unwrap(),
-        BoxGrid::regular(UNIT_CUBE, 1).unwrap()
-    );
-    assert_eq!(
-        BestGrid::find(UNIT_CUBE, 2).unwrap().grid.lines().to_vec(),
-        [0.5]
-    );
 }
