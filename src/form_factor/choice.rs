@@ -14,6 +14,7 @@
 use super::contour::{Scratch, contour};
 use super::gauss_points::{Block, MOST};
 use super::horizon::{Off, precise_outline};
+use super::point_to_polygon::Side;
 use super::precise_contour::precise_contour;
 use super::view::{View, seen};
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
@@ -34,6 +35,7 @@ thread_local! {
 pub(super) struct Work {
     pub scratch: Scratch,
     pub blocks: [Vec<Block>; 2],
+    pub sides: Vec<Side>,
 }
 
 impl Polygon {
@@ -255,7 +257,7 @@ impl View<'_> {
         }
         let over = usize::from(on(1) * corners[0] < on(0) * corners[1]);
         if points[over] < MOST {
-            let work = on(over) * (1.0 + corners[1 - over] * 3.0);
+            let work = on(over) * (1.0 + corners[1 - over] * self.lambert_work(over));
             let points = points[over];
             // computed when it is its turn
             let rounding = f64::INFINITY;
@@ -282,7 +284,7 @@ impl View<'_> {
         let corners = (first.corners.len() * second.corners.len()) as f64;
         let ratio = 1.0 + 2.0 * self.gap / first.longest_edge.min(second.longest_edge);
         let digits = 2.0 * rough_ln(ratio + (ratio * ratio - 1.0).sqrt());
-        100.0 + corners * 4.5 * 32.0 / digits.max(1.5)
+        150.0 + corners * 240.0 / digits.max(1.5)
     }
 
     fn follow(&self, plan: Plan, work: &mut Work) -> Option<ExchangeArea> {

@@ -41,7 +41,7 @@ pub(super) enum Side {
 }
 
 /// How far corners may be from where they should be.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Off {
     /// Above or below the other polygon's plane.
     pub height: f64,
