@@ -14,7 +14,7 @@
 use super::contour::{Scratch, contour};
 use super::gauss_points::{Block, MOST};
 use super::horizon::{Off, precise_outline};
-use super::point_to_polygon::Side;
+use super::point_to_polygon::{LambertRounding, Side};
 use super::precise_contour::precise_contour;
 use super::view::{View, seen};
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
@@ -157,7 +157,7 @@ impl View<'_> {
             let is_hopeless = match &mut plan {
                 Plan::PointToPolygon { over, rounding, .. } => {
                     *rounding = self.lambert_rounding(*over);
-                    *rounding > 0.7 * self.tolerance * self.estimate
+                    rounding.expected > 0.7 * self.tolerance * self.estimate
                 }
                 _ => cost == f64::INFINITY,
             };
@@ -260,7 +260,7 @@ impl View<'_> {
             let work = on(over) * (1.0 + corners[1 - over] * self.lambert_work(over));
             let points = points[over];
             // computed when it is its turn
-            let rounding = f64::INFINITY;
+            let rounding = LambertRounding::default();
             plans.push((
                 work,
                 Plan::PointToPolygon {
@@ -348,7 +348,7 @@ enum Plan {
     PointToPolygon {
         over: usize,
         points: usize,
-        rounding: f64,
+        rounding: LambertRounding,
     },
     Kernel {
         points: [usize; 2],

@@ -195,8 +195,9 @@ fn crossing(ends: [DVec3; 2], plane: &Polygon) -> DVec3 {
     vectorised(
         #[inline(always)]
         move || {
-            let [from, to] = ends.map(|end| plane.precise_height(end));
-            let [start, end] = ends.map(|end| Vector::lifted(end, from));
+            // one by one: a closure over both would not have the vector code's fused products
+            let (from, to) = (plane.precise_height(ends[0]), plane.precise_height(ends[1]));
+            let (start, end) = (Vector::lifted(ends[0], from), Vector::lifted(ends[1], from));
             let along = end.minus(start);
             *out = start.plus(along, from / (from - to)).to_doubles();
         },

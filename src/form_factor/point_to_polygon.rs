@@ -10,11 +10,11 @@
 //! less is exact, and one power of the distance less cancels; the polygons must be apart.
 //!
 //! **Rounding** of a term, in units of u = ε/2, with r the distance, R the radius about the origin, L = |e| and t = θ/sin θ: a and c are
-//! within (2 r + R) u, e×n within 4 u L, so that `n·(a×e)` is within (9 + R/r) u L r; what it is divided by within (9 + 2 R/r) u, the
+//! within (2 r + R) u, m = e×n within 4 u L, so that `n·(a×e)` is within ((5 + R/r) |m| + 4 L) u r; what it is divided by within (9 + 2 R/r) u, the
 //! cosine within 9 u and θ within (4 + 2 R/r) u, t within 3 u beside them, and n are added up: in all
 //!
 //! ```text
-//!   narrow     t [(9 + R/r) L/r + (20 + 3 R/r + n) |n·(a×e)|/(|a| |c|)]
+//!   narrow     t ((5 + R/r) |m| + 4 L)/r + (20 + 3 R/r + n) |term|
 //!   wide       (14 t + 12) L/r         a×u within 5 u r, θ as in the potential, θ r/h ≤ t L/r
 //! ```
 //!
@@ -34,13 +34,13 @@ use smallvec::SmallVec;
 use std::f64::consts::{PI, TAU};
 
 impl View<'_> {
-    /// A Gauss rule with `points` each way over shape `k`; `rounding` is what [`lambert_rounding`](Self::lambert_rounding) says.
+    /// A Gauss rule with `points` each way over shape `k`.
     #[allow(clippy::cast_precision_loss, reason = "some points")]
     pub(super) fn point_to_polygon(
         &self,
         k: usize,
         points: usize,
-        rounding: f64,
+        rounding: LambertRounding,
         work: &mut Work,
     ) -> ExchangeArea {
         let (over, seen) = (self.shapes[k], self.shapes[1 - k]);
@@ -59,8 +59,8 @@ impl View<'_> {
         );
         let (sides, subtended) = (sides.as_slice(), self.subtended(k));
         let additions = blocks.len() as f64;
-        let mut value = 0.0;
-        let out = &mut value;
+        let mut sums = [[0.0; LANES]; 2];
+        let out = &mut sums;
         vectorised(
             #[inline(always)]
             move || {
@@ -68,6 +68,7 @@ impl View<'_> {
                 *out = sum(blocks, Vector(normal.to_array()), sides, subtended);
             },
         );
+        let (value, size) = (-across(sums[0]) / TAU, across(sums[1]) / TAU);
         let truncation = self.truncation(k, points, self.largest());
         // where the points themselves are off
         let off = Off {
@@ -76,38 +77,42 @@ impl View<'_> {
         };
         ExchangeArea {
             value,
-            error_bound: rounding
+            error_bound: rounding.fixed
+                + rounding.relative * size
                 + truncation
                 + self.slack(off, value, Route::PointToPolygon)
                 + (8.0 + additions) * f64::EPSILON * value,
         }
     }
 
-    /// What Lambert's formula over shape `k` loses, from `|n·(a×e)|` at the centre and what it changes by over the radius.
-    pub(super) fn lambert_rounding(&self, k: usize) -> f64 {
+    /// What Lambert's formula over shape `k` loses.
+    pub(super) fn lambert_rounding(&self, k: usize) -> LambertRounding {
         let (over, seen) = (self.shapes[k], self.shapes[1 - k]);
         let widening = widening(seen.longest_edge, self.gap);
         let aside = over.radius / self.gap;
-        #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
-        let relative = 20.0 + 3.0 * aside + seen.corners.len() as f64;
-        let away = |corner: DVec3| (corner.distance(over.centre) - over.radius).max(self.gap);
-        let mut from = away(seen.corners[0]);
-        let mut sum = 0.0;
+        let is_narrow = self.subtended(k) == Subtended::Narrow;
+        let (mut fixed, mut terms) = (0.0, 0.0);
         for edge in &seen.edges {
             let side = Side::new(edge, self.polygons[k].normal, over.centre);
-            let to = away(DVec3::from_array(edge.ends[1].0));
-            let ratio = edge.length / to;
-            sum += match self.subtended(k) {
-                Subtended::Narrow => {
-                    let height = side.ends[0].dot(side.across).abs() + over.radius * edge.length;
-                    let ratio_of_term = (height / (from * to)).min(ratio);
-                    widening * ((9.0 + aside) * ratio + relative * ratio_of_term)
-                }
-                Subtended::Wide => (14.0 * widening + 12.0) * ratio,
-            };
-            from = to;
+            let distance = side.ends[1].length();
+            let away = (distance - over.radius).max(self.gap);
+            if is_narrow {
+                let across = side.across.length();
+                fixed += widening * ((5.0 + aside) * across + 4.0 * edge.length) / away;
+                terms += side.ends[1].dot(side.across).abs() / (distance * distance);
+            } else {
+                fixed += (14.0 * widening + 12.0) * edge.length / away;
+            }
         }
-        0.5 * f64::EPSILON * over.area * sum / TAU
+        let per_term = 0.5 * f64::EPSILON;
+        let fixed = per_term * over.area * fixed / TAU;
+        #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
+        let relative = per_term * (20.0 + 3.0 * aside + seen.corners.len() as f64);
+        LambertRounding {
+            fixed,
+            relative,
+            expected: fixed + relative * over.area * terms / TAU,
+        }
     }
 
     /// Nanoseconds that a term takes.
@@ -127,6 +132,17 @@ impl View<'_> {
             Subtended::Wide
         }
     }
+}
+
+/// What Lambert's formula loses.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct LambertRounding {
+    /// Whatever the terms come to.
+    fixed: f64,
+    /// Per sum of the terms' magnitudes; of wide ones all is in `fixed`.
+    relative: f64,
+    /// About what both come to, with the terms at the centre.
+    pub expected: f64,
 }
 
 /// The angles that edges subtend: all at most 60°, or any.
@@ -167,42 +183,47 @@ pub(super) fn integral(blocks: &[Block], normal: DVec3, edges: &[Edge<f64>], ori
         .map(|edge| Side::new(edge, normal, origin))
         .collect();
     let (sides, normal) = (sides.as_slice(), Vector(normal.to_array()));
-    let mut value = 0.0;
-    let out = &mut value;
+    let mut sums = [[0.0; LANES]; 2];
+    let out = &mut sums;
     vectorised(
         #[inline(always)]
         move || *out = sum(blocks, normal, sides, Subtended::Wide),
     );
-    value
+    -across(sums[0]) / TAU
 }
 
+/// `−2π Σ_i w_i F_i`, and of narrow terms the sum of their magnitudes, lane by lane: vectors summed up here would be taken apart all
+/// along.
 #[inline(always)]
 #[allow(
     clippy::inline_always,
     reason = "vector code is made where it is called"
 )]
-fn sum(blocks: &[Block], normal: Vector<f64>, sides: &[Side], subtended: Subtended) -> f64 {
-    let mut total = [0.0; LANES];
+fn sum(blocks: &[Block], normal: Vector<f64>, sides: &[Side], subtended: Subtended) -> [Lanes; 2] {
+    let (mut total, mut size) = ([0.0; LANES], [0.0; LANES]);
     for block in blocks {
-        let sums = match subtended {
+        let (sums, sizes) = match subtended {
             Subtended::Narrow => narrow(block.points, sides),
-            Subtended::Wide => wide(block.points, normal, sides),
+            Subtended::Wide => (wide(block.points, normal, sides), [0.0; LANES]),
         };
         for l in 0..LANES {
             total[l] += sums[l] * block.weights[l];
         }
+        for l in 0..LANES {
+            size[l] += sizes[l] * block.weights[l];
+        }
     }
-    -across(total) / TAU
+    [total, size]
 }
 
-/// `Σ_b (θ/sin θ) n·(a×c)/(|a| |c|)`; each edge starts where the one before ends.
+/// `Σ_b (θ/sin θ) n·(a×c)/(|a| |c|)`, and the terms' magnitudes; each edge starts where the one before ends.
 #[inline(always)]
 #[allow(
     clippy::inline_always,
     reason = "vector code is made where it is called"
 )]
-fn narrow([x, y, z]: [Lanes; 3], sides: &[Side]) -> Lanes {
-    let (mut sums, mut before) = ([0.0; LANES], [0.0; LANES]);
+fn narrow([x, y, z]: [Lanes; 3], sides: &[Side]) -> (Lanes, Lanes) {
+    let (mut sums, mut sizes, mut before) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     if let Some(side) = sides.first() {
         let start = side.ends[0];
         for l in 0..LANES {
@@ -218,10 +239,12 @@ fn narrow([x, y, z]: [Lanes; 3], sides: &[Side]) -> Lanes {
             let after = c.dot(c);
             let inverse = 1.0 / (before[l] * after).sqrt();
             before[l] = after;
-            sums[l] += a.dot(across) * inverse * angle_over_sine(a.dot(c) * inverse);
+            let term = a.dot(across) * inverse * angle_over_sine(a.dot(c) * inverse);
+            sums[l] += term;
+            sizes[l] += term.abs();
         }
     }
-    sums
+    (sums, sizes)
 }
 
 /// `Σ_b θ n·(a×u)/h`.
