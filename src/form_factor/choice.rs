@@ -291,15 +291,9 @@ impl View<'_> {
         match plan {
             Plan::Contour => {
                 let range = [self.gap, self.reach];
-                // a clip leaves less than the estimate counts on
-                let share = if self.off.place > 0.0 { 0.1 } else { 0.4 };
-                contour(
-                    self.shapes[0],
-                    self.shapes[1],
-                    range,
-                    share * self.wanted(),
-                    &mut work.scratch,
-                )
+                let wanted = 0.4 * self.wanted();
+                let [first, second] = self.shapes;
+                contour(first, second, range, wanted, &mut work.scratch)
             }
             Plan::PointToPolygon {
                 over,
@@ -323,9 +317,8 @@ impl View<'_> {
         let height = (first.tilt.max(second.tilt) + 64.0 * SQUARED_EPSILON) * self.reach;
         let off = Off {
             height,
-            place: 0.0,
             strip: self.off.tilted_strip,
-            tilted_strip: 0.0,
+            ..Off::default()
         };
         exchange.error_bound += self.slack(off, exchange.value, Route::DoubleDouble);
         Some(exchange)

@@ -71,8 +71,10 @@ impl View<'_> {
         let (value, size) = (-across(sums[0]) / TAU, across(sums[1]) / TAU);
         let truncation = self.truncation(k, points, self.largest());
         // where the points themselves are off
+        let place = 4.0 * f64::EPSILON * over.radius;
         let off = Off {
-            place: 4.0 * f64::EPSILON * over.radius,
+            place,
+            ribbon: place * seen.perimeter,
             ..Off::default()
         };
         ExchangeArea {
