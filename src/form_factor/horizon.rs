@@ -161,6 +161,9 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
 /// A bound on the area of a shape that is within `height` of the plane above which its corners have these heights.
 fn strip(shape: &Shape, heights: &[f64], height: f64) -> f64 {
     let mut area = 0.0;
+    if height <= 0.0 {
+        return area;
+    }
     for (cell, [j, js, jt]) in shape.cells.iter().zip(&shape.jacobians) {
         let highest = cell.iter().map(|i| heights[*i].abs()).fold(0.0, f64::max);
         let share = if highest > 5.0 * height {
