@@ -291,7 +291,7 @@ impl View<'_> {
         match plan {
             Plan::Contour => {
                 let range = [self.gap, self.reach];
-                let wanted = 0.15 * self.wanted();
+                let wanted = 0.25 * self.wanted();
                 let [first, second] = self.shapes;
                 contour(first, second, range, wanted, &mut work.scratch)
             }

@@ -136,8 +136,8 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
     };
     // none where every height is certain
     if wrong_side > f64::NEG_INFINITY {
-        off.strip = strip(shape, &heights, wrong_side.max(0.0) + tilted);
-        off.tilted_strip = strip(shape, &heights, tilted);
+        let widths = [wrong_side.max(0.0) + tilted, tilted];
+        [off.strip, off.tilted_strip] = strips(shape, &heights, widths);
     }
     match (least >= 0.0, most <= 0.0) {
         (true, true) => return (Side::Within, off),
@@ -146,8 +146,8 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
         (false, false) => {}
     }
     let (corners, heights, moved) = clipped(shape, plane, &heights);
-    // a coordinate of a new corner is rounded once
-    off.place = f64::EPSILON * reach;
+    // a coordinate of a new corner, no farther out than the old ones, is rounded once: half an ε of each of three
+    off.place = 0.87 * f64::EPSILON * reach;
     off.ribbon = off.place * moved;
     match Shape::new(&corners, polygon.precise_normal) {
         Some(shape) => {
@@ -158,22 +158,21 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
     }
 }
 
-/// A bound on the area of a shape that is within `height` of the plane above which its corners have these heights.
-fn strip(shape: &Shape, heights: &[f64], height: f64) -> f64 {
-    let mut area = 0.0;
-    if height <= 0.0 {
-        return area;
-    }
+/// Bounds on the areas of a shape that are so near to the plane above which its corners have these heights.
+fn strips(shape: &Shape, heights: &[f64], near: [f64; 2]) -> [f64; 2] {
+    let mut areas = [0.0; 2];
     for (cell, [j, js, jt]) in shape.cells.iter().zip(&shape.jacobians) {
         let highest = cell.iter().map(|i| heights[*i].abs()).fold(0.0, f64::max);
-        let share = if highest > 5.0 * height {
-            4.0 * height / (highest - height)
-        } else {
-            1.0
-        };
-        area += share * (j + 0.5 * (js + jt));
+        for (area, near) in areas.iter_mut().zip(near) {
+            let share = if highest > 5.0 * near {
+                4.0 * near / (highest - near)
+            } else {
+                1.0
+            };
+            *area += share * (j + 0.5 * (js + jt));
+        }
     }
-    area
+    areas
 }
 
 /// Corners, their heights, and half the lengths of edges that meet in new ones.
