@@ -14,7 +14,7 @@
 //!   coefficients w e_a·u_b      8 u of |w e_a| |U_b|: 3 u for w e_a, 2 u for u_b, 3 u for the product
 //!   length of u_b               5 u of U_b + L_b: common to all its coordinates
 //!   sums                        u of |w e_a| |U_b| for each addition, 3 u across a vector, 2 u for product and quotient
-//!   nodes off by δ              δ L_a |∇U_b|,  δ ≤ u (2 max |x| + 1.75 L_a),  |∇U_b| ≤ L_b/r and ≤ π + ln(1 + L_b/r)
+//!   nodes off by δ              δ L_a |∇U_b|,  δ ≤ u (2 max |x| + 1.75 L_a),  |∇U_b| ≤ L_b/r,  |∇U_b|² ≤ π² + ln²(1 + L_b/r) ≤ (π + ln²(1 + L_b/r)/2π)²
 //!   u_a·u_b lost in rounding    28 u L_a max |U_b|, in place of the pair
 //! ```
 //!
@@ -225,7 +225,8 @@ fn apart_from(log_per_length: f64) -> f64 {
 
 /// A bound on the gradient of the potential of an edge so many times as long as it is far.
 fn gradient(ratio: f64) -> f64 {
-    PI + rough_ln(1.0 + ratio) + ROUGH_LN_ERROR
+    let along = rough_ln(1.0 + ratio) + ROUGH_LN_ERROR;
+    PI + along * along * (0.5 / PI)
 }
 
 /// The sum over pairs of edges, as far as it has come.

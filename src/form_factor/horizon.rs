@@ -15,7 +15,7 @@
 //!
 //! Where a height counts as 0 and lies h on the other side, the clip is not where it should be: a strip is on the wrong side, however
 //! small h is beside rounding. Lines of one height in a convex cell with heights up to H have a length concave in the height, so that no
-//! more than 4 h/H of its area is within h of the plane; H is known to h, too, and no point receives more than 1. Polygons all
+//! more than 4 h/H of its area is within h of the plane; with H known to h, too, 5 h/H; and no point receives more than 1. Polygons all
 //! of whose heights count as 0 lie in one plane, by definition.
 
 use super::Polygon;
@@ -163,13 +163,10 @@ fn strips(shape: &Shape, heights: &[f64], near: [f64; 2]) -> [f64; 2] {
     let mut areas = [0.0; 2];
     for (cell, [j, js, jt]) in shape.cells.iter().zip(&shape.jacobians) {
         let highest = cell.iter().map(|i| heights[*i].abs()).fold(0.0, f64::max);
-        for (area, near) in areas.iter_mut().zip(near) {
-            let share = if highest > 5.0 * near {
-                4.0 * near / (highest - near)
-            } else {
-                1.0
-            };
-            *area += share * (j + 0.5 * (js + jt));
+        let (area, per_height) = (j + 0.5 * (js + jt), 5.0 / highest);
+        for (sum, near) in areas.iter_mut().zip(near) {
+            // the whole cell where this is not a number
+            *sum += area * f64::min(near * per_height, 1.0);
         }
     }
     areas

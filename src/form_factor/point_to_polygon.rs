@@ -23,9 +23,8 @@
 use super::choice::Work;
 use super::edge::Edge;
 use super::gauss_points::{Block, Square, fill};
-use super::horizon::Off;
 use super::view::{View, widening};
-use super::{ExchangeArea, FormFactorError, Route};
+use super::{ExchangeArea, FormFactorError};
 use crate::geometry::{Patch, Vector};
 use crate::numeric::elementary::{angle, angle_over_sine};
 use crate::numeric::{LANES, Lanes, across, vectorised};
@@ -70,20 +69,15 @@ impl View<'_> {
         );
         let (value, size) = (-across(sums[0]) / TAU, across(sums[1]) / TAU);
         let truncation = self.truncation(k, points, self.largest());
-        // where the points themselves are off
-        let place = 4.0 * f64::EPSILON * over.radius;
-        let off = Off {
-            place,
-            ribbon: place * seen.perimeter,
-            ..Off::default()
-        };
+        // the points themselves are off
+        let moved = self.moved(4.0 * f64::EPSILON * over.radius, value);
         ExchangeArea {
             value,
             error_bound: rounding.fixed
                 + rounding.relative * size
                 + truncation
-                + self.slack(off, value, Route::PointToPolygon)
-                + (8.0 + additions) * f64::EPSILON * value,
+                + moved
+                + (8.0 + 0.5 * additions) * f64::EPSILON * value,
         }
     }
 

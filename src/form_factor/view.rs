@@ -158,6 +158,12 @@ impl<'a> View<'a> {
             + strip * grazing * self.received
     }
 
+    /// What points off by `place` may change: heights and distances, but no area.
+    pub(super) fn moved(&self, place: f64, value: f64) -> f64 {
+        let relative = self.by_height + 8.0 / self.gap;
+        (place * self.ribbons).min(place * relative * value.abs())
+    }
+
     /// The absolute error that truncation may have.
     pub(super) fn wanted(&self) -> f64 {
         0.3 * self.tolerance.max(4.0 * f64::EPSILON) * self.estimate
