@@ -14,6 +14,7 @@
 use super::contour::{Scratch, contour};
 use super::gauss_points::{Block, MOST};
 use super::horizon::{Off, precise_outline};
+use super::point_to_polygon::{LambertRounding, Side};
 use super::precise_contour::precise_contour;
 use super::view::{View, seen};
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
@@ -34,6 +35,7 @@ thread_local! {
 pub(super) struct Work {
     pub scratch: Scratch,
     pub blocks: [Vec<Block>; 2],
+    pub sides: Vec<Side>,
 }
 
 impl Polygon {
@@ -155,7 +157,7 @@ impl View<'_> {
             let is_hopeless = match &mut plan {
                 Plan::PointToPolygon { over, rounding, .. } => {
                     *rounding = self.lambert_rounding(*over);
-                    *rounding > 0.7 * self.tolerance * self.estimate
+                    rounding.expected > 0.7 * self.tolerance * self.estimate
                 }
                 _ => cost == f64::INFINITY,
             };
@@ -255,10 +257,10 @@ impl View<'_> {
         }
         let over = usize::from(on(1) * corners[0] < on(0) * corners[1]);
         if points[over] < MOST {
-            let work = on(over) * (1.0 + corners[1 - over] * 3.0);
+            let work = on(over) * (1.0 + corners[1 - over] * self.lambert_work(over));
             let points = points[over];
             // computed when it is its turn
-            let rounding = f64::INFINITY;
+            let rounding = LambertRounding::default();
             plans.push((
                 work,
                 Plan::PointToPolygon {
@@ -282,22 +284,16 @@ impl View<'_> {
         let corners = (first.corners.len() * second.corners.len()) as f64;
         let ratio = 1.0 + 2.0 * self.gap / first.longest_edge.min(second.longest_edge);
         let digits = 2.0 * rough_ln(ratio + (ratio * ratio - 1.0).sqrt());
-        100.0 + corners * 4.5 * 32.0 / digits.max(1.5)
+        150.0 + corners * 240.0 / digits.max(1.5)
     }
 
     fn follow(&self, plan: Plan, work: &mut Work) -> Option<ExchangeArea> {
         match plan {
             Plan::Contour => {
                 let range = [self.gap, self.reach];
-                // a clip leaves less than the estimate counts on
-                let share = if self.off.place > 0.0 { 0.1 } else { 0.4 };
-                contour(
-                    self.shapes[0],
-                    self.shapes[1],
-                    range,
-                    share * self.wanted(),
-                    &mut work.scratch,
-                )
+                let wanted = 0.25 * self.wanted();
+                let [first, second] = self.shapes;
+                contour(first, second, range, wanted, &mut work.scratch)
             }
             Plan::PointToPolygon {
                 over,
@@ -321,9 +317,8 @@ impl View<'_> {
         let height = (first.tilt.max(second.tilt) + 64.0 * SQUARED_EPSILON) * self.reach;
         let off = Off {
             height,
-            place: 0.0,
             strip: self.off.tilted_strip,
-            tilted_strip: 0.0,
+            ..Off::default()
         };
         exchange.error_bound += self.slack(off, exchange.value, Route::DoubleDouble);
         Some(exchange)
@@ -346,7 +341,7 @@ enum Plan {
     PointToPolygon {
         over: usize,
         points: usize,
-        rounding: f64,
+        rounding: LambertRounding,
     },
     Kernel {
         points: [usize; 2],

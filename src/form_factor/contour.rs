@@ -13,8 +13,8 @@
 //! ```text
 //!   coefficients w e_a·u_b      8 u of |w e_a| |U_b|: 3 u for w e_a, 2 u for u_b, 3 u for the product
 //!   length of u_b               5 u of U_b + L_b: common to all its coordinates
-//!   sums                        u of |w e_a| |U_b| for each addition
-//!   nodes off by δ              δ L_a |∇U_b|,  δ ≤ 2 u (max |x| + L_a),  |∇U_b| ≤ L_b/r and ≤ π + ln(1 + L_b/r)
+//!   sums                        u of |w e_a| |U_b| for each addition, 3 u across a vector, 2 u for product and quotient
+//!   nodes off by δ              δ L_a |∇U_b|,  δ ≤ u (2 max |x| + 1.75 L_a),  |∇U_b| ≤ L_b/r,  |∇U_b|² ≤ π² + ln²(1 + L_b/r) ≤ (π + ln²(1 + L_b/r)/2π)²
 //!   u_a·u_b lost in rounding    28 u L_a max |U_b|, in place of the pair
 //! ```
 //!
@@ -88,16 +88,17 @@ pub(super) fn contour(
     let (mut a_edges, mut b_edges) = (Edges::new(), Edges::new());
     let exact = placed(outer, origin, &mut a_edges);
     let also = placed(inner, origin, &mut b_edges);
-    let (mut moved, mut largest) = (0.0, 2.0 * outer.radius);
+    let mut moved = 0.0;
     if !(exact && also) {
         if farthest > 4.0 * reach {
             moved = f64::EPSILON * reach * 2.0 * (outer.perimeter + inner.perimeter);
         } else {
             origin = DVec3::ZERO;
             (a_edges, b_edges) = (outer.edges.clone(), inner.edges.clone());
-            largest = 1.75 * outer.largest;
         }
     }
+    let squares = a_edges.iter().map(|edge| edge.ends[0].dot(edge.ends[0]));
+    let largest = squares.fold(0.0, f64::max).sqrt();
     let precision = Precision::new(gap, reach, 1.0, f64::EPSILON);
     let per_length = wanted * TAU / (outer.perimeter * inner.perimeter);
     let middle = Vector((outer.centre - origin).to_array());
@@ -202,7 +203,7 @@ pub(super) fn contour(
         sums,
     } = sum.sums;
     #[allow(clippy::cast_precision_loss, reason = "a number of additions")]
-    let rounding = (16.0 + (depth + sums) as f64) * 0.5 * f64::EPSILON * size;
+    let rounding = (13.0 + (depth + sums) as f64) * 0.5 * f64::EPSILON * size;
     Some(ExchangeArea {
         value: value / TAU,
         error_bound: (sum.error + error + rounding) / TAU + moved,
@@ -224,7 +225,8 @@ fn apart_from(log_per_length: f64) -> f64 {
 
 /// A bound on the gradient of the potential of an edge so many times as long as it is far.
 fn gradient(ratio: f64) -> f64 {
-    PI + rough_ln(1.0 + ratio) + ROUGH_LN_ERROR
+    let along = rough_ln(1.0 + ratio) + ROUGH_LN_ERROR;
+    PI + along * along * (0.5 / PI)
 }
 
 /// The sum over pairs of edges, as far as it has come.
@@ -242,7 +244,7 @@ struct EdgeSum {
 impl EdgeSum {
     /// How far a node on an edge may be from where it should be.
     fn displaced(&self, a: &Edge<f64>) -> f64 {
-        f64::EPSILON * (self.largest + a.length)
+        f64::EPSILON * (self.largest + 0.875 * a.length)
     }
 
     /// One rule on an edge for others, at least so far away as a sum of half-axes, with their length together and the largest

@@ -10,7 +10,7 @@ use crate::geometry::Vector;
 use crate::numeric::elementary::{ROUGH_LN_ERROR, rough_ln};
 use crate::numeric::{LANES, Lanes, Scalar, vectorised};
 use smallvec::SmallVec;
-use std::f64::consts::PI;
+use std::f64::consts::FRAC_PI_2;
 
 /// An edge, from start to end.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -184,7 +184,7 @@ impl<S: Scalar + Copy> Precision<S> {
     /// `θ/sin θ` is `widening`.
     pub(super) fn of_potential(&self, projected: f64, length: f64, widening: f64) -> f64 {
         let logs = 5.0 * projected + 18.0 * self.largest_log;
-        0.5 * self.epsilon * (logs + (12.0 + 12.0 * widening) * length)
+        0.5 * self.epsilon * (logs + (12.0 + 12.0 * widening.min(FRAC_PI_2)) * length)
     }
 
     /// The largest magnitude of the potential of an edge: with the largest distance for a unit it is greatest for a point
@@ -195,6 +195,6 @@ impl<S: Scalar + Copy> Precision<S> {
 
     /// The same wherever the point is, for distances up to `reach`.
     pub(super) fn of_any_potential(&self, reach: f64, length: f64) -> f64 {
-        self.of_potential(reach, length, PI)
+        self.of_potential(reach, length, FRAC_PI_2)
     }
 }

@@ -5,22 +5,33 @@
 //! ```
 //!
 //! Along a line of a cell, `x(z)` with z in [−1, 1], the heights and the Jacobian are linear in z, and r² is quadratic with
-//! complex zeros z1, z̄1 at a distance of at least γ = gap/half-length from [−1, 1]. With `z = ½(w + 1/w)`, `|w| = ρ′` on an
-//! ellipse inside that of `w1 = ρ e^(iφ)`, and c = (ρ′ + 1/ρ′)/2,
+//! complex zeros a, ā at a distance of at least γ = gap/half-length from [−1, 1]. With `a = ½(w + 1/w)`, |w| = ρ > 1, the Chebyshev
+//! coefficients of 1/(z − a) are `−4 w^(−k)/(w − 1/w)`; its derivative by a has those of 1/(z − a)², and partial fractions those of
 //!
 //! ```text
-//!   r² = (half-length)² |z − z1| |z − z̄1| ≥ (half-length)² ¼ p (1 − 1/(ρρ′))²
-//!   p  = min |(w − w1)(w − w̄1)| = (ρ² − ρ′²) sin φ  where |cos φ| ≤ 2ρρ′/(ρ² + ρ′²),  else ρ² + ρ′² − 2ρρ′ |cos φ|
-//!   1/|r²|² ≤ 16 / ((half-length)⁴ p² (1 − 1/(ρρ′))⁴) = M
-//!   error of n points for z^d/r⁴ ≤ (64/15) M c^d ρ′^(−2n) / (1 − ρ′^(−2)),  least over ρ′:  B_d
+//!   1/|z − a|⁴:   |α_k| ≤ ((k − 1)/q + ρ/q^(3/2) + 1/(η √q)) ρ^(−k)/η²            q = |a − 1| |a + 1|,  η = Im a
+//! ```
+//!
+//! Off the end of the line, where η may be 0, it is a mean of 1/(z − a′)⁴ over a′ between a and ā, whose coefficients are the largest in
+//! the middle, at Re a > 1: with ρ of that and σ = 1/(1 − ρ^(−2)), by three derivatives,
+//!
+//! ```text
+//!   |α_k| ≤ (16/3) σ⁴ ρ^(−k−4) (k + 1 + 2 σ ρ^(−2)) (k + 4 + 6 σ ρ^(−2)) (k + 7 + 10 σ ρ^(−2))
+//! ```
+//!
+//! A rule of n points is right for odd k and below 2n, and within 2 + 2/(k² − 1) for others. A factor z takes ½(α_(k−1) + α_(k+1)),
+//! so for z^d and |α_k| ≤ P(k) ρ^(−k)
+//!
+//! ```text
+//!   error ≤ (32/15) (½(ρ + 1/ρ))^d Σ_j P(2n + d + 2j) ρ^(−2n−2j),  largest over a:  B_d
 //!   h J = (h0 + h1 z)(J0 + J1 z):  |h0 J0| B_0 + (|h0 J1| + |h1 J0|) B_1 + |h1 J1| B_2
 //! ```
 //!
-//! (Trefethen, *Approximation Theory and Approximation Practice*, 2013, theorem 19.3), for each of the directions, and for
-//! every z1 that far away: beside the middle of the line φ is a right angle, off its end φ is less and ρ more. A height
+//! for each of the directions. All of this falls as a moves away, and γ⁴ B does for γ ≥ ½. A height
 //! ≥ 0 has |h0| ≤ h_max and |h1| ≤ ½ h_max, and |h1| ≤ half-length. (The other polygon's plane is the only one whose height
 //! changes along the line.)
 
+use super::panels::{ellipse, power};
 use super::shape::Shape;
 use crate::numeric::{GaussLegendre, LANES, Lanes, MOST_POINTS};
 use glam::DVec3;
@@ -126,9 +137,9 @@ pub(super) struct Lines {
     pub jacobian: f64,
 }
 
-/// Ratios γ that bounds are kept for: 16 to the octave, from 1/8 to 1024.
-const SMALLEST: f64 = 0.125;
-const STEPS: usize = 13 * 16;
+/// Ratios γ that bounds are kept for: 16 to the octave, from 1/2 to 1024.
+const SMALLEST: f64 = 0.5;
+const STEPS: usize = 11 * 16;
 /// Points per direction from which on other routes are cheaper.
 pub(super) const MOST: usize = 17;
 
@@ -169,7 +180,7 @@ impl Lines {
     }
 }
 
-/// Over all places of a zero at least `gamma` from the line, in pieces within which ρ is least at one end and φ at the other.
+/// Over all places of a zero at least `gamma` from the line, in pieces at whose ends all that counts is least.
 #[allow(clippy::cast_precision_loss, reason = "small")]
 fn bounds(gamma: f64) -> Bounds {
     const PIECES: usize = 24;
@@ -183,44 +194,50 @@ fn bounds(gamma: f64) -> Bounds {
             [1.0 + gamma * cosine, gamma * sine]
         }
     };
-    let ellipse = |[x, y]: [f64; 2]| {
-        let sum = 0.5 * ((x - 1.0).hypot(y) + (x + 1.0).hypot(y));
-        sum + (sum * sum - 1.0).max(0.0).sqrt()
-    };
     let mut worst = [[0.0; 3]; MOST + 1];
     for i in 0..PIECES {
-        let (rho, [_, height]) = (ellipse(zero(i)), zero(i + 1));
-        let farther = ellipse(zero(i + 1));
-        let sine = (height / (0.5 * (farther - 1.0 / farther))).min(1.0);
-        let mut best = [[f64::INFINITY; 3]; MOST + 1];
-        for k in 1..40 {
-            let within = 1.0 + (rho - 1.0) * f64::from(k) / 40.0;
-            let c = 0.5 * (within + 1.0 / within);
-            let mut decayed = largest(gamma, [rho, within], sine) / (1.0 - within.powi(-2));
-            for best in &mut best {
-                // half: two of ∫ 1 dz over the four of ∫∫ 1 dz dz′
-                for (degree, best) in (0..).zip(best) {
-                    *best = best.min(0.5 * 64.0 / 15.0 * decayed * c.powi(degree));
-                }
-                decayed /= within * within;
+        let ([x, from], [farther, to]) = (zero(i), zero(i + 1));
+        let to_end = (x - 1.0).hypot(from).min((farther - 1.0).hypot(to));
+        let to_start = (x + 1.0).hypot(from);
+        let (q, height) = (to_end * to_start, from.min(to));
+        let rho = ellipse(0.5 * ((x - 1.0).hypot(from) + to_start));
+        let beside = |k: f64| {
+            ((k - 1.0) / q + rho / (q * q.sqrt()) + 1.0 / (height * q.sqrt())) / (height * height)
+        };
+        let at_end = ellipse(x.max(1.0));
+        let inverse = at_end.powi(-2);
+        let sigma = 1.0 / (1.0 - inverse);
+        let beyond = |k: f64| {
+            let factor = |j: f64| k + 1.0 + 3.0 * j + (2.0 + 4.0 * j) * sigma * inverse;
+            16.0 / 3.0
+                * (sigma * inverse).powi(2)
+                * sigma
+                * sigma
+                * factor(0.0)
+                * factor(1.0)
+                * factor(2.0)
+        };
+        for (n, worst) in worst.iter_mut().enumerate().skip(2) {
+            for (degree, worst) in (0..).zip(worst) {
+                let error =
+                    remainder(beside, rho, n, degree).min(remainder(beyond, at_end, n, degree));
+                *worst = f64::max(*worst, gamma.powi(4) * error);
             }
-        }
-        for (worst, best) in worst.iter_mut().flatten().zip(best.iter().flatten()) {
-            *worst = f64::max(*worst, *best);
         }
     }
     worst
 }
 
-/// `γ⁴ max 1/|r²|²` for a zero on the ellipse ρ, on ρ′ inside it.
-fn largest(gamma: f64, [rho, within]: [f64; 2], sine: f64) -> f64 {
-    let cosine = (1.0 - sine * sine).max(0.0).sqrt();
-    let squares = rho * rho + within * within;
-    let p = if cosine * squares <= 2.0 * rho * within {
-        (rho * rho - within * within) * sine
+/// Half of `(32/15) (½(ρ + 1/ρ))^d Σ_j P(2n + d + 2j) ρ^(−2n−2j)`, since the other direction's ∫ 1 dz is 2 of the 4 of both; infinite if no
+/// geometric series is above it.
+#[allow(clippy::cast_precision_loss, reason = "small")]
+fn remainder(factor: impl Fn(f64) -> f64, rho: f64, points: usize, degree: i32) -> f64 {
+    let first = (2 * points) as f64 + f64::from(degree);
+    let ratio = factor(first + 2.0) / factor(first) * rho.powi(-2);
+    if ratio < 1.0 {
+        let mean = 0.5 * (rho + 1.0 / rho);
+        16.0 / 15.0 * mean.powi(degree) * factor(first) * power(rho, points) / (1.0 - ratio)
     } else {
-        squares - 2.0 * rho * within * cosine
-    };
-    let far = gamma * gamma / (p * (1.0 - 1.0 / (rho * within)).powi(2));
-    16.0 * far * far
+        f64::INFINITY
+    }
 }

@@ -1,8 +1,8 @@
 //! The part of each polygon in front of the other's plane.
 //!
 //! A height above a plane is taken in `f64` first; near zero it is taken again to 106 bits. A corner counts as
-//! on the plane if its height is within the rounding of the coordinates it came from. Such a corner, and one that a
-//! clip puts in place, may be off by δ; that changes what the two exchange by at most
+//! on the plane if its height is within the rounding of the coordinates it came from. Such a corner may be off by δ; that changes what
+//! the two exchange by at most
 //!
 //! ```text
 //!   |Δ(A F)| ≤ 2 δ (perimeter of one + perimeter of the other)
@@ -10,11 +10,12 @@
 //!
 //! because the vector irradiance of a Lambertian polygon has no sources outside it: what passes through the old and the
 //! new outline differs by what passes through the ribbon between them, whose area is at most δ times the perimeter, and
-//! no point receives more than 1 per area; twice that, as the other polygon's horizon moves along.
+//! no point receives more than 1 per area; twice that, as the other polygon's horizon moves along. A corner that a clip puts in place and
+//! rounds moves nothing else, and its ribbon is two triangles, of area δ times half the edges that meet there.
 //!
-//! Where a height counts as 0 and lies h on the other side, the clip is not where it should be: with heights up to H over a
-//! diameter D the planes diverge by H/D at least, so that a strip up to `2 h D/H` wide is on the wrong side, however small h is
-//! beside rounding. Its area is at most that times the perimeter, and no point of it receives more than 1. Polygons all
+//! Where a height counts as 0 and lies h on the other side, the clip is not where it should be: a strip is on the wrong side, however
+//! small h is beside rounding. Lines of one height in a convex cell with heights up to H have a length concave in the height, so that no
+//! more than 4 h/H of its area is within h of the plane; with H known to h, too, 5 h/H; and no point receives more than 1. Polygons all
 //! of whose heights count as 0 lie in one plane, by definition.
 
 use super::Polygon;
@@ -41,24 +42,27 @@ pub(super) enum Side {
 }
 
 /// How far corners may be from where they should be.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Off {
     /// Above or below the other polygon's plane.
     pub height: f64,
-    /// Within their own plane.
+    /// Anywhere, and the area of the ribbons that this leaves.
     pub place: f64,
-    /// The width of a strip that may be on the wrong side of a clip; and of that only what the tilt of a plane does.
+    pub ribbon: f64,
+    /// The area that may be on the wrong side of a clip; and of that only what the tilt of a plane does.
     pub strip: f64,
     pub tilted_strip: f64,
 }
 
 impl Off {
-    pub(super) const fn max(self, other: Self) -> Self {
+    /// Of both polygons: the larger distance, and all areas.
+    pub(super) const fn and(self, other: Self) -> Self {
         Self {
             height: self.height.max(other.height),
             place: self.place.max(other.place),
-            strip: self.strip.max(other.strip),
-            tilted_strip: self.tilted_strip.max(other.tilted_strip),
+            ribbon: self.ribbon + other.ribbon,
+            strip: self.strip + other.strip,
+            tilted_strip: self.tilted_strip + other.tilted_strip,
         }
     }
 }
@@ -120,42 +124,31 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
         (least, most) = (least.min(height), most.max(height));
         heights.push(height);
     }
-    let highest = most.max(-least);
     let wrong_side = match (least >= 0.0, most <= 0.0) {
         (true, true) => f64::NEG_INFINITY,
         (true, false) => below,
         (false, true) => above,
         (false, false) => below.max(above).max(0.0),
     };
-    // none where every height is certain
-    let strip = |off: f64| 4.0 * f64::max(off, 0.0) * shape.radius / highest;
-    let (strip, tilted_strip) = if wrong_side > f64::NEG_INFINITY {
-        (strip(wrong_side + tilted), strip(tilted))
-    } else {
-        (0.0, 0.0)
-    };
-    if least >= 0.0 || most <= 0.0 {
-        let off = Off {
-            height: slack,
-            place: 0.0,
-            strip,
-            tilted_strip,
-        };
-        let side = match (least >= 0.0, most <= 0.0) {
-            (true, true) => Side::Within,
-            (true, false) => Side::Front(heights),
-            _ => Side::Behind,
-        };
-        return (side, off);
-    }
-    let (corners, heights) = clipped(shape, plane, &heights);
-    // a coordinate of a new corner is rounded once
-    let off = Off {
+    let mut off = Off {
         height: slack,
-        place: f64::EPSILON * reach,
-        strip,
-        tilted_strip,
+        ..Off::default()
     };
+    // none where every height is certain
+    if wrong_side > f64::NEG_INFINITY {
+        let widths = [wrong_side.max(0.0) + tilted, tilted];
+        [off.strip, off.tilted_strip] = strips(shape, &heights, widths);
+    }
+    match (least >= 0.0, most <= 0.0) {
+        (true, true) => return (Side::Within, off),
+        (true, false) => return (Side::Front(heights), off),
+        (false, true) => return (Side::Behind, off),
+        (false, false) => {}
+    }
+    let (corners, heights, moved) = clipped(shape, plane, &heights);
+    // a coordinate of a new corner, no farther out than the old ones, is rounded once: half an ε of each of three
+    off.place = 0.87 * f64::EPSILON * reach;
+    off.ribbon = off.place * moved;
     match Shape::new(&corners, polygon.precise_normal) {
         Some(shape) => {
             let heights = heights_of(&shape, &corners, &heights);
@@ -165,13 +158,28 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
     }
 }
 
-/// Corners, and their heights.
-type Outline = (SmallVec<[DVec3; 8]>, SmallVec<[f64; 8]>);
+/// Bounds on the areas of a shape that are so near to the plane above which its corners have these heights.
+fn strips(shape: &Shape, heights: &[f64], near: [f64; 2]) -> [f64; 2] {
+    let mut areas = [0.0; 2];
+    for (cell, [j, js, jt]) in shape.cells.iter().zip(&shape.jacobians) {
+        let highest = cell.iter().map(|i| heights[*i].abs()).fold(0.0, f64::max);
+        let (area, per_height) = (j + 0.5 * (js + jt), 5.0 / highest);
+        for (sum, near) in areas.iter_mut().zip(near) {
+            // the whole cell where this is not a number
+            *sum += area * f64::min(near * per_height, 1.0);
+        }
+    }
+    areas
+}
+
+/// Corners, their heights, and half the lengths of edges that meet in new ones.
+type Outline = (SmallVec<[DVec3; 8]>, SmallVec<[f64; 8]>, f64);
 
 /// Corners in front, and where edges cross the plane.
 fn clipped(shape: &Shape, plane: &Polygon, heights: &[f64]) -> Outline {
     let n = shape.corners.len();
-    let (mut corners, mut kept) = Outline::default();
+    let (mut corners, mut kept, mut moved) = Outline::default();
+    let mut new: SmallVec<[usize; 8]> = SmallVec::new();
     for i in 0..n {
         let j = (i + 1) % n;
         let (from, to) = (heights[i], heights[j]);
@@ -181,11 +189,17 @@ fn clipped(shape: &Shape, plane: &Polygon, heights: &[f64]) -> Outline {
         }
         if (from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0) {
             let ends = [i, j].map(|k| shape.corners[k]);
+            new.push(corners.len());
             corners.push(crossing(ends, plane));
             kept.push(0.0);
         }
     }
-    (corners, kept)
+    let count = corners.len();
+    for i in new {
+        let [before, after] = [corners[(i + count - 1) % count], corners[(i + 1) % count]];
+        moved += 0.5 * (corners[i].distance(before) + corners[i].distance(after));
+    }
+    (corners, kept, moved)
 }
 
 /// Where an edge crosses a plane, to 106 bits before the last rounding.
@@ -195,8 +209,9 @@ fn crossing(ends: [DVec3; 2], plane: &Polygon) -> DVec3 {
     vectorised(
         #[inline(always)]
         move || {
-            let [from, to] = ends.map(|end| plane.precise_height(end));
-            let [start, end] = ends.map(|end| Vector::lifted(end, from));
+            // one by one: a closure over both would not have the vector code's fused products
+            let (from, to) = (plane.precise_height(ends[0]), plane.precise_height(ends[1]));
+            let (start, end) = (Vector::lifted(ends[0], from), Vector::lifted(ends[1], from));
             let along = end.minus(start);
             *out = start.plus(along, from / (from - to)).to_doubles();
         },

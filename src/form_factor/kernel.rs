@@ -11,7 +11,7 @@ use super::choice::Work;
 use super::gauss_points::{Block, Square, fill};
 use super::horizon::Heights;
 use super::view::View;
-use crate::numeric::{LANES, across, vectorised};
+use crate::numeric::{LANES, Lanes, across, vectorised};
 use std::f64::consts::PI;
 
 impl View<'_> {
@@ -25,8 +25,8 @@ impl View<'_> {
         first.resize(self.blocks(0, points[0]), Block::default());
         second.resize(self.blocks(1, points[1]), Block::default());
         let [first, second] = [first.as_mut_slice(), second.as_mut_slice()];
-        let (unit, mut value) = (self.reach, 0.0);
-        let out = &mut value;
+        let (unit, mut sums) = (self.reach, [0.0; LANES]);
+        let out = &mut sums;
         let shapes = self.shapes;
         vectorised(
             #[inline(always)]
@@ -36,6 +36,7 @@ impl View<'_> {
                 *out = sum(first, second, unit);
             },
         );
+        let value = across(sums) / (unit * unit * unit * unit * PI);
         let largest = self.largest();
         let truncation: f64 = (0..2).map(|k| self.truncation(k, points[k], largest)).sum();
         let terms = [0, 1].map(|k| self.blocks(k, points[k]));
@@ -63,7 +64,7 @@ impl View<'_> {
 /// than that by 16.
 const HEIGHT_ERROR: f64 = 48.0 * f64::EPSILON;
 
-/// The sum over all pairs of points; `unit` is a length near the distances.
+/// The sum over all pairs of points times `π unit⁴`, lane by lane; `unit` is a length near the distances.
 ///
 /// Four points of the first rule share one division: `f1/q1 + f2/q2 = (f1 q2 + f2 q1)/(q1 q2)`, twice over, with q = r⁴ in
 /// units in which four of them stay in range.
@@ -72,7 +73,7 @@ const HEIGHT_ERROR: f64 = 48.0 * f64::EPSILON;
     clippy::inline_always,
     reason = "vector code is made where it is called"
 )]
-fn sum(first: &[Block], second: &[Block], unit: f64) -> f64 {
+fn sum(first: &[Block], second: &[Block], unit: f64) -> Lanes {
     let inverse_square = 1.0 / (unit * unit);
     let mut total = [0.0; LANES];
     for block in second {
@@ -110,5 +111,5 @@ fn sum(first: &[Block], second: &[Block], unit: f64) -> f64 {
             total[l] += sums[l] * weights[l] * heights[l];
         }
     }
-    across(total) * inverse_square * inverse_square / PI
+    total
 }

@@ -162,7 +162,7 @@ fn beside<S: Scalar + Copy>(
 
 /// `ρ^(−2n)`.
 #[inline(always)]
-fn power(rho: f64, points: usize) -> f64 {
+pub(super) fn power(rho: f64, points: usize) -> f64 {
     rho.powi(-2 * i32::try_from(points).unwrap_or(i32::MAX))
 }
 

@@ -5,8 +5,18 @@
 //!                                                u_b its direction, h_b = |a_b × u_b|
 //! ```
 //!
-//! for a polygon in front of x, counter-clockwise seen from its own front. Beside the [contour](super::contour) one integration
+//! for a polygon in front of x, counter-clockwise seen from its own front; with c from x to the edge's end and e = c − a, a term is
+//! `(θ/sin θ) n·(a×e)/(|a| |c|)`, too, which takes one division less where no angle is wide. Beside the [contour](super::contour) one integration
 //! less is exact, and one power of the distance less cancels; the polygons must be apart.
+//!
+//! **Rounding** of a term, in units of u = ε/2, with r the distance, R the radius about the origin, L = |e| and t = θ/sin θ: a and c are
+//! within (2 r + R) u, m = e×n within 4 u L, so that `n·(a×e)` is within ((5 + R/r) |m| + 4 L) u r; what it is divided by within (9 + 2 R/r) u, the
+//! cosine within 9 u and θ within (4 + 2 R/r) u, t within 3 u beside them, and n are added up: in all
+//!
+//! ```text
+//!   narrow     t ((5 + R/r) |m| + 4 L)/r + (20 + 3 R/r + n) |term|
+//!   wide       (14 t + 12) L/r         a×u within 5 u r, θ as in the potential, θ r/h ≤ t L/r
+//! ```
 //!
 //! Reference: Lambert, *Photometria*, 1760; Baum, Rushmeier and Winget, SIGGRAPH 1989.
 
@@ -16,17 +26,20 @@ use super::gauss_points::{Block, Square, fill};
 use super::view::{View, widening};
 use super::{ExchangeArea, FormFactorError};
 use crate::geometry::{Patch, Vector};
-use crate::numeric::{LANES, across, elementary::angle, vectorised};
+use crate::numeric::elementary::{angle, angle_over_sine};
+use crate::numeric::{LANES, Lanes, across, vectorised};
 use glam::DVec3;
+use smallvec::SmallVec;
 use std::f64::consts::{PI, TAU};
 
 impl View<'_> {
-    /// A Gauss rule with `points` each way over shape `k`; `rounding` is what [`lambert_rounding`](Self::lambert_rounding) says.
+    /// A Gauss rule with `points` each way over shape `k`.
+    #[allow(clippy::cast_precision_loss, reason = "some points")]
     pub(super) fn point_to_polygon(
         &self,
         k: usize,
         points: usize,
-        rounding: f64,
+        rounding: LambertRounding,
         work: &mut Work,
     ) -> ExchangeArea {
         let (over, seen) = (self.shapes[k], self.shapes[1 - k]);
@@ -35,85 +48,223 @@ impl View<'_> {
         let blocks = &mut work.blocks[0];
         blocks.resize(self.blocks(k, points), Block::default());
         let blocks = blocks.as_mut_slice();
-        let (heights, normal, edges) = (self.heights[k], self.polygons[k].normal, &seen.edges);
-        let mut value = 0.0;
-        let out = &mut value;
+        let (heights, normal) = (self.heights[k], self.polygons[k].normal);
+        let sides = &mut work.sides;
+        sides.clear();
+        sides.extend(
+            seen.edges
+                .iter()
+                .map(|edge| Side::new(edge, normal, origin)),
+        );
+        let (sides, subtended) = (sides.as_slice(), self.subtended(k));
+        let additions = blocks.len() as f64;
+        let mut sums = [[0.0; LANES]; 2];
+        let out = &mut sums;
         vectorised(
             #[inline(always)]
             move || {
                 fill(blocks, square, over, heights, origin);
-                *out = sum(blocks, normal, edges, origin);
+                *out = sum(blocks, Vector(normal.to_array()), sides, subtended);
             },
         );
+        let (value, size) = (-across(sums[0]) / TAU, across(sums[1]) / TAU);
         let truncation = self.truncation(k, points, self.largest());
+        // the points themselves are off
+        let moved = self.moved(4.0 * f64::EPSILON * over.radius, value);
         ExchangeArea {
             value,
-            error_bound: rounding + truncation + 4.0 * f64::EPSILON * value,
+            error_bound: rounding.fixed
+                + rounding.relative * size
+                + truncation
+                + moved
+                + (8.0 + 0.5 * additions) * f64::EPSILON * value,
         }
     }
 
-    /// The rounding of Lambert's formula over shape `k`: in a term `θ n·(a×u)/h` the cross product is within 5 u r of
-    /// itself, and θ as in the [potential](super::potential); with `θ r/h ≤ t L/r` (t = θ/sin θ) that is at most
-    /// `(14 t + 12) u L/r`.
-    pub(super) fn lambert_rounding(&self, k: usize) -> f64 {
+    /// What Lambert's formula over shape `k` loses.
+    pub(super) fn lambert_rounding(&self, k: usize) -> LambertRounding {
         let (over, seen) = (self.shapes[k], self.shapes[1 - k]);
-        let n = seen.corners.len();
         let widening = widening(seen.longest_edge, self.gap);
-        let mut subtended = 0.0;
-        for b in 0..n {
-            let end = seen.corners[(b + 1) % n];
-            let away = (end.distance(over.centre) - over.radius).max(self.gap);
-            subtended += seen.edges[b].length / away;
+        let aside = over.radius / self.gap;
+        let is_narrow = self.subtended(k) == Subtended::Narrow;
+        let (mut fixed, mut terms) = (0.0, 0.0);
+        for edge in &seen.edges {
+            let side = Side::new(edge, self.polygons[k].normal, over.centre);
+            let distance = side.ends[1].length();
+            let away = (distance - over.radius).max(self.gap);
+            if is_narrow {
+                let across = side.across.length();
+                fixed += widening * ((5.0 + aside) * across + 4.0 * edge.length) / away;
+                terms += side.ends[1].dot(side.across).abs() / (distance * distance);
+            } else {
+                fixed += (14.0 * widening + 12.0) * edge.length / away;
+            }
         }
-        0.5 * f64::EPSILON * over.area * (14.0 * widening + 12.0) * subtended / TAU
+        let per_term = 0.5 * f64::EPSILON;
+        let fixed = per_term * over.area * fixed / TAU;
+        #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
+        let relative = per_term * (20.0 + 3.0 * aside + seen.corners.len() as f64);
+        LambertRounding {
+            fixed,
+            relative,
+            expected: fixed + relative * over.area * terms / TAU,
+        }
+    }
+
+    /// Nanoseconds that a term takes.
+    pub(super) fn lambert_work(&self, k: usize) -> f64 {
+        match self.subtended(k) {
+            Subtended::Narrow => 1.0,
+            Subtended::Wide => 2.0,
+        }
+    }
+
+    fn subtended(&self, k: usize) -> Subtended {
+        let half = 0.5 * self.shapes[1 - k].longest_edge / self.gap;
+        // the tangent of half an angle up to 60°
+        if half * half <= 0.33 {
+            Subtended::Narrow
+        } else {
+            Subtended::Wide
+        }
     }
 }
 
-/// `Σ_i w_i F_i` over points on a plane with this normal, from an origin that the edges do not have.
+/// What Lambert's formula loses.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct LambertRounding {
+    /// Whatever the terms come to.
+    fixed: f64,
+    /// Per sum of the terms' magnitudes; of wide ones all is in `fixed`.
+    relative: f64,
+    /// About what both come to, with the terms at the centre.
+    pub expected: f64,
+}
+
+/// The angles that edges subtend: all at most 60°, or any.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Subtended {
+    Narrow,
+    Wide,
+}
+
+/// An edge from the origin of the points.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Side {
+    ends: [Vector<f64>; 2],
+    direction: Vector<f64>,
+    length: f64,
+    /// `e × n`, so that `n·(a × e)` is `a·across`.
+    across: Vector<f64>,
+}
+
+impl Side {
+    fn new(edge: &Edge<f64>, normal: DVec3, origin: DVec3) -> Self {
+        let origin = Vector(origin.to_array());
+        Self {
+            ends: edge.ends.map(|end| end.minus(origin)),
+            direction: edge.direction,
+            length: edge.length,
+            across: edge.ends[1]
+                .minus(edge.ends[0])
+                .cross(Vector(normal.to_array())),
+        }
+    }
+}
+
+/// `Σ_i w_i F_i` over points on a plane with this normal, anywhere, from an origin that the edges do not have.
 pub(super) fn integral(blocks: &[Block], normal: DVec3, edges: &[Edge<f64>], origin: DVec3) -> f64 {
-    let mut value = 0.0;
-    let out = &mut value;
+    let sides: SmallVec<[Side; 8]> = edges
+        .iter()
+        .map(|edge| Side::new(edge, normal, origin))
+        .collect();
+    let (sides, normal) = (sides.as_slice(), Vector(normal.to_array()));
+    let mut sums = [[0.0; LANES]; 2];
+    let out = &mut sums;
     vectorised(
         #[inline(always)]
-        move || *out = sum(blocks, normal, edges, origin),
+        move || *out = sum(blocks, normal, sides, Subtended::Wide),
     );
-    value
+    -across(sums[0]) / TAU
 }
 
+/// `−2π Σ_i w_i F_i`, and of narrow terms the sum of their magnitudes, lane by lane: vectors summed up here would be taken apart all
+/// along.
 #[inline(always)]
 #[allow(
     clippy::inline_always,
     reason = "vector code is made where it is called"
 )]
-fn sum(blocks: &[Block], normal: DVec3, edges: &[Edge<f64>], origin: DVec3) -> f64 {
-    let (normal, origin) = (Vector(normal.to_array()), Vector(origin.to_array()));
-    let mut total = [0.0; LANES];
+fn sum(blocks: &[Block], normal: Vector<f64>, sides: &[Side], subtended: Subtended) -> [Lanes; 2] {
+    let (mut total, mut size) = ([0.0; LANES], [0.0; LANES]);
     for block in blocks {
-        let Block {
-            points: [x, y, z],
-            weights,
-            ..
-        } = *block;
-        let mut sums = [0.0; LANES];
-        for edge in edges {
-            let (start, end) = (edge.ends[0].minus(origin), edge.ends[1].minus(origin));
-            let (direction, length) = (edge.direction, edge.length);
-            for l in 0..LANES {
-                let point = Vector([x[l], y[l], z[l]]);
-                let (a, c) = (start.minus(point), end.minus(point));
-                let across = a.cross(direction);
-                let height = across.length();
-                let angle = angle(height * length, a.dot(c));
-                // on the edge's line, nothing is subtended
-                let height = if height > 0.0 { height } else { 1.0 };
-                sums[l] += angle * across.dot(normal) / height;
-            }
+        let (sums, sizes) = match subtended {
+            Subtended::Narrow => narrow(block.points, sides),
+            Subtended::Wide => (wide(block.points, normal, sides), [0.0; LANES]),
+        };
+        for l in 0..LANES {
+            total[l] += sums[l] * block.weights[l];
         }
         for l in 0..LANES {
-            total[l] += sums[l] * weights[l];
+            size[l] += sizes[l] * block.weights[l];
         }
     }
-    -across(total) / TAU
+    [total, size]
+}
+
+/// `Σ_b (θ/sin θ) n·(a×c)/(|a| |c|)`, and the terms' magnitudes; each edge starts where the one before ends.
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+fn narrow([x, y, z]: [Lanes; 3], sides: &[Side]) -> (Lanes, Lanes) {
+    let (mut sums, mut sizes, mut before) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+    if let Some(side) = sides.first() {
+        let start = side.ends[0];
+        for l in 0..LANES {
+            let a = start.minus(Vector([x[l], y[l], z[l]]));
+            before[l] = a.dot(a);
+        }
+    }
+    for side in sides {
+        let ([start, end], across) = (side.ends, side.across);
+        for l in 0..LANES {
+            let point = Vector([x[l], y[l], z[l]]);
+            let (a, c) = (start.minus(point), end.minus(point));
+            let after = c.dot(c);
+            let inverse = 1.0 / (before[l] * after).sqrt();
+            before[l] = after;
+            let term = a.dot(across) * inverse * angle_over_sine(a.dot(c) * inverse);
+            sums[l] += term;
+            sizes[l] += term.abs();
+        }
+    }
+    (sums, sizes)
+}
+
+/// `Σ_b θ n·(a×u)/h`.
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+fn wide([x, y, z]: [Lanes; 3], normal: Vector<f64>, sides: &[Side]) -> Lanes {
+    let mut sums = [0.0; LANES];
+    for side in sides {
+        let ([start, end], direction, length) = (side.ends, side.direction, side.length);
+        for l in 0..LANES {
+            let point = Vector([x[l], y[l], z[l]]);
+            let (a, c) = (start.minus(point), end.minus(point));
+            let across = a.cross(direction);
+            let height = across.length();
+            let angle = angle(height * length, a.dot(c));
+            // on the edge's line, nothing is subtended
+            let height = if height > 0.0 { height } else { 1.0 };
+            sums[l] += angle * across.dot(normal) / height;
+        }
+    }
+    sums
 }
 
 /// The fraction of what leaves a point of a surface that reaches a polygon.

@@ -93,8 +93,10 @@ impl Polygon {
     )]
     pub(super) fn precise_height(&self, point: DVec3) -> DoubleDouble {
         let zero = DoubleDouble::from(0.0);
-        let [point, origin] = [point, self.shape.corners[0]].map(|p| Vector::lifted(p, zero));
-        point.minus(origin).dot(self.precise_normal)
+        let origin = Vector::lifted(self.shape.corners[0], zero);
+        Vector::lifted(point, zero)
+            .minus(origin)
+            .dot(self.precise_normal)
     }
 
     /// The same, rounded.

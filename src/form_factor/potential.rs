@@ -8,7 +8,8 @@
 //!
 //! In units of u = ε/2: a and c are within u of themselves, the directions within 3 u, s and h within 6 u r, the logarithm of r²
 //! (5 u before it is halved) within 2.5 u + 3 u |ln r|; θ within 5 u sin θ from its cosine, 6 u L/min(|a|,|c|) from its sine
-//! and 5 u θ from its function. With r sin θ ≤ L, and r θ ≤ t L where t = θ/sin θ (at most π, where θ > π/2 and so r ≤ L),
+//! and 5 u θ from its function. With r = min(|a|,|c|), r sin θ ≤ L, and r θ ≤ t L where t = θ/sin θ, or π/2 if that is less (the isosceles triangle has the
+//! longest r for an angle and L: r θ ≤ L θ/(2 sin θ/2)),
 //!
 //! ```text
 //!   error ≤ u [ 2.5 (|s0| + |s1|) + 18 max r |ln r| + (12 + 12 t) L ]

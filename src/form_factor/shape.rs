@@ -157,7 +157,8 @@ fn turns_once(corners: &[DVec3], normal: Vector<DoubleDouble>) -> bool {
 )]
 fn jacobian([a, b, c, d]: [DVec3; 4], normal: Vector<DoubleDouble>) -> [f64; 3] {
     let (like, is_triangle) = (DoubleDouble::from(0.0), c == d);
-    let [a, b, c, d] = [a, b, c, d].map(|corner| Vector::lifted(corner, like));
+    let (a, b) = (Vector::lifted(a, like), Vector::lifted(b, like));
+    let (c, d) = (Vector::lifted(c, like), Vector::lifted(d, like));
     let product = |u: Vector<_>, v: Vector<_>| u.cross(v).dot(normal);
     let origin = product(b.minus(a), d.minus(a));
     let along_s = product(b.minus(a), c.minus(b)) - origin;
@@ -166,5 +167,5 @@ fn jacobian([a, b, c, d]: [DVec3; 4], normal: Vector<DoubleDouble>) -> [f64; 3] 
     } else {
         product(c.minus(d), d.minus(a)) - origin
     };
-    [origin, along_s, along_t].map(|j| j.to_f64())
+    [origin.to_f64(), along_s.to_f64(), along_t.to_f64()]
 }

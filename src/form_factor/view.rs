@@ -23,6 +23,8 @@ pub(super) struct View<'a> {
     /// What that changes at most, per length: by flux through ribbons; for polygons apart, relative to the value, by other
     /// heights, and by other areas and distances.
     ribbons: f64,
+    /// The most that a point of either receives, per area.
+    received: f64,
     by_height: f64,
     by_place: f64,
     /// An idea of the value.
@@ -39,15 +41,15 @@ pub(super) fn seen(
     let [first, second] = polygons;
     let (above_second, first_off) = side_of(first, second);
     let (above_first, second_off) = side_of(second, first);
-    let off = first_off.max(second_off);
+    let off = first_off.and(second_off);
     let sides = [&above_second, &above_first];
     let [Some(first_heights), Some(second_heights)] = sides.map(Side::heights) else {
         let within = sides.iter().all(|side| matches!(side, Side::Within));
         return Ok(Answer {
             exchange: ExchangeArea {
                 value: 0.0,
-                error_bound: (2.0 * off.height + off.strip)
-                    * (first.perimeter() + second.perimeter()),
+                error_bound: 2.0 * off.height * (first.perimeter() + second.perimeter())
+                    + off.strip,
             },
             route: if within {
                 Route::Coplanar
@@ -122,6 +124,7 @@ impl<'a> View<'a> {
             off,
             highest: spans.map(|span| span.most),
             ribbons: 2.0 * ribbons,
+            received: received(first).max(received(second)),
             by_height: 2.0 * (sensitivities[0] + sensitivities[1]),
             by_place: 2.0 * by_place,
             estimate,
@@ -135,6 +138,7 @@ impl<'a> View<'a> {
         let Off {
             height,
             place,
+            ribbon,
             strip,
             ..
         } = off;
@@ -150,8 +154,14 @@ impl<'a> View<'a> {
         } else {
             1.0
         };
-        ((height + place) * self.ribbons).min(relative * value.abs())
-            + strip * grazing * self.ribbons
+        (height * self.ribbons + ribbon * self.received).min(relative * value.abs())
+            + strip * grazing * self.received
+    }
+
+    /// What points off by `place` may change: heights and distances, but no area.
+    pub(super) fn moved(&self, place: f64, value: f64) -> f64 {
+        let relative = self.by_height + 8.0 / self.gap;
+        (place * self.ribbons).min(place * relative * value.abs())
     }
 
     /// The absolute error that truncation may have.

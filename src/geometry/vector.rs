@@ -57,13 +57,20 @@ impl<S: Scalar + Copy> Vector<S> {
 
     /// A point in the number type of `like`, exactly.
     #[must_use]
+    #[inline(always)]
     pub fn lifted(point: DVec3, like: S) -> Self {
-        Self(point.to_array().map(|x| like.constant(x)))
+        Self([
+            like.constant(point.x),
+            like.constant(point.y),
+            like.constant(point.z),
+        ])
     }
 
     /// Rounded to doubles.
     #[must_use]
+    #[inline(always)]
     pub fn to_doubles(self) -> DVec3 {
-        DVec3::from_array(self.0.map(|x| x.to_f64()))
+        let [x, y, z] = self.0;
+        DVec3::new(x.to_f64(), y.to_f64(), z.to_f64())
     }
 }

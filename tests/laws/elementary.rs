@@ -1,6 +1,9 @@
 //! The functions that every form factor is made of keep their bounds.
 
-use infoscene::numeric::elementary::{ANGLE_ERROR, LN_ERROR, ROUGH_LN_ERROR, angle, ln, rough_ln};
+use infoscene::numeric::elementary::{
+    ANGLE_ERROR, ANGLE_OVER_SINE_ERROR, LN_ERROR, ROUGH_LN_ERROR, angle, angle_over_sine, ln,
+    rough_ln,
+};
 use infoscene::numeric::{DoubleDouble, GaussLegendre, Interval, SQUARED_EPSILON, Scalar};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -90,6 +93,32 @@ fn elementary_functions_keep_their_bound() {
     ] {
         assert!((angle(y, x) - quarters * std::f64::consts::FRAC_PI_4).abs() <= 0.0);
     }
+}
+
+/// Against `2 atan(√((1 − c)/(1 + c)))/√(1 − c²)`, for cosines down to ½ and a little below.
+#[test]
+fn the_angle_over_its_sine_keeps_its_bound() {
+    let mut random = ChaCha8Rng::seed_from_u64(3);
+    let one = precise(1.0);
+    let mut worst = 0.0f64;
+    for _ in 0..SAMPLES {
+        let below_one = if random.random_bool(0.3) {
+            random.random_range(-50.0..-1.0f64).exp2()
+        } else {
+            random.random_range(1e-9..0.5 + 1e-12)
+        };
+        let cosine = 1.0 - below_one;
+        let (up, down) = (
+            one.clone() + &precise(cosine),
+            one.clone() - &precise(cosine),
+        );
+        let half = down.sqrt().atan2(&up.sqrt());
+        let exact = (half.clone() + &half) / &(up * &down).sqrt();
+        let allowed = ANGLE_OVER_SINE_ERROR * exact.to_f64();
+        worst = worst.max(error(angle_over_sine(cosine), &exact) / allowed);
+    }
+    assert!((0.1..=1.0).contains(&worst), "{worst} of its bound");
+    assert!((angle_over_sine(1.0) - 1.0).abs() <= 0.0);
 }
 
 #[test]
