@@ -164,7 +164,7 @@ pub fn ln_1p(x: f64) -> f64 {
 /// The angle of the point `(x, y)` from the positive x axis, in `[−π, π]`.
 ///
 /// **Arguments** not both infinite; the angle of the origin is 0, or π where `x` is −0.
-/// **Accuracy** within [`ANGLE_ERROR`].
+/// **Accuracy** within [`ANGLE_ERROR`]; 1e-12 where both are subnormal, which [`Scalar::atan2`](super::Scalar::atan2) scales first.
 #[inline(always)]
 #[must_use]
 #[allow(

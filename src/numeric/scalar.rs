@@ -144,7 +144,13 @@ impl Scalar for f64 {
     }
     #[inline(always)]
     fn atan2(&self, x: &Self) -> Self {
-        super::elementary::angle(*self, *x)
+        // the choice of the octant is rounded among numbers of few bits
+        let scale = if self.abs().max(x.abs()) < f64::MIN_POSITIVE {
+            1.0 / f64::EPSILON
+        } else {
+            1.0
+        };
+        super::elementary::angle(*self * scale, *x * scale)
     }
     #[inline(always)]
     fn divergence_kernel(&self) -> Self {

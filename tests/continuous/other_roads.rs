@@ -1,6 +1,6 @@
 //! Other roads: quadrature of the definition, sums over parts, random chords, a sphere.
 
-use crate::support::rooms::{polygon, prism};
+use crate::support::rooms::{L, polygon, prism};
 use crate::{SOLIDS, information};
 use glam::DVec3;
 use infoscene::form_factor::{Logarithms, point_kernel};
@@ -187,15 +187,7 @@ fn chords_stop_at_what_they_meet() {
 /// A concave room is served; a hole in the wall is found.
 #[test]
 fn chords_serve_concave_rooms_and_refuse_open_ones() {
-    let floor = [
-        [0.0, 0.0],
-        [2.0, 0.0],
-        [2.0, 1.0],
-        [1.0, 1.0],
-        [1.0, 2.0],
-        [0.0, 2.0],
-    ];
-    let room = prism(&floor);
+    let room = prism(&L);
     let sample = chord_information(&room, 20_000, 3).unwrap();
     // more than its hull's: what a corner hides is known
     assert!(sample.mutual_information > 0.0 && sample.standard_error < 0.05);

@@ -1,7 +1,7 @@
 //! What pairs of patches lose: sums, signs, refusals.
 
 use crate::information;
-use crate::support::rooms::mapped;
+use crate::support::rooms::{L, mapped, prism};
 use infoscene::chain::ChainError;
 use infoscene::information::{PairLoss, Surroundings, pair_losses, scene_information};
 use infoscene::scene::{Congruence, Scene, SceneError, ScenePairs};
@@ -97,15 +97,7 @@ fn losses_do_not_know_the_size() {
 #[test]
 fn losses_need_a_convex_room() {
     let open = Scene::built_in("two-squares").unwrap();
-    let floor = [
-        [0.0, 0.0],
-        [2.0, 0.0],
-        [2.0, 1.0],
-        [1.0, 1.0],
-        [1.0, 2.0],
-        [0.0, 2.0],
-    ];
-    let refused = pair_losses(&crate::support::rooms::prism(&floor), || ()).unwrap_err();
+    let refused = pair_losses(&prism(&L), || ()).unwrap_err();
     assert!(
         matches!(refused, ChainError::Scene(SceneError::NotConvex { .. })),
         "{refused}"

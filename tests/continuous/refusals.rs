@@ -1,6 +1,6 @@
 //! Rooms that are open or not convex inside are refused, with the patch.
 
-use crate::support::rooms::prism;
+use crate::support::rooms::{L, prism};
 use infoscene::chain::ChainError;
 use infoscene::form_factor::{FormFactorError, Logarithms};
 use infoscene::information::continuous_information;
@@ -15,15 +15,7 @@ fn refusal(scene: &Scene) -> SceneError {
 
 #[test]
 fn concave_rooms_are_refused() {
-    let floor = [
-        [0.0, 0.0],
-        [2.0, 0.0],
-        [2.0, 1.0],
-        [1.0, 1.0],
-        [1.0, 2.0],
-        [0.0, 2.0],
-    ];
-    let refused = refusal(&prism(&floor));
+    let refused = refusal(&prism(&L));
     assert!(
         matches!(refused, SceneError::NotConvex { depth, .. } if depth > 0.9),
         "{refused}"

@@ -197,3 +197,17 @@ fn gauss_rules_are_exact_for_their_powers() {
         }
     }
 }
+
+/// The angle of numbers of one to four bits, which no octant's edge may round wrongly.
+#[test]
+fn angles_of_the_smallest_numbers_keep_their_bound() {
+    for (i, j) in (-16..=16i32).flat_map(|i| (-16..=16i32).map(move |j| (i, j))) {
+        let [y, x] = [i, j].map(|units| f64::from(units) * f64::from_bits(1));
+        // at the jump the enclosure holds both π and −π
+        if i == 0 {
+            continue;
+        }
+        let off = error(Scalar::atan2(&y, &x), &precise(y).atan2(&precise(x)));
+        assert!(off <= ANGLE_ERROR, "{i} {j}: {off:e}");
+    }
+}
