@@ -34,7 +34,7 @@ pub(super) fn potential<S: Scalar + Copy>(
     logs: [S; 2],
 ) -> S {
     let height = a.cross(direction).length();
-    let angle = (height * length).atan2(&a.dot(c));
+    let angle = (height * length).angle_above(&a.dot(c));
     c.dot(direction) * logs[1] - a.dot(direction) * logs[0] + height * angle - length
 }
 
@@ -46,11 +46,11 @@ pub(super) fn potential<S: Scalar + Copy>(
 )]
 pub(super) fn log_distance<S: Scalar + Copy>(a: Vector<S>, inverse_square: S) -> S {
     let square = a.dot(a) * inverse_square + inverse_square.constant(f64::MIN_POSITIVE);
-    square.ln() * square.constant(0.5)
+    square.ln_of_normal() * square.constant(0.5)
 }
 
 /// Points of rules along edges, so many at a time.
-const ROOM: usize = 2 * MOST_POINTS;
+const ROOM: usize = 2 * MOST_POINTS + LANES;
 
 /// Points along edges, each with its weight times the edge's direction.
 #[derive(Debug)]
@@ -93,35 +93,47 @@ impl Nodes {
     }
 
     pub(super) const fn has_room_for(&self, rule: &GaussLegendre) -> bool {
-        self.len + rule.nodes.len() <= ROOM
+        self.len + rule.nodes.len() <= ROOM - LANES
     }
 
     /// A rule on the part of an edge with this middle and half length, both relative to it.
     pub(super) fn add(&mut self, edge: &Edge<f64>, [middle, half]: [f64; 2], rule: &GaussLegendre) {
-        let part = self.len..self.len + rule.nodes.len();
-        for k in 0..3 {
-            let along = edge.ends[1].0[k] - edge.ends[0].0[k];
-            let (centre, radius) = (edge.ends[0].0[k] + middle * along, half * along);
-            for (x, node) in self.points[k][part.clone()].iter_mut().zip(&rule.nodes) {
-                *x = centre + radius * node;
-            }
-            for (w, weight) in self.weights[k][part.clone()].iter_mut().zip(&rule.weights) {
-                *w = radius * weight;
-            }
-        }
-        self.len = part.end;
+        let (start, end) = (edge.ends[0].0, edge.ends[1].0);
+        let len = self.len;
+        self.len += rule.nodes.len();
+        let (points, weights, lanes) = (&mut self.points, &mut self.weights, &*rule.lanes);
+        vectorised(
+            #[inline(always)]
+            move || {
+                for k in 0..3 {
+                    let along = end[k] - start[k];
+                    let (centre, radius) = (start[k] + middle * along, half * along);
+                    let blocks = points[k][len..].chunks_exact_mut(LANES);
+                    let weights = weights[k][len..].chunks_exact_mut(LANES);
+                    for ((x, w), [nodes, rule]) in blocks.zip(weights).zip(lanes) {
+                        for l in 0..LANES {
+                            x[l] = centre + radius * nodes[l];
+                            w[l] = radius * rule[l];
+                        }
+                    }
+                }
+            },
+        );
     }
 
     /// Sums over all nodes and a chain of edges, each of which starts where the one before ends; afterwards there are no
     /// nodes.
     pub(super) fn sum(&mut self, edges: &[Seen], inverse_square: f64, sums: &mut Sums) {
+        if self.len == 0 {
+            return;
+        }
         let blocks = self.len.div_ceil(LANES);
-        let end = blocks * LANES;
         for k in 0..3 {
-            let (points, weights) = (&mut self.points[k], &mut self.weights[k]);
-            let first = points[0];
-            points[self.len..end].fill(first);
-            weights[self.len..end].fill(0.0);
+            // what is left of the last vector
+            let rest = self.len..self.len + LANES;
+            let first = self.points[k][0];
+            self.points[k][rest.clone()].copy_from_slice(&[first; LANES]);
+            self.weights[k][rest].copy_from_slice(&[0.0; LANES]);
         }
         let mut total = [[0.0; LANES]; 3];
         let (points, weights, out) = (&self.points, &self.weights, &mut total);

@@ -101,6 +101,19 @@ pub fn rough_ln(x: f64) -> f64 {
     k * std::f64::consts::LN_2 + (0.405_457 + t * series)
 }
 
+/// Natural logarithm of a number that is positive, finite and normal; of others anything.
+///
+/// **Accuracy** within [`LN_ERROR`].
+#[inline(always)]
+#[must_use]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+pub fn ln_of_normal(x: f64) -> f64 {
+    split(x).log(0.0)
+}
+
 /// `ln x` plus something small.
 #[inline(always)]
 #[allow(
@@ -108,31 +121,59 @@ pub fn rough_ln(x: f64) -> f64 {
     reason = "vector code is made where it is called"
 )]
 fn log_of(x: f64, small: f64) -> f64 {
-    // the bits of √½ taken off, so that the exponent turns over there and not at 1
-    const SQRT_HALF: u64 = 0x3fe6_a09e_667f_3bcd;
     const TWO_TO_54: f64 = 18_014_398_509_481_984.0;
     let subnormal = x < f64::MIN_POSITIVE;
-    let scaled = if subnormal { x * TWO_TO_54 } else { x };
-    let bits = scaled.to_bits().wrapping_sub(SQRT_HALF);
-    // |k| < 2¹¹ as a double, by way of 2⁵² + 2¹¹ + k, which holds it in its low bits
-    let shifted = (bits >> 52).wrapping_add(2048) & 0xfff;
-    let k = f64::from_bits(0x4330_0000_0000_0000 | shifted) - 4_503_599_627_372_544.0;
+    let Split { k, f } = split(if subnormal { x * TWO_TO_54 } else { x });
     let k = if subnormal { k - 54.0 } else { k };
-    let m = f64::from_bits((bits & 0x000f_ffff_ffff_ffff).wrapping_add(SQRT_HALF));
-    // f is exact; s is within 1.5 ε/2 of itself
-    let f = m - 1.0;
-    let s = f / (2.0 + f);
-    let z = s * s;
-    let w = z * z;
-    let odd = w * (LN[1] + w * (LN[3] + w * LN[5]));
-    let even = z * (LN[0] + w * (LN[2] + w * (LN[4] + w * LN[6])));
-    let half_square = 0.5 * f * f;
-    let log = k * LN_2_HIGH
-        - ((half_square - (s * (half_square + (odd + even)) + (k * LN_2_LOW + small))) - f);
+    let log = Split { k, f }.log(small);
     let below = if x < 0.0 { f64::NAN } else { f64::NEG_INFINITY };
     let log = if x > 0.0 { log } else { below };
     // infinity and NaN stay as they are
     if x < f64::INFINITY { log } else { x }
+}
+
+/// `2^k (1 + f)`, f in [√½ − 1, √2 − 1).
+struct Split {
+    k: f64,
+    f: f64,
+}
+
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+fn split(x: f64) -> Split {
+    // the bits of √½ taken off, so that the exponent turns over there and not at 1
+    const SQRT_HALF: u64 = 0x3fe6_a09e_667f_3bcd;
+    let bits = x.to_bits().wrapping_sub(SQRT_HALF);
+    // |k| < 2¹¹ as a double, by way of 2⁵² + 2¹¹ + k, which holds it in its low bits
+    let shifted = (bits >> 52).wrapping_add(2048) & 0xfff;
+    let k = f64::from_bits(0x4330_0000_0000_0000 | shifted) - 4_503_599_627_372_544.0;
+    let m = f64::from_bits((bits & 0x000f_ffff_ffff_ffff).wrapping_add(SQRT_HALF));
+    // exact
+    Split { k, f: m - 1.0 }
+}
+
+impl Split {
+    /// The logarithm, plus something small.
+    #[inline(always)]
+    #[allow(
+        clippy::inline_always,
+        reason = "vector code is made where it is called"
+    )]
+    fn log(self, small: f64) -> f64 {
+        let Self { k, f } = self;
+        // s is within 1.5 ε/2 of itself
+        let s = f / (2.0 + f);
+        let z = s * s;
+        let w = z * z;
+        let odd = w * (LN[1] + w * (LN[3] + w * LN[5]));
+        let even = z * (LN[0] + w * (LN[2] + w * (LN[4] + w * LN[6])));
+        let half_square = 0.5 * f * f;
+        k * LN_2_HIGH
+            - ((half_square - (s * (half_square + (odd + even)) + (k * LN_2_LOW + small))) - f)
+    }
 }
 
 /// `ln(1 + x)` for `x > −1`, to its own relative precision.
@@ -172,9 +213,20 @@ pub fn ln_1p(x: f64) -> f64 {
     reason = "vector code is made where it is called"
 )]
 pub fn angle(y: f64, x: f64) -> f64 {
+    angle_above(y.abs(), x).copysign(y)
+}
+
+/// The same for `y ≥ 0`, in `[0, π]`.
+#[inline(always)]
+#[must_use]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+pub fn angle_above(y: f64, x: f64) -> f64 {
     use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
     const TAN_PI_8: f64 = 0.414_213_562_373_095_03;
-    let (up, across) = (y.abs(), x.abs());
+    let (up, across) = (y, x.abs());
     let steep = up > across;
     let (short, long) = if steep { (across, up) } else { (up, across) };
     // turned by π/4, the quotient is at most tan(π/8) again; it is small there beside π/4
@@ -190,12 +242,11 @@ pub fn angle(y: f64, x: f64) -> f64 {
     let small = t + t * z * (even + z * odd);
     let octant = if turned { FRAC_PI_4 + small } else { small };
     let quadrant = if steep { FRAC_PI_2 - octant } else { octant };
-    let half = if x.is_sign_negative() {
+    if x.is_sign_negative() {
         PI - quadrant
     } else {
         quadrant
-    };
-    half.copysign(y)
+    }
 }
 
 /// `θ/sin θ` from `cos θ`, for angles up to 60°: `cos θ` from ½ to 1, or above by rounding.

@@ -8,7 +8,7 @@
 //!
 //! Reference: Trefethen, *Approximation Theory and Approximation Practice*, 2013, theorem 19.3.
 
-use super::{DoubleDouble, Scalar};
+use super::{DoubleDouble, LANES, Lanes, Scalar};
 use std::sync::OnceLock;
 
 /// The largest rule.
@@ -21,6 +21,8 @@ pub struct GaussLegendre {
     pub nodes: Vec<f64>,
     /// The weights; their sum is 2.
     pub weights: Vec<f64>,
+    /// Nodes and weights side by side in vectors, of which the last is filled up with weights of 0 at 0.
+    pub lanes: Vec<[Lanes; 2]>,
     /// Nodes and weights to 106 bits.
     pub precise: Vec<[DoubleDouble; 2]>,
 }
@@ -39,9 +41,19 @@ impl GaussLegendre {
 
     fn new(points: usize) -> Self {
         let precise: Vec<[DoubleDouble; 2]> = (0..points).map(|i| node(points, i)).collect();
+        let nodes: Vec<f64> = precise.iter().map(|[x, _]| x.to_f64()).collect();
+        let weights: Vec<f64> = precise.iter().map(|[_, w]| w.to_f64()).collect();
+        let filled = |numbers: &[f64]| {
+            let mut lanes = [0.0; LANES];
+            lanes[..numbers.len()].copy_from_slice(numbers);
+            lanes
+        };
+        let blocks = nodes.chunks(LANES).zip(weights.chunks(LANES));
+        let lanes = blocks.map(|(x, w)| [filled(x), filled(w)]).collect();
         Self {
-            nodes: precise.iter().map(|[x, _]| x.to_f64()).collect(),
-            weights: precise.iter().map(|[_, w]| w.to_f64()).collect(),
+            nodes,
+            weights,
+            lanes,
             precise,
         }
     }

@@ -57,6 +57,26 @@ pub trait Scalar:
     /// Angle of the point `(x, self)` from the positive x axis, in `(−π, π]`.
     #[must_use]
     fn atan2(&self, x: &Self) -> Self;
+    /// Logarithm of a number that is positive, finite and normal.
+    #[inline(always)]
+    #[must_use]
+    #[allow(
+        clippy::inline_always,
+        reason = "vector code is made where it is called"
+    )]
+    fn ln_of_normal(&self) -> Self {
+        self.ln()
+    }
+    /// Angle of the point `(x, self)` in the upper half plane, in `[0, π]`; of a point within 1e-290 of the origin to few digits.
+    #[inline(always)]
+    #[must_use]
+    #[allow(
+        clippy::inline_always,
+        reason = "vector code is made where it is called"
+    )]
+    fn angle_above(&self, x: &Self) -> Self {
+        self.atan2(x)
+    }
     /// `(1+x)·ln(1+x) − x` for `x ≥ −1`, to full relative precision.
     ///
     /// The value is 1 at `x = −1` and never negative; near 0 it is `x²/2`, which the
@@ -151,6 +171,14 @@ impl Scalar for f64 {
             1.0
         };
         super::elementary::angle(*self * scale, *x * scale)
+    }
+    #[inline(always)]
+    fn ln_of_normal(&self) -> Self {
+        super::elementary::ln_of_normal(*self)
+    }
+    #[inline(always)]
+    fn angle_above(&self, x: &Self) -> Self {
+        super::elementary::angle_above(*self, *x)
     }
     #[inline(always)]
     fn divergence_kernel(&self) -> Self {
