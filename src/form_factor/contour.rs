@@ -48,6 +48,9 @@ const RIGHT_ANGLE: f64 = 8.0;
 pub(super) struct Scratch {
     nodes: Nodes,
     batch: Batch,
+    columns: Columns,
+    /// By edge of the outer polygon and vector of edges of the inner one.
+    outside: Vec<Lanes>,
 }
 
 type Edges = SmallVec<[Edge<f64>; 4]>;
@@ -117,42 +120,49 @@ pub(super) fn contour(
         error: 0.0,
         sums: Sums::default(),
     };
-    let Scratch { nodes, batch } = scratch;
+    let Scratch {
+        nodes,
+        batch,
+        columns,
+        outside,
+    } = scratch;
     nodes.clear();
     let apart = apart_from(sum.log_per_length);
-    let mut near: SmallVec<[(usize, SmallVec<[Lanes; 1]>); 4]> = SmallVec::new();
-    let columns = Columns::new(&b_edges);
+    let mut near: SmallVec<[usize; 8]> = SmallVec::new();
+    columns.fill(&b_edges);
+    outside.clear();
     for (i, a) in a_edges.iter().enumerate() {
-        let (square, outside) = columns.distances_from(a);
+        let square = columns.distances_from(a, outside);
         let nearest = 2.0 * square.sqrt() / a.length;
         if nearest >= apart {
             sum.rule(a, [inner.perimeter, 1.0], nearest, nodes, &seen);
         } else {
-            near.push((i, outside));
+            near.push(i);
         }
     }
     nodes.sum(&seen, precision.inverse_square, &mut sum.sums);
     if !near.is_empty() {
         let rounding = Rounding::new(f64::EPSILON, 16.0, reach + farthest.min(4.0 * reach));
         let mut in_a_plane: SmallVec<[(usize, usize, Coplanar<f64>); 8]> = SmallVec::new();
+        let blocks = b_edges.len().div_ceil(LANES);
         for (j, b) in b_edges.iter().enumerate() {
             let only = &seen[j..=j];
-            for (i, outside) in &near {
-                let a = &a_edges[*i];
+            for i in near.iter().copied() {
+                let a = &a_edges[i];
                 let cosine = a.direction.dot(b.direction);
                 if cosine.abs() <= RIGHT_ANGLE * f64::EPSILON {
                     sum.error +=
                         14.0 * f64::EPSILON * a.length * precision.largest_potential(b.length);
                     continue;
                 }
-                let outside = outside[j / LANES][j % LANES];
+                let outside = outside[i * blocks + j / LANES][j % LANES];
                 if outside >= apart {
                     let length = [b.length, cosine.abs()];
                     sum.rule(a, length, outside, nodes, only);
                     continue;
                 }
                 match relation([a, b], rounding) {
-                    Relation::Coplanar(relation) => in_a_plane.push((*i, j, relation)),
+                    Relation::Coplanar(relation) => in_a_plane.push((i, j, relation)),
                     Relation::Skew => sum.panels([a, b], cosine.abs(), nodes, only)?,
                 }
             }

@@ -9,7 +9,6 @@ use super::potential::{log_distance, potential};
 use crate::geometry::Vector;
 use crate::numeric::elementary::{ROUGH_LN_ERROR, rough_ln};
 use crate::numeric::{LANES, Lanes, Scalar, vectorised};
-use smallvec::SmallVec;
 use std::f64::consts::FRAC_PI_2;
 
 /// An edge, from start to end.
@@ -70,14 +69,15 @@ pub(super) fn half_axes([from_start, from_middle, from_end]: [f64; 3], length: f
 }
 
 /// Edges side by side, as vectors take them.
-pub(super) struct Columns(SmallVec<[[Lanes; 7]; 1]>);
+#[derive(Debug, Default)]
+pub(super) struct Columns(Vec<[Lanes; 7]>);
 
 impl Columns {
-    /// What is left of the last vector repeats an edge.
-    pub(super) fn new(edges: &[Edge<f64>]) -> Self {
-        let mut columns = Self(SmallVec::new());
-        for edges in edges.chunks(LANES) {
-            let mut block = [[0.0; LANES]; 7];
+    /// Puts edges in place of those before; what is left of the last vector repeats them.
+    pub(super) fn fill(&mut self, edges: &[Edge<f64>]) {
+        self.0
+            .resize(edges.len().div_ceil(LANES), [[0.0; LANES]; 7]);
+        for (block, edges) in self.0.iter_mut().zip(edges.chunks(LANES)) {
             for lane in 0..LANES {
                 let edge = &edges[lane % edges.len()];
                 let ([[x, y, z], [u, v, w]], length) =
@@ -86,18 +86,17 @@ impl Columns {
                     column[lane] = number;
                 }
             }
-            columns.0.push(block);
         }
-        columns
     }
 
-    /// For a line: its middle's least squared distance, and the [`half_axes`] that leave each edge outside.
-    pub(super) fn distances_from(&self, line: &Edge<f64>) -> (f64, SmallVec<[Lanes; 1]>) {
+    /// A line's middle's least squared distance; at the end of `outside`, the [`half_axes`] that leave each edge outside.
+    pub(super) fn distances_from(&self, line: &Edge<f64>, outside: &mut Vec<Lanes>) -> f64 {
         let points = [line.ends[0], line.at(0.5), line.ends[1]];
         let length = line.length;
-        let mut outside: SmallVec<[Lanes; 1]> = SmallVec::from_elem([0.0; LANES], self.0.len());
+        let before = outside.len();
+        outside.resize(before + self.0.len(), [0.0; LANES]);
         let mut nearest = [f64::INFINITY; LANES];
-        let (columns, out) = (self.0.as_slice(), (outside.as_mut_slice(), &mut nearest));
+        let (columns, out) = (self.0.as_slice(), (&mut outside[before..], &mut nearest));
         vectorised(
             #[inline(always)]
             move || {
@@ -119,7 +118,7 @@ impl Columns {
                 }
             },
         );
-        (nearest.into_iter().fold(f64::INFINITY, f64::min), outside)
+        nearest.into_iter().fold(f64::INFINITY, f64::min)
     }
 }
 

@@ -15,9 +15,10 @@
 
 use super::edge::{Edge, half_axes};
 use crate::geometry::Vector;
-use crate::numeric::elementary::rough_ln;
+use crate::numeric::elementary::{ROUGH_EXP2_ERROR, ROUGH_LN_ERROR, rough_exp2, rough_ln};
 use crate::numeric::{MOST_POINTS, Scalar};
 use smallvec::SmallVec;
+use std::f64::consts::LN_2;
 
 /// A bound on the error of a Gauss rule with `points` on an edge, per half its length and per length of the other edge, if
 /// no point of the other one is nearer to it than the ellipse `ρ`: half the logarithm of r² has the Chebyshev
@@ -153,17 +154,19 @@ fn beside<S: Scalar + Copy>(
     let rho = 1.0 + 0.85 * (ellipse(sum) - 1.0);
     let inner_length = inner.length.to_f64();
     let reach = (to_ends[0].max(to_ends[1]) + 2.0 * inner_length) / inner_length;
-    let largest = 64.0 / 15.0 * 60.0 * reach / (1.0 - rho.powi(-2));
+    let largest = 64.0 / 15.0 * 60.0 * reach / (1.0 - 1.0 / (rho * rho));
     let points = ((rough_ln(largest) - log_share) / (2.0 * rough_ln(rho)))
         .clamp(1.0, MOST_POINTS as f64 - 1.0);
     let points = points as usize + 1;
     Some((points, largest * power(rho, points)))
 }
 
-/// `ρ^(−2n)`.
+/// A bound on `ρ^(−2n)`, near it.
 #[inline(always)]
+#[allow(clippy::cast_precision_loss, reason = "some points")]
 pub(super) fn power(rho: f64, points: usize) -> f64 {
-    rho.powi(-2 * i32::try_from(points).unwrap_or(i32::MAX))
+    let log = (ROUGH_LN_ERROR - rough_ln(rho)) * (2.0 / LN_2) * points as f64;
+    rough_exp2(log.max(-1000.0)) * (1.0 + 2.0 * ROUGH_EXP2_ERROR)
 }
 
 /// Where the lines' distance vanishes: how far along the outer line from its start, how far beside it, and how uncertain both
