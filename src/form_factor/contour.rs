@@ -100,6 +100,14 @@ pub(super) fn contour(
             (a_edges, b_edges) = (outer.edges.clone(), inner.edges.clone());
         }
     }
+    let Scratch {
+        nodes,
+        batch,
+        columns,
+        outside,
+    } = scratch;
+    // long before they are read, which would have to wait for them
+    columns.fill(&b_edges);
     let squares = a_edges.iter().map(|edge| edge.ends[0].dot(edge.ends[0]));
     let largest = squares.fold(0.0, f64::max).sqrt();
     let precision = Precision::new(gap, reach, 1.0, f64::EPSILON);
@@ -120,16 +128,9 @@ pub(super) fn contour(
         error: 0.0,
         sums: Sums::default(),
     };
-    let Scratch {
-        nodes,
-        batch,
-        columns,
-        outside,
-    } = scratch;
     nodes.clear();
     let apart = apart_from(sum.log_per_length);
     let mut near: SmallVec<[usize; 8]> = SmallVec::new();
-    columns.fill(&b_edges);
     outside.clear();
     for (i, a) in a_edges.iter().enumerate() {
         let square = columns.distances_from(a, outside);
@@ -145,6 +146,7 @@ pub(super) fn contour(
         let rounding = Rounding::new(f64::EPSILON, 16.0, reach + farthest.min(4.0 * reach));
         let mut in_a_plane: SmallVec<[(usize, usize, Coplanar<f64>); 8]> = SmallVec::new();
         let blocks = b_edges.len().div_ceil(LANES);
+        batch.clear();
         for (j, b) in b_edges.iter().enumerate() {
             let only = &seen[j..=j];
             for i in near.iter().copied() {
@@ -162,26 +164,14 @@ pub(super) fn contour(
                     continue;
                 }
                 match relation([a, b], rounding) {
-                    Relation::Coplanar(relation) => in_a_plane.push((i, j, relation)),
+                    Relation::Coplanar(relation) => {
+                        batch.ask_ends([a, b], &relation);
+                        in_a_plane.push((i, j, relation));
+                    }
                     Relation::Skew => sum.panels([a, b], cosine.abs(), nodes, only)?,
                 }
             }
             nodes.sum(only, precision.inverse_square, &mut sum.sums);
-        }
-        batch.clear();
-        for (i, j, relation) in &in_a_plane {
-            let (a, b) = (&a_edges[*i], &b_edges[*j]);
-            // not at the meeting point, where they have no weight
-            if let Coplanar::Meeting { s, t, .. } = relation {
-                for end in 0..2 {
-                    if s[end].abs() > 0.0 {
-                        batch.ask(b, a.ends[end]);
-                    }
-                    if t[end].abs() > 0.0 {
-                        batch.ask(a, b.ends[end]);
-                    }
-                }
-            }
         }
         batch.answer(precision.inverse_square);
         let mut asked = batch.values.iter();
