@@ -149,7 +149,8 @@ impl Polygon {
 impl View<'_> {
     fn answer(&self, work: &mut Work) -> Result<Answer, FormFactorError> {
         let mut best: Option<Answer> = None;
-        let mut left = self.plans();
+        let mut left = Plans::new();
+        self.plans(&mut left);
         // what is not expected to do is tried last, before the precise one: expectations rest on an estimate
         let mut put_off: SmallVec<[Plan; 2]> = SmallVec::new();
         while let Some(k) = cheapest(&left) {
@@ -239,25 +240,24 @@ impl View<'_> {
 
     /// Routes with their rough work in nanoseconds; infinite if cancellation leaves too little.
     #[allow(clippy::cast_precision_loss, reason = "some points")]
-    fn plans(&self) -> SmallVec<[(f64, Plan); 3]> {
-        let mut plans = SmallVec::new();
+    fn plans(&self, plans: &mut Plans) {
         if self.gap <= 0.0 {
             plans.push((0.0, Plan::Contour));
-            return plans;
+            return;
         }
         let points = [self.points(0), self.points(1)];
-        let on = |k: usize| (LANES * self.blocks(k, points[k])) as f64;
+        let on = [0, 1].map(|k| (LANES * self.rules(k, points[k]).1) as f64);
         let corners = self.shapes.map(|shape| shape.corners.len() as f64);
         if points[0].max(points[1]) < MOST {
-            let work = 1.0 * (on(0) + on(1)) + on(0) * on(1) * 0.2;
+            let work = 1.0 * (on[0] + on[1]) + on[0] * on[1] * 0.2;
             plans.push((work, Plan::Kernel { points }));
             if work < CHEAP {
-                return plans;
+                return;
             }
         }
-        let over = usize::from(on(1) * corners[0] < on(0) * corners[1]);
+        let over = usize::from(on[1] * corners[0] < on[0] * corners[1]);
         if points[over] < MOST {
-            let work = on(over) * (1.0 + corners[1 - over] * self.lambert_work(over));
+            let work = on[over] * (1.0 + corners[1 - over] * self.lambert_work(over));
             let points = points[over];
             // computed when it is its turn
             let rounding = LambertRounding::default();
@@ -271,7 +271,6 @@ impl View<'_> {
             ));
         }
         plans.push((self.contour_work(), Plan::Contour));
-        plans
     }
 
     fn contour_work(&self) -> f64 {
@@ -332,6 +331,9 @@ const CHEAP: f64 = 200.0;
 fn cheapest(plans: &[(f64, Plan)]) -> Option<usize> {
     (0..plans.len()).min_by(|i, j| plans[*i].0.total_cmp(&plans[*j].0))
 }
+
+/// Routes with their work.
+type Plans = SmallVec<[(f64, Plan); 3]>;
 
 /// A route, and how many points it takes.
 #[derive(Debug, Clone, Copy)]

@@ -27,12 +27,12 @@
 //!   h J = (h0 + h1 z)(J0 + J1 z):  |h0 J0| B_0 + (|h0 J1| + |h1 J0|) B_1 + |h1 J1| B_2
 //! ```
 //!
-//! for each of the directions. All of this falls as a moves away, and γ⁴ B does for γ ≥ ½. A height
+//! for each of the directions. The lines of a triangle are shorter towards its apex, in proportion to J, so that fewer points do there. All of this falls as a moves away, and γ⁴ B does for γ ≥ ½. A height
 //! ≥ 0 has |h0| ≤ h_max and |h1| ≤ ½ h_max, and |h1| ≤ half-length. (The other polygon's plane is the only one whose height
 //! changes along the line.)
 
 use super::panels::{ellipse, power};
-use super::shape::Shape;
+use super::shape::{Cell, Shape};
 use crate::numeric::{GaussLegendre, LANES, Lanes, MOST_POINTS};
 use glam::DVec3;
 use std::sync::OnceLock;
@@ -47,41 +47,65 @@ pub(super) struct Block {
     pub heights: Lanes,
 }
 
-/// A product rule on the unit square: s, t and the weight of each point.
+/// A rule on the unit square: s, t and the weight of each point.
 #[derive(Debug)]
-pub(super) struct Square(Vec<[Lanes; 3]>);
+pub(super) struct Points(Vec<[Lanes; 3]>);
 
-impl Square {
-    /// With `n × n` points, made once.
-    pub(super) fn with(n: usize) -> &'static Self {
-        static SQUARES: [OnceLock<Square>; MOST_POINTS + 1] =
-            [const { OnceLock::new() }; MOST_POINTS + 1];
-        let n = n.clamp(1, MOST_POINTS);
-        SQUARES[n].get_or_init(|| {
+impl Points {
+    /// `n` rows of as many points as `row` says for each t.
+    fn new(n: usize, row: impl Fn(f64) -> usize) -> Self {
+        let on_unit = |n| {
             let rule = GaussLegendre::with(n);
-            let on_unit = || rule.nodes.iter().map(|x| 0.5 + 0.5 * x).zip(&rule.weights);
-            let points =
-                on_unit().flat_map(|(s, ws)| on_unit().map(move |(t, wt)| [s, t, 0.25 * ws * wt]));
+            rule.nodes.iter().map(|x| 0.5 + 0.5 * x).zip(&rule.weights)
+        };
+        let points = on_unit(n).flat_map(|(t, wt)| {
+            let row = on_unit(row(t));
+            row.map(move |(s, ws)| [s, t, 0.25 * ws * wt])
+        });
+        let points: Vec<[f64; 3]> = points.collect();
+        let blocks = points.chunks(LANES).map(|points| {
             // what fills the last vector lies in the middle, and weighs nothing
-            let mut blocks = vec![[[0.5; LANES], [0.5; LANES], [0.0; LANES]]; blocks(n)];
-            for (i, point) in points.enumerate() {
-                for (column, number) in blocks[i / LANES].iter_mut().zip(point) {
-                    column[i % LANES] = number;
+            let mut block = [[0.5; LANES], [0.5; LANES], [0.0; LANES]];
+            for (i, point) in points.iter().enumerate() {
+                for (column, number) in block.iter_mut().zip(point) {
+                    column[i] = *number;
                 }
             }
-            Self(blocks)
-        })
+            block
+        });
+        Self(blocks.collect())
     }
 }
 
-/// Vectors that `n × n` points on a cell take.
-pub(super) const fn blocks(n: usize) -> usize {
-    (n * n).div_ceil(LANES)
+/// The rules on the cells of a shape, made once for all shapes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rules {
+    quadrilateral: &'static Points,
+    triangle: &'static Points,
 }
 
-/// The points of a product rule on each cell of a shape; to be called where vector code is made.
+const fn is_triangle(cell: &Cell) -> bool {
+    cell[2] == cell[3]
+}
+
+impl Rules {
+    fn of(&self, cell: &Cell) -> &'static Points {
+        if is_triangle(cell) {
+            self.triangle
+        } else {
+            self.quadrilateral
+        }
+    }
+
+    /// The vectors that the points on all cells take.
+    pub(super) fn blocks(&self, shape: &Shape) -> usize {
+        shape.cells.iter().map(|cell| self.of(cell).0.len()).sum()
+    }
+}
+
+/// The points of rules on each cell of a shape; to be called where vector code is made.
 ///
-/// **Arguments** `out`: as many blocks for each cell as the square has.
+/// **Arguments** `out`: as many [blocks](Rules::blocks) as they take.
 #[inline(always)]
 #[allow(
     clippy::inline_always,
@@ -89,13 +113,16 @@ pub(super) const fn blocks(n: usize) -> usize {
 )]
 pub(super) fn fill(
     out: &mut [Block],
-    Square(square): &Square,
+    rules: Rules,
     shape: &Shape,
     corner_heights: &[f64],
     origin: DVec3,
 ) {
-    let cells = shape.cells.iter().zip(&shape.jacobians);
-    for ((cell, jacobian), out) in cells.zip(out.chunks_exact_mut(square.len())) {
+    let mut rest = out;
+    for (cell, jacobian) in shape.cells.iter().zip(&shape.jacobians) {
+        let Points(points) = rules.of(cell);
+        let (out, others) = rest.split_at_mut(points.len());
+        rest = others;
         let mut corners = [[0.0; 4]; 4];
         for (k, i) in cell.iter().enumerate() {
             let corner = shape.corners[*i] - origin;
@@ -108,7 +135,7 @@ pub(super) fn fill(
             [dx, dy, dz, dh],
         ] = corners;
         let [j, js, jt] = *jacobian;
-        for (points, out) in square.iter().zip(out) {
+        for (points, out) in points.iter().zip(out) {
             let [s, t, weight] = *points;
             let mut block = Block::default();
             for l in 0..LANES {
@@ -146,18 +173,48 @@ pub(super) const MOST: usize = 17;
 /// `B_0, B_1, B_2` by the number of points.
 type Bounds = [[f64; 3]; MOST + 1];
 
+/// The largest ratio with bounds of its own that is not above this one, by number and as it is; `None` if there is none.
+fn ratio(gamma: f64) -> Option<(usize, f64)> {
+    let step = |gamma: f64| gamma.to_bits() >> 48;
+    if gamma < SMALLEST || gamma.is_nan() {
+        return None;
+    }
+    let above = step(gamma) - step(SMALLEST);
+    let index = usize::try_from(above).map_or(STEPS - 1, |i| i.min(STEPS - 1));
+    Some((index, f64::from_bits((step(SMALLEST) + index as u64) << 48)))
+}
+
+/// The bounds at a ratio, which hold for all above it.
+fn bounds_at((index, gamma): (usize, f64)) -> &'static Bounds {
+    static BOUNDS: [OnceLock<Bounds>; STEPS] = [const { OnceLock::new() }; STEPS];
+    BOUNDS[index].get_or_init(|| bounds(gamma))
+}
+
 impl Lines {
     fn bounds(&self) -> Option<&'static Bounds> {
-        static BOUNDS: [OnceLock<Bounds>; STEPS] = [const { OnceLock::new() }; STEPS];
-        let step = |gamma: f64| gamma.to_bits() >> 48;
-        if self.gamma < SMALLEST || self.gamma.is_nan() {
-            return None;
+        ratio(self.gamma).map(bounds_at)
+    }
+
+    /// Rules for the cells of a shape with so many rows, and no more points in any.
+    #[inline]
+    pub(super) fn rules(&self, points: usize, shape: &Shape) -> Rules {
+        static SQUARES: [OnceLock<Points>; MOST_POINTS + 1] =
+            [const { OnceLock::new() }; MOST_POINTS + 1];
+        static TRIANGLES: [[OnceLock<Points>; MOST + 1]; STEPS] =
+            [const { [const { OnceLock::new() }; MOST + 1] }; STEPS];
+        let n = points.clamp(1, MOST_POINTS);
+        let has_triangles = shape.cells.iter().any(is_triangle) && (2..=MOST).contains(&n);
+        let quadrilateral = SQUARES[n].get_or_init(|| Points::new(n, |_| n));
+        let triangle = match ratio(self.gamma) {
+            Some(ratio) if has_triangles => {
+                TRIANGLES[ratio.0][n].get_or_init(|| triangle(ratio, n))
+            }
+            _ => quadrilateral,
+        };
+        Rules {
+            quadrilateral,
+            triangle,
         }
-        let above = step(self.gamma) - step(SMALLEST);
-        let index = usize::try_from(above).map_or(STEPS - 1, |i| i.min(STEPS - 1));
-        // the bound at a ratio holds for all above it
-        let at = f64::from_bits((step(SMALLEST) + index as u64) << 48);
-        Some(BOUNDS[index].get_or_init(|| bounds(at)))
     }
 
     fn sum(&self, [constant, linear, square]: [f64; 3]) -> f64 {
@@ -178,6 +235,19 @@ impl Lines {
             .and_then(|bounds| (2..MOST).find(|n| self.sum(bounds[*n]) <= wanted));
         found.unwrap_or(MOST)
     }
+}
+
+/// A rule whose rows have fewer points the shorter they are: as many as keep each from adding more to the error than a whole one.
+fn triangle(at: (usize, f64), n: usize) -> Points {
+    let whole = bounds_at(at)[n];
+    Points::new(n, |t| {
+        let share = 1.0 - t;
+        let bounds = ratio(at.1 / share).map(bounds_at);
+        let is_enough = |points: &usize| {
+            bounds.is_some_and(|bounds| (0..3).all(|d| share * bounds[*points][d] <= whole[d]))
+        };
+        (2..n).find(is_enough).unwrap_or(n)
+    })
 }
 
 /// Over all places of a zero at least `gamma` from the line, in pieces at whose ends all that counts is least.

@@ -8,7 +8,7 @@
 
 use super::ExchangeArea;
 use super::choice::Work;
-use super::gauss_points::{Block, Square, fill};
+use super::gauss_points::{Block, fill};
 use super::horizon::Heights;
 use super::view::View;
 use crate::numeric::{LANES, Lanes, across, vectorised};
@@ -19,11 +19,14 @@ impl View<'_> {
     #[allow(clippy::cast_precision_loss, reason = "some points")]
     pub(super) fn kernel(&self, points: [usize; 2], work: &mut Work) -> ExchangeArea {
         let origin = self.shapes[0].centre;
-        let squares = points.map(Square::with);
+        let [(first_rules, first_blocks), (second_rules, second_blocks)] =
+            [0, 1].map(|k| self.rules(k, points[k]));
         let heights = [self.precise_heights(0), self.precise_heights(1)];
+        // by reference: what is moved into vector code is copied
+        let [first_heights, second_heights] = [&*heights[0], &*heights[1]];
         let [first, second] = &mut work.blocks;
-        first.resize(self.blocks(0, points[0]), Block::default());
-        second.resize(self.blocks(1, points[1]), Block::default());
+        first.resize(first_blocks, Block::default());
+        second.resize(second_blocks, Block::default());
         let [first, second] = [first.as_mut_slice(), second.as_mut_slice()];
         let (unit, mut sums) = (self.reach, [0.0; LANES]);
         let out = &mut sums;
@@ -31,16 +34,15 @@ impl View<'_> {
         vectorised(
             #[inline(always)]
             move || {
-                fill(first, squares[0], shapes[0], &heights[0], origin);
-                fill(second, squares[1], shapes[1], &heights[1], origin);
+                fill(first, first_rules, shapes[0], first_heights, origin);
+                fill(second, second_rules, shapes[1], second_heights, origin);
                 *out = sum(first, second, unit);
             },
         );
         let value = across(sums) / (unit * unit * unit * unit * PI);
         let largest = self.largest();
         let truncation: f64 = (0..2).map(|k| self.truncation(k, points[k], largest)).sum();
-        let terms = [0, 1].map(|k| self.blocks(k, points[k]));
-        let terms = 4.0 * (terms[0] + terms[1]) as f64;
+        let terms = 4.0 * (first_blocks + second_blocks) as f64;
         let relative = (24.0 + terms) * f64::EPSILON + 2.0 * HEIGHT_ERROR;
         ExchangeArea {
             value,

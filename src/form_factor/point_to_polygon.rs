@@ -22,7 +22,7 @@
 
 use super::choice::Work;
 use super::edge::Edge;
-use super::gauss_points::{Block, Square, fill};
+use super::gauss_points::{Block, fill};
 use super::view::{View, widening};
 use super::{ExchangeArea, FormFactorError};
 use crate::geometry::{Patch, Vector};
@@ -44,9 +44,9 @@ impl View<'_> {
     ) -> ExchangeArea {
         let (over, seen) = (self.shapes[k], self.shapes[1 - k]);
         let origin = over.centre;
-        let square = Square::with(points);
+        let (rules, count) = self.rules(k, points);
         let blocks = &mut work.blocks[0];
-        blocks.resize(self.blocks(k, points), Block::default());
+        blocks.resize(count, Block::default());
         let blocks = blocks.as_mut_slice();
         let (heights, normal) = (self.heights[k], self.polygons[k].normal);
         let sides = &mut work.sides;
@@ -63,7 +63,7 @@ impl View<'_> {
         vectorised(
             #[inline(always)]
             move || {
-                fill(blocks, square, over, heights, origin);
+                fill(blocks, rules, over, heights, origin);
                 *out = sum(blocks, Vector(normal.to_array()), sides, subtended);
             },
         );

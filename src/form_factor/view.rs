@@ -1,6 +1,6 @@
 //! A pair as the routes see it: what of each polygon is in front of the other's plane, and measures of both.
 
-use super::gauss_points::{self, Lines};
+use super::gauss_points::{Lines, Rules};
 use super::horizon::{Off, Side, side_of};
 use super::shape::Shape;
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
@@ -187,9 +187,11 @@ impl<'a> View<'a> {
         }
     }
 
-    /// Vectors that rules on one of the shapes take.
-    pub(super) fn blocks(&self, k: usize, points: usize) -> usize {
-        gauss_points::blocks(points) * self.shapes[k].cells.len()
+    /// Rules on one of the shapes, and the vectors that they take.
+    pub(super) fn rules(&self, k: usize, points: usize) -> (Rules, usize) {
+        let shape = self.shapes[k];
+        let rules = self.lines(k).rules(points, shape);
+        (rules, rules.blocks(shape))
     }
 
     /// A bound on the error of a rule on one of the shapes.
