@@ -9,7 +9,9 @@ use super::parallel::{self, strip_exchange};
 use super::perpendicular::{self, Plate, strip_exchange_at_depth, strip_exchange_at_width};
 use super::rectangle_kernel::{self, Sides};
 use super::{Exchange, ExchangeArea, FormFactorError};
-use crate::geometry::{Extent, GeometryError, Offsets, Placement, Rectangle, Span, SplitAxis};
+use crate::geometry::{
+    AlignedRectangle, Extent, GeometryError, Offsets, Placement, Rectangle, Span, SplitAxis,
+};
 use crate::numeric::Scalar;
 
 /// Two rectangles with edges along three common axes.
@@ -43,10 +45,23 @@ impl RectanglePair {
     /// # Errors
     /// [`FormFactorError::Geometry`] if the edges do not run along three common axes.
     pub fn try_new(first: &Rectangle, second: &Rectangle) -> Result<Self, FormFactorError> {
-        let placement = Placement::try_new(first, second)?;
+        Self::placed(&Placement::try_new(first, second)?)
+    }
+
+    /// The same of rectangles with edges along the coordinate axes.
+    #[inline]
+    pub(super) fn along_axes(
+        first: &AlignedRectangle,
+        second: &AlignedRectangle,
+    ) -> Result<Self, FormFactorError> {
+        Self::placed(&Placement::along_axes(first, second)?)
+    }
+
+    #[inline]
+    fn placed(placement: &Placement) -> Result<Self, FormFactorError> {
         Ok(Self {
             first: placement.first,
-            second: Second::try_from(&placement)?,
+            second: Second::try_from(placement)?,
             unit: placement.unit,
         })
     }
@@ -284,6 +299,7 @@ impl<S: Scalar> RectanglePair<S> {
 impl TryFrom<&Placement> for Second<f64> {
     type Error = FormFactorError;
 
+    #[inline]
     fn try_from(placement: &Placement) -> Result<Self, FormFactorError> {
         let perpendicular = |across, plane, width, height: Span| {
             Ok(match height.above(&0.0) {
