@@ -49,7 +49,7 @@ impl RectanglePair {
     }
 
     /// The same of rectangles with edges along the coordinate axes.
-    #[inline]
+    #[inline(always)]
     pub(super) fn along_axes(
         first: &AlignedRectangle,
         second: &AlignedRectangle,
@@ -57,7 +57,7 @@ impl RectanglePair {
         Self::placed(&Placement::along_axes(first, second)?)
     }
 
-    #[inline]
+    #[inline(always)]
     fn placed(placement: &Placement) -> Result<Self, FormFactorError> {
         Ok(Self {
             first: placement.first,
@@ -299,7 +299,7 @@ impl<S: Scalar> RectanglePair<S> {
 impl TryFrom<&Placement> for Second<f64> {
     type Error = FormFactorError;
 
-    #[inline]
+    #[inline(always)]
     fn try_from(placement: &Placement) -> Result<Self, FormFactorError> {
         let perpendicular = |across, plane, width, height: Span| {
             Ok(match height.above(&0.0) {

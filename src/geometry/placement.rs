@@ -140,7 +140,11 @@ impl Placement {
     ///
     /// # Errors
     /// [`GeometryError::EmptySpan`] if the sizes differ by more than `f64` can hold.
-    #[inline]
+    #[inline(always)]
+    #[allow(
+        clippy::inline_always,
+        reason = "its parts go on to the next step in registers"
+    )]
     pub fn along_axes(
         first: &AlignedRectangle,
         second: &AlignedRectangle,
@@ -153,11 +157,10 @@ impl Placement {
         };
         let places = [along(0), along(1), along(2)];
         let lengths = [first.sides[axes[0]].abs(), first.sides[axes[1]].abs()];
-        let extent = places
-            .iter()
-            .flat_map(|(start, side)| [start.abs(), (start + side).abs()])
-            .chain(lengths)
-            .fold(0.0, f64::max);
+        let mut extent = lengths[0].max(lengths[1]);
+        for (start, side) in places {
+            extent = extent.max(start.abs()).max((start + side).abs());
+        }
         // the power of two at or below it, and its inverse: a product with that is as exact as a quotient
         let unit = f64::from_bits(extent.to_bits() & 0x7ff0_0000_0000_0000);
         let inverse = 1.0 / unit;

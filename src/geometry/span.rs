@@ -41,11 +41,13 @@ impl<S: Scalar> Span<S> {
     ///
     /// # Errors
     /// [`GeometryError::EmptySpan`] unless both are finite and `length > 0`.
+    #[inline(always)]
     pub fn with_length(lower: S, length: S) -> Result<Self, GeometryError> {
         let upper = lower.clone() + &length;
         Self::checked(lower, upper, length)
     }
 
+    #[inline(always)]
     fn checked(lower: S, upper: S, length: S) -> Result<Self, GeometryError> {
         let finite = lower.to_f64().is_finite() && upper.to_f64().is_finite();
         if finite && length > length.zero() && lower < upper {
