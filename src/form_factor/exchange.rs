@@ -68,45 +68,39 @@ impl<S: Scalar> Exchange<S> {
         };
     }
 
-    /// The signed sum of a term over the eight corners of a form, all in one loop; `special` has the corners for which the
-    /// term's formula does not stand. The term captures nothing, so that all it needs lies in registers.
+    /// The signed sum of a term over the eight corners of a form, all in one loop. `columns` lays the numbers out coordinate by
+    /// coordinate, as vectors are. Neither it nor the term captures anything, so that all they need lies in registers.
     #[inline(always)]
     pub(super) fn over_corners<const K: usize, const C: usize>(
-        corners: &[([S; K], Sign); 8],
-        constants: [S; C],
-        term: impl Fn(&[S; C], &[[S; 8]; K], usize) -> Self + Copy,
-        special: impl Fn(&[S; K]) -> Option<Self>,
+        numbers: [S; C],
+        sign: impl Fn(usize) -> Sign,
+        columns: impl Fn(&[S; C]) -> [[S; 8]; K],
+        term: impl Fn(&[S; C], &[[S; 8]; K], usize) -> Self,
     ) -> Self {
-        let zero = corners[0].0[0].zero();
-        let mut terms: Option<[[S; 8]; 2]> = None;
-        let out = &mut terms;
+        let mut sum = Self::new(&numbers[0]);
+        let out = &mut sum;
         S::vectorised(
             #[inline(always)]
             move || {
-                // coordinate by coordinate, as vectors are loaded
-                let columns: [[S; 8]; K] =
-                    std::array::from_fn(|k| std::array::from_fn(|i| corners[i].0[k].clone()));
-                let constants = constants;
-                let mut values: [S; 8] = std::array::from_fn(|_| zero.clone());
+                let numbers = numbers;
+                let columns = columns(&numbers);
+                let mut values: [S; 8] = std::array::from_fn(|_| numbers[0].zero());
                 let mut magnitudes = values.clone();
                 for i in 0..8 {
-                    let term = term(&constants, &columns, i);
+                    let term = term(&numbers, &columns, i);
                     values[i] = term.value;
                     magnitudes[i] = term.magnitude;
                 }
-                *out = Some([values, magnitudes]);
+                let values: [S; 8] = std::array::from_fn(|i| match sign(i) {
+                    Sign::Plus => values[i].clone(),
+                    Sign::Minus => -values[i].clone(),
+                });
+                *out = Self {
+                    value: across(values),
+                    magnitude: across(magnitudes),
+                };
             },
         );
-        let mut sum = Self::new(&corners[0].0[0]);
-        let Some([values, magnitudes]) = terms else {
-            return sum;
-        };
-        for ((corner, sign), (value, magnitude)) in
-            corners.iter().zip(values.into_iter().zip(magnitudes))
-        {
-            let term = special(corner).unwrap_or(Self { value, magnitude });
-            sum.add_signed(*sign, &term);
-        }
         sum
     }
 
@@ -194,8 +188,8 @@ pub(super) enum Sign {
 
 impl Sign {
     /// The product of two.
-    pub(super) fn times(self, other: Self) -> Self {
-        if self == other {
+    pub(super) const fn times(self, other: Self) -> Self {
+        if self as u8 == other as u8 {
             Self::Plus
         } else {
             Self::Minus
@@ -207,18 +201,17 @@ impl Sign {
 #[inline(always)]
 pub(super) fn log_ratio<S: Scalar>(difference: &S, r2_a: &S, r2_b: &S) -> S {
     let falls = *difference < difference.zero();
-    let (step, from) = if falls {
-        (-difference.clone(), r2_b)
+    let (step, from, to) = if falls {
+        (-difference.clone(), r2_b, r2_a)
     } else {
-        (difference.clone(), r2_a)
+        (difference.clone(), r2_a, r2_b)
     };
-    let log = (step / from).ln_1p();
+    let log = step.ln_ratio(from, to);
     if falls { -log } else { log }
 }
 
-/// What the rounding of [`log_ratio`] is relative to, if `uncertainty` is what its difference was computed from.
+/// The sum of eight, halves first.
 #[inline(always)]
-pub(super) fn log_ratio_size<S: Scalar>(log: &S, uncertainty: &S, r2_a: &S, r2_b: &S) -> S {
-    let larger = if r2_a < r2_b { r2_b } else { r2_a };
-    log.abs() + &(uncertainty.clone() / larger)
+fn across<S: Scalar>([a, b, c, d, e, f, g, h]: [S; 8]) -> S {
+    ((a + e) + (c + g)) + ((b + f) + (d + h))
 }

@@ -48,6 +48,11 @@ pub trait Scalar:
     /// `ln(1 + x)` for `x > −1`, without forming the sum.
     #[must_use]
     fn ln_1p(&self) -> Self;
+    /// `ln(to/from)` where this is `to − from`, for `0 < from ≤ to`.
+    #[must_use]
+    fn ln_ratio(&self, from: &Self, _to: &Self) -> Self {
+        (self.clone() / from).ln_1p()
+    }
     /// `eˣ`.
     #[must_use]
     fn exp(&self) -> Self;
@@ -57,6 +62,12 @@ pub trait Scalar:
     /// Angle of the point `(x, self)` from the positive x axis, in `(−π, π]`.
     #[must_use]
     fn atan2(&self, x: &Self) -> Self;
+    /// The angles of several points `[y, x]`, of which none is subnormal in both coordinates: as [`atan2`](Self::atan2), but
+    /// faster together.
+    #[must_use]
+    fn angles<const N: usize>(points: [[&Self; 2]; N]) -> [Self; N] {
+        points.map(|[y, x]| y.atan2(x))
+    }
     /// `(1+x)·ln(1+x) − x` for `x ≥ −1`, to full relative precision.
     ///
     /// The value is 1 at `x = −1` and never negative; near 0 it is `x²/2`, which the
@@ -135,6 +146,10 @@ impl Scalar for f64 {
         super::elementary::ln_1p(*self)
     }
     #[inline(always)]
+    fn ln_ratio(&self, from: &Self, to: &Self) -> Self {
+        super::elementary::ln_ratio(*self, *from, *to)
+    }
+    #[inline(always)]
     fn exp(&self) -> Self {
         f64::exp(*self)
     }
@@ -151,6 +166,10 @@ impl Scalar for f64 {
             1.0
         };
         super::elementary::angle(*self * scale, *x * scale)
+    }
+    #[inline(always)]
+    fn angles<const N: usize>(points: [[&Self; 2]; N]) -> [Self; N] {
+        super::elementary::angles(points.map(|point| point.map(|x| *x)))
     }
     #[inline(always)]
     fn divergence_kernel(&self) -> Self {
