@@ -7,7 +7,7 @@
 use super::shape::Shape;
 use super::{Answer, ExchangeArea, Polygon, RectanglePair, Route};
 use crate::geometry::AlignedRectangle;
-use crate::numeric::{Interval, Scalar};
+use crate::numeric::{Interval, Scalar, vectorised};
 use std::f64::consts::PI;
 
 /// Bits of the closed forms in intervals.
@@ -18,17 +18,41 @@ impl Polygon {
     /// where they meet the tolerance; `None` for other polygons, and where nothing is exchanged.
     pub(super) fn rectangles(&self, other: &Self, tolerance: f64) -> Option<Answer> {
         let (first, second) = (self.rectangle.as_ref()?, other.rectangle.as_ref()?);
-        let pair = RectanglePair::along_axes(first, second).ok()?;
         let by_rules = if self.is_far_from(other) {
-            pair.exchange_by_rules(tolerance)
+            self.by_rules(other, tolerance)
         } else {
             None
         };
-        let (mut exchange, route) = if let Some(exchange) = by_rules {
-            (exchange, Route::Kernel)
-        } else {
-            (pair.exchange_area().ok()?, route_of(first, second))
-        };
+        if by_rules.is_some() {
+            return by_rules;
+        }
+        // from the places to the bound in vector code: numbers pass from one step to the next in registers
+        let exchange = vectorised(
+            #[inline(always)]
+            || {
+                let pair = RectanglePair::along_axes(first, second);
+                pair.and_then(
+                    #[inline(always)]
+                    |pair| pair.closed_form(),
+                )
+                .unwrap_or(ExchangeArea::NOTHING)
+            },
+        );
+        self.answer(other, exchange, route_of(first, second))
+    }
+
+    /// The same by rules along the sides.
+    #[cold]
+    fn by_rules(&self, other: &Self, tolerance: f64) -> Option<Answer> {
+        let (first, second) = (self.rectangle.as_ref()?, other.rectangle.as_ref()?);
+        let pair = RectanglePair::along_axes(first, second).ok()?;
+        let exchange = pair.exchange_by_rules(tolerance)?;
+        self.answer(other, exchange, Route::Kernel)
+    }
+
+    /// What is exchanged, if that is positive, with what the rounding of places may change.
+    #[inline(always)]
+    fn answer(&self, other: &Self, mut exchange: ExchangeArea, route: Route) -> Option<Answer> {
         if exchange.value <= 0.0 {
             return None;
         }

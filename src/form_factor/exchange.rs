@@ -23,6 +23,7 @@
 
 use super::FormFactorError;
 use crate::numeric::{Scalar, tolerance};
+use std::array::from_fn;
 
 /// A sum, and the sum of its terms' magnitudes.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,43 +69,35 @@ impl<S: Scalar> Exchange<S> {
         };
     }
 
-    /// The signed sum of a term over the eight corners of a form, all in one loop. `columns` lays the numbers out coordinate by
-    /// coordinate, as vectors are. Neither it nor the term captures anything, so that all they need lies in registers.
+    /// The signed sum of a term over the eight corners of a form, all in one loop; to be called where vector code is made.
+    /// `columns` lays the numbers out coordinate by coordinate, as vectors are.
     #[inline(always)]
     pub(super) fn over_corners<const K: usize, const C: usize>(
-        numbers: [S; C],
+        numbers: &[S; C],
         sign: impl Fn(usize) -> Sign,
         columns: impl Fn(&[S; C]) -> [[S; 8]; K],
         term: impl Fn(&[S; C], &[[S; 8]; K], usize) -> Self,
     ) -> Self {
-        let mut sum = Self::new(&numbers[0]);
-        let out = &mut sum;
-        S::vectorised(
-            #[inline(always)]
-            move || {
-                let numbers = numbers;
-                let columns = columns(&numbers);
-                let mut values: [S; 8] = std::array::from_fn(|_| numbers[0].zero());
-                let mut magnitudes = values.clone();
-                for i in 0..8 {
-                    let term = term(&numbers, &columns, i);
-                    values[i] = term.value;
-                    magnitudes[i] = term.magnitude;
-                }
-                let values: [S; 8] = std::array::from_fn(|i| match sign(i) {
-                    Sign::Plus => values[i].clone(),
-                    Sign::Minus => -values[i].clone(),
-                });
-                *out = Self {
-                    value: across(values),
-                    magnitude: across(magnitudes),
-                };
-            },
-        );
-        sum
+        let columns = columns(numbers);
+        let mut values: [S; 8] = from_fn(|_| numbers[0].zero());
+        let mut magnitudes = values.clone();
+        for i in 0..8 {
+            let term = term(numbers, &columns, i);
+            values[i] = term.value;
+            magnitudes[i] = term.magnitude;
+        }
+        let values: [S; 8] = from_fn(|i| match sign(i) {
+            Sign::Plus => values[i].clone(),
+            Sign::Minus => -values[i].clone(),
+        });
+        Self {
+            value: across(values),
+            magnitude: across(magnitudes),
+        }
     }
 
     /// Divided by 2π and signed, as the last step of a form.
+    #[inline(always)]
     pub(super) fn over_two_pi(self, sign: Sign) -> Self {
         let two_pi = self.value.pi() * &self.value.constant(2.0);
         let value = match sign {
@@ -129,11 +122,20 @@ pub struct ExchangeArea {
     pub error_bound: f64,
 }
 
+impl ExchangeArea {
+    /// Of two that see nothing of each other.
+    pub(super) const NOTHING: Self = Self {
+        value: 0.0,
+        error_bound: 0.0,
+    };
+}
+
 impl Exchange<f64> {
     /// Value and error bound, times the area of a unit square.
     ///
     /// # Errors
     /// [`FormFactorError::OutOfRange`] if the value leaves the range of `f64`.
+    #[inline(always)]
     pub fn in_range(&self, unit_area: f64) -> Result<ExchangeArea, FormFactorError> {
         let value = self.value * unit_area;
         let error_bound = tolerance::RECTANGLE_TERMS * f64::EPSILON * self.magnitude * unit_area;
@@ -149,6 +151,7 @@ impl Exchange<f64> {
     /// # Errors
     /// As [`in_range`](Self::in_range); [`FormFactorError::NotResolved`] if the error bound is not below
     /// the value.
+    #[inline(always)]
     pub fn resolved(&self, unit_area: f64) -> Result<ExchangeArea, FormFactorError> {
         let exchange = self.in_range(unit_area)?;
         let ExchangeArea { value, error_bound } = exchange;

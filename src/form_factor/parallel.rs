@@ -45,16 +45,38 @@ pub fn exchange_area<S: Scalar>(
     second: &[Span<S>; 2],
     distance: &S,
 ) -> Result<Exchange<S>, FormFactorError> {
+    S::vectorised(
+        #[inline(always)]
+        || form(first, second, distance),
+    )
+}
+
+/// [`exchange_area`], to be called where vector code is made.
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+pub(super) fn form<S: Scalar>(
+    first: &[Span<S>; 2],
+    second: &[Span<S>; 2],
+    distance: &S,
+) -> Result<Exchange<S>, FormFactorError> {
     positive_distance(distance)?;
     // The four sides trade places by symmetry (x ↔ y; first ↔ second mirrors u and v):
     // the shortest becomes `y` of the first.
     let sides = [&first[0], &first[1], &second[0], &second[1]].map(Span::length);
     let shortest = (0..4).fold(1, |best, k| if sides[k] < sides[best] { k } else { best });
-    let (x, y, xi, eta) = match shortest {
-        0 => (&first[1], &first[0], &second[1], &second[0]),
-        1 => (&first[0], &first[1], &second[0], &second[1]),
-        2 => (&second[1], &second[0], &first[1], &first[0]),
-        _ => (&second[0], &second[1], &first[0], &first[1]),
+    let ([x, y], [xi, eta]) = (first.clone(), second.clone());
+    let (x, y, xi, eta) = if shortest < 2 {
+        (x, y, xi, eta)
+    } else {
+        (xi, eta, x, y)
+    };
+    let (x, y, xi, eta) = if shortest % 2 == 1 {
+        (x, y, xi, eta)
+    } else {
+        (y, x, eta, xi)
     };
     let numbers = [
         y.length(),
@@ -69,7 +91,7 @@ pub fn exchange_area<S: Scalar>(
         eta.upper(),
     ];
     let sum = Exchange::over_corners(
-        numbers.map(Clone::clone),
+        &numbers.map(Clone::clone),
         // minus, plus, plus, minus in u; in v the lower end of η is the plus
         |k| [Sign::Minus, Sign::Plus][(k / 4 + k / 2 + k) % 2],
         #[inline(always)]
@@ -124,6 +146,11 @@ pub fn strip_exchange<S: Scalar>(
     Ok(sum.over_two_pi(Sign::Plus))
 }
 
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 fn positive_distance<S: Scalar>(distance: &S) -> Result<(), FormFactorError> {
     let value = distance.to_f64();
     if value.is_finite() && *distance > distance.zero() {

@@ -44,6 +44,7 @@ impl<S: Scalar> Plate<S> {
     ///
     /// # Errors
     /// [`FormFactorError::BehindPlane`] if the depth starts below 0.
+    #[inline(always)]
     pub fn try_new(depth: Span<S>, width: Span<S>) -> Result<Self, FormFactorError> {
         if !depth.lower().is_nonnegative() {
             return Err(FormFactorError::BehindPlane {
@@ -92,9 +93,32 @@ pub fn exchange_area<S: Scalar>(first: &Plate<S>, second: &Plate<S>) -> Exchange
     exchange_area_at([&first.depth, &second.depth], &widths)
 }
 
+/// [`exchange_area`], to be called where vector code is made.
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+pub(super) fn form<S: Scalar>(first: &Plate<S>, second: &Plate<S>) -> Exchange<S> {
+    let widths = Offsets::between(&first.width, &second.width);
+    form_at([&first.depth, &second.depth], &widths)
+}
+
 /// [`exchange_area`] of plates at these depths, whose widths lie to each other by `widths`.
 #[must_use]
 pub fn exchange_area_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -> Exchange<S> {
+    S::vectorised(
+        #[inline(always)]
+        || form_at(depths, widths),
+    )
+}
+
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+fn form_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -> Exchange<S> {
     let lengths = [
         depths[0].length(),
         depths[1].length(),
@@ -106,11 +130,11 @@ pub fn exchange_area_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -
         |best, k| if lengths[k] < lengths[best] { k } else { best },
     );
     // exchanging the plates turns z into x and mirrors v, in which G is even
-    let swapped = widths.swapped();
+    let [thin, other] = depths.map(Clone::clone);
     let (thin, other, widths) = if shortest % 2 == 0 {
-        (depths[0], depths[1], widths)
+        (thin, other, widths.clone())
     } else {
-        (depths[1], depths[0], &swapped)
+        (other, thin, widths.swapped())
     };
     let [d00, d01, d10, d11] = from_fn(|k| widths.difference(k / 2, k % 2));
     let sum = if shortest < 2 {
@@ -126,7 +150,7 @@ pub fn exchange_area_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -
             d11,
         ];
         Exchange::over_corners(
-            numbers.map(Clone::clone),
+            &numbers.map(Clone::clone),
             // plus, minus in z; minus, plus, plus, minus in v
             |k| [Sign::Minus, Sign::Plus][(k / 4 + k / 2 + k) % 2],
             #[inline(always)]
@@ -150,7 +174,7 @@ pub fn exchange_area_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -
             d11,
         ];
         Exchange::over_corners(
-            numbers.map(Clone::clone),
+            &numbers.map(Clone::clone),
             // plus, minus in x and in z; in v the lower end of η is the plus
             |k| [Sign::Plus, Sign::Minus][(k / 4 + k / 2 + k) % 2],
             #[inline(always)]

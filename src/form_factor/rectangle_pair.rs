@@ -5,6 +5,11 @@
 //!
 //! **Not covered**: rectangles turned against each other; occlusion.
 
+#![allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+
 use super::parallel::{self, strip_exchange};
 use super::perpendicular::{self, Plate, strip_exchange_at_depth, strip_exchange_at_width};
 use super::rectangle_kernel::{self, Sides};
@@ -12,7 +17,7 @@ use super::{Exchange, ExchangeArea, FormFactorError};
 use crate::geometry::{
     AlignedRectangle, Extent, GeometryError, Offsets, Placement, Rectangle, Span, SplitAxis,
 };
-use crate::numeric::Scalar;
+use crate::numeric::{Scalar, vectorised};
 
 /// Two rectangles with edges along three common axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,12 +77,18 @@ impl RectanglePair {
     /// [`FormFactorError::OutOfRange`] if the value leaves the range of `f64`;
     /// [`FormFactorError::NotResolved`] if rounding leaves no correct digit.
     pub fn exchange_area(&self) -> Result<ExchangeArea, FormFactorError> {
+        vectorised(
+            #[inline(always)]
+            || self.closed_form(),
+        )
+    }
+
+    /// [`exchange_area`](Self::exchange_area), to be called where vector code is made.
+    #[inline(always)]
+    pub(super) fn closed_form(&self) -> Result<ExchangeArea, FormFactorError> {
         match self.exchange()? {
             Some(exchange) => exchange.resolved(self.unit * self.unit),
-            None => Ok(ExchangeArea {
-                value: 0.0,
-                error_bound: 0.0,
-            }),
+            None => Ok(ExchangeArea::NOTHING),
         }
     }
 
@@ -152,7 +163,11 @@ impl<S: Scalar> RectanglePair<S> {
     /// [`FormFactorError::OutOfRange`] if the value leaves the range or has no bounds;
     /// [`FormFactorError::NotResolved`] if rounding leaves no correct digit.
     pub fn exchange_value(&self) -> Result<S, FormFactorError> {
-        match self.exchange()? {
+        let exchange = S::vectorised(
+            #[inline(always)]
+            || self.exchange(),
+        );
+        match exchange? {
             Some(exchange) => self.in_range(exchange.certain()?),
             None => Ok(self.first[0].lower().zero()),
         }
@@ -228,12 +243,13 @@ impl<S: Scalar> RectanglePair<S> {
         self.in_range(exchange.value * along.length())
     }
 
-    /// What the two exchange, in units of their frame; `None` if nothing.
+    /// What the two exchange, in units of their frame; `None` if nothing; to be called where vector code is made.
+    #[inline(always)]
     fn exchange(&self) -> Result<Option<Exchange<S>>, FormFactorError> {
         match &self.second {
             Second::Dark => Ok(None),
             Second::Parallel { spans, distance } => {
-                parallel::exchange_area(&self.first, spans, distance).map(Some)
+                parallel::form(&self.first, spans, distance).map(Some)
             }
             Second::Perpendicular {
                 across,
@@ -244,7 +260,7 @@ impl<S: Scalar> RectanglePair<S> {
                 Some(depth) => {
                     let width = self.first[other(*across) as usize].clone();
                     let first = Plate::try_new(depth, width)?;
-                    Ok(Some(perpendicular::exchange_area(&first, plate)))
+                    Ok(Some(perpendicular::form(&first, plate)))
                 }
                 None => Ok(None),
             },
@@ -264,6 +280,7 @@ impl<S: Scalar> RectanglePair<S> {
     }
 
     /// The part of the first rectangle in front of the second one's plane, as distances from it.
+    #[inline(always)]
     fn depth(
         &self,
         across: SplitAxis,
@@ -350,6 +367,7 @@ fn relative<S: Scalar>(position: &S) -> Result<(), GeometryError> {
     Ok(())
 }
 
+#[inline(always)]
 /// Refuses a depth that may be in front of a plane or behind it.
 fn in_front<S: Scalar>(depth: &S) -> Result<(), FormFactorError> {
     if !depth.is_nonnegative() {
@@ -360,6 +378,7 @@ fn in_front<S: Scalar>(depth: &S) -> Result<(), FormFactorError> {
     Ok(())
 }
 
+#[inline(always)]
 const fn other(axis: SplitAxis) -> SplitAxis {
     match axis {
         SplitAxis::U => SplitAxis::V,

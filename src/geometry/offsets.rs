@@ -25,7 +25,12 @@ impl<S: Scalar> Offsets<S> {
     }
 
     /// Those of two spans on one axis.
+    #[inline(always)]
     #[must_use]
+    #[allow(
+        clippy::inline_always,
+        reason = "vector code is made where it is called"
+    )]
     pub fn between(first: &Span<S>, second: &Span<S>) -> Self {
         let difference = |a: &S, b: &S| a.clone() - b;
         let row = |end| {
@@ -59,7 +64,12 @@ impl<S: Scalar> Offsets<S> {
     }
 
     /// The same with first and second exchanged.
+    #[inline(always)]
     #[must_use]
+    #[allow(
+        clippy::inline_always,
+        reason = "vector code is made where it is called"
+    )]
     pub fn swapped(&self) -> Self {
         let differences = [0, 1].map(|i| [0, 1].map(|k: usize| -self.differences[k][i].clone()));
         let [first, second] = self.lengths.clone();

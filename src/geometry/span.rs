@@ -27,11 +27,16 @@ impl Span {
     }
 }
 
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 impl<S: Scalar> Span<S> {
     /// The span between two points in increasing order.
     ///
     /// # Errors
     /// [`GeometryError::EmptySpan`] unless both are finite and `lower < upper`.
+    #[inline(always)]
     pub fn try_new(lower: S, upper: S) -> Result<Self, GeometryError> {
         let length = upper.clone() - &lower;
         Self::checked(lower, upper, length)
@@ -85,6 +90,7 @@ impl<S: Scalar> Span<S> {
     /// The part at and above `floor`; `None` if nothing of positive length is left. Over intervals the comparison must be
     /// certain: a span that may or may not reach above `floor` counts as nothing.
     #[must_use]
+    #[inline(always)]
     pub fn above(&self, floor: &S) -> Option<Self> {
         if self.lower < *floor {
             Self::try_new(floor.clone(), self.upper.clone()).ok()
@@ -95,6 +101,7 @@ impl<S: Scalar> Span<S> {
 
     /// The same span moved by `shift`.
     #[must_use]
+    #[inline(always)]
     pub fn shifted(&self, shift: &S) -> Self {
         let (lower, upper) = (self.lower.clone() + shift, self.upper.clone() + shift);
         Self {
@@ -106,6 +113,7 @@ impl<S: Scalar> Span<S> {
 
     /// The same span seen from `origin` in the opposite direction: `origin − upper … origin − lower`.
     #[must_use]
+    #[inline(always)]
     pub fn mirrored(&self, origin: &S) -> Self {
         let (lower, upper) = (origin.clone() - &self.upper, origin.clone() - &self.lower);
         Self {

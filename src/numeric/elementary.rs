@@ -235,34 +235,37 @@ pub fn angle(y: f64, x: f64) -> f64 {
     reason = "vector code is made where it is called"
 )]
 pub fn angles<const N: usize>(points: [[f64; 2]; N]) -> [f64; N] {
-    use std::array::from_fn;
     use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
     const TAN_PI_8: f64 = 0.414_213_562_373_095_03;
     const C: [f64; 11] = ATAN;
-    let steep = points.map(|[y, x]| y.abs() > x.abs());
-    let lengths: [[f64; 2]; N] = from_fn(|i| {
-        let (up, across) = (points[i][0].abs(), points[i][1].abs());
-        if steep[i] { [across, up] } else { [up, across] }
-    });
-    // turned by π/4, the quotient is at most tan(π/8) again; it is small there beside π/4
-    let turned = lengths.map(|[short, long]| short > TAN_PI_8 * long);
-    let t: [f64; N] = from_fn(|i| {
-        let [short, long] = lengths[i];
+    // loops, not closures, so that nothing is left to be inlined
+    let (mut steep, mut turned) = ([false; N], [false; N]);
+    let (mut t, mut z, mut w) = ([0.0; N], [0.0; N], [0.0; N]);
+    for i in 0..N {
+        let [y, x] = points[i];
+        let (up, across) = (y.abs(), x.abs());
+        steep[i] = up > across;
+        let (short, long) = if steep[i] { (across, up) } else { (up, across) };
+        // turned by π/4, the quotient is at most tan(π/8) again; it is small there beside π/4
+        turned[i] = short > TAN_PI_8 * long;
         let numerator = if turned[i] { short - long } else { short };
         let denominator = if turned[i] { short + long } else { long };
-        numerator / if denominator > 0.0 { denominator } else { 1.0 }
-    });
-    let z = t.map(|t| t * t);
-    let w = z.map(|z| z * z);
+        t[i] = numerator / if denominator > 0.0 { denominator } else { 1.0 };
+    }
+    for i in 0..N {
+        z[i] = t[i] * t[i];
+        w[i] = z[i] * z[i];
+    }
     let (mut even, mut odd) = ([C[10]; N], [C[9]; N]);
-    for k in [8, 6, 4, 2, 0] {
-        even = from_fn(|i| C[k] + w[i] * even[i]);
-        if k > 0 {
-            odd = from_fn(|i| C[k - 1] + w[i] * odd[i]);
+    for k in [8, 6, 4, 2] {
+        for i in 0..N {
+            even[i] = C[k] + w[i] * even[i];
+            odd[i] = C[k - 1] + w[i] * odd[i];
         }
     }
-    from_fn(|i| {
-        let small = t[i] + t[i] * z[i] * (even[i] + z[i] * odd[i]);
+    let mut angles = [0.0; N];
+    for i in 0..N {
+        let small = t[i] + t[i] * z[i] * (C[0] + w[i] * even[i] + z[i] * odd[i]);
         let octant = if turned[i] { FRAC_PI_4 + small } else { small };
         let quadrant = if steep[i] { FRAC_PI_2 - octant } else { octant };
         let [y, x] = points[i];
@@ -271,8 +274,9 @@ pub fn angles<const N: usize>(points: [[f64; 2]; N]) -> [f64; N] {
         } else {
             quadrant
         };
-        half.copysign(y)
-    })
+        angles[i] = half.copysign(y);
+    }
+    angles
 }
 
 /// `θ/sin θ` from `cos θ`, for angles up to 60°: `cos θ` from ½ to 1, or above by rounding.

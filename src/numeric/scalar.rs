@@ -84,8 +84,8 @@ pub trait Scalar:
         clippy::inline_always,
         reason = "vector code is made where it is called"
     )]
-    fn vectorised(work: impl FnOnce()) {
-        work();
+    fn vectorised<T>(work: impl FnOnce() -> T) -> T {
+        work()
     }
 
     /// Zero.
@@ -169,7 +169,12 @@ impl Scalar for f64 {
     }
     #[inline(always)]
     fn angles<const N: usize>(points: [[&Self; 2]; N]) -> [Self; N] {
-        super::elementary::angles(points.map(|point| point.map(|x| *x)))
+        let mut copies = [[0.0; 2]; N];
+        for i in 0..N {
+            let [y, x] = points[i];
+            copies[i] = [*y, *x];
+        }
+        super::elementary::angles(copies)
     }
     #[inline(always)]
     fn divergence_kernel(&self) -> Self {
@@ -184,7 +189,7 @@ impl Scalar for f64 {
         f64::abs(*self)
     }
     #[inline(always)]
-    fn vectorised(work: impl FnOnce()) {
-        super::vectorised(work);
+    fn vectorised<T>(work: impl FnOnce() -> T) -> T {
+        super::vectorised(work)
     }
 }
