@@ -67,17 +67,14 @@ pub(super) fn form<S: Scalar>(
     // the shortest becomes `y` of the first.
     let sides = [&first[0], &first[1], &second[0], &second[1]].map(Span::length);
     let shortest = (0..4).fold(1, |best, k| if sides[k] < sides[best] { k } else { best });
-    let ([x, y], [xi, eta]) = (first.clone(), second.clone());
-    let (x, y, xi, eta) = if shortest < 2 {
-        (x, y, xi, eta)
-    } else {
-        (xi, eta, x, y)
+    let (is_first, is_y) = (shortest < 2, shortest % 2 == 1);
+    let along = |k: usize| {
+        let one = Span::either(is_first, &first[k], &second[k]);
+        [one, Span::either(is_first, &second[k], &first[k])]
     };
-    let (x, y, xi, eta) = if shortest % 2 == 1 {
-        (x, y, xi, eta)
-    } else {
-        (y, x, eta, xi)
-    };
+    let ([a, b], [c, d]) = (along(0), along(1));
+    let (x, xi) = (Span::either(is_y, &a, &c), Span::either(is_y, &b, &d));
+    let (y, eta) = (Span::either(is_y, &c, &a), Span::either(is_y, &d, &b));
     let numbers = [
         y.length(),
         distance,

@@ -130,12 +130,10 @@ fn form_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -> Exchange<S>
         |best, k| if lengths[k] < lengths[best] { k } else { best },
     );
     // exchanging the plates turns z into x and mirrors v, in which G is even
-    let [thin, other] = depths.map(Clone::clone);
-    let (thin, other, widths) = if shortest % 2 == 0 {
-        (thin, other, widths.clone())
-    } else {
-        (other, thin, widths.swapped())
-    };
+    let is_first = shortest % 2 == 0;
+    let thin = Span::either(is_first, depths[0], depths[1]);
+    let other = Span::either(is_first, depths[1], depths[0]);
+    let widths = widths.swapped_unless(is_first);
     let [d00, d01, d10, d11] = from_fn(|k| widths.difference(k / 2, k % 2));
     let sum = if shortest < 2 {
         let numbers = [

@@ -69,6 +69,18 @@ impl<S: Scalar> Span<S> {
         }
     }
 
+    /// One of two, number by number: for a choice that vector code makes without a branch.
+    #[inline(always)]
+    #[must_use]
+    pub fn either(is_first: bool, first: &Self, second: &Self) -> Self {
+        let of = |a: &S, b: &S| if is_first { a.clone() } else { b.clone() };
+        Self {
+            lower: of(&first.lower, &second.lower),
+            upper: of(&first.upper, &second.upper),
+            length: of(&first.length, &second.length),
+        }
+    }
+
     /// Lower end.
     #[must_use]
     pub const fn lower(&self) -> &S {
