@@ -14,7 +14,11 @@
 //! ```
 //!
 //! The first is perfectly conditioned: with M² = (p²+a²)(p²+b²) the argument's rounding is at most
-//! ε M, which moves the angle by ε sin(angle).
+//! some ε M, which moves the angle by as many ε sin(angle).
+//!
+//! Roundings are counted in halves of ε: one for an operation, four for an angle (2 ε), two for a logarithm, four for one of a
+//! ratio; an angle or a root passes on at most what its argument has, or half of it. A sum over corners takes 8: three levels within
+//! a corner, three across the eight, and the quotient by 2π.
 
 #![allow(
     clippy::inline_always,
