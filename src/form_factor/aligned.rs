@@ -42,7 +42,7 @@ impl Polygon {
     }
 
     /// The same by rules along the sides.
-    #[cold]
+    #[inline(never)]
     fn by_rules(&self, other: &Self, tolerance: f64) -> Option<Answer> {
         let (first, second) = (self.rectangle.as_ref()?, other.rectangle.as_ref()?);
         let pair = RectanglePair::along_axes(first, second).ok()?;

@@ -195,8 +195,8 @@ pub(super) enum Sign {
 
 impl Sign {
     /// The product of two.
-    pub(super) const fn times(self, other: Self) -> Self {
-        if self as u8 == other as u8 {
+    pub(super) fn times(self, other: Self) -> Self {
+        if self == other {
             Self::Plus
         } else {
             Self::Minus
