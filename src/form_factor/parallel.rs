@@ -17,7 +17,7 @@
 //!   Δ p atan(v1/p)   +   v0 p atan2(Δ p, p² + v0 v1)   +   ν u atan(u/q')   −   u q atan2(u ν, q q' + u²)   −   (z²/2) ln(r1²/r0²)
 //! ```
 //!
-//! with 13, 19, 20, 23 and 21 roundings ([`exchange`](super::exchange)). The fourth is never larger than the third, as
+//! with 13, 19, 20, 23 and 21 roundings (`exchange`). The fourth is never larger than the third, as
 //! `a/(1 + a²) ≤ atan a` for a = u/q', so that both together take 22. Where v0 and v1 have different signs, their sum is uncertain by
 //! `|v0| + |v1|`: with e = Δ (|v0| + |v1| − |v0 + v1|), 3 roundings each of the third and the fourth are relative to at most
 //! `e/(q0+q1) |u| atan(|u|/q')` more, and 4.5 of the fifth to `(z²/2) e/r²`, r² the larger, more; a quarter of the one and

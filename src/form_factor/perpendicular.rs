@@ -19,7 +19,7 @@
 //!   Δ s atan(v1/s)  +  v0 s atan2(Δ s, s² + v0 v1)  −  ¼ (s² − v1²) ln(r1²/r0²)  +  ¼ (v1² − v0²) ln r0²
 //! ```
 //!
-//! with 16, 23, 21 and 5 roundings, or 11, 16, 21 and 6 ([`exchange`](super::exchange)); of the first line the second is never larger
+//! with 16, 23, 21 and 5 roundings, or 11, 16, 21 and 6 (`exchange`); of the first line the second is never larger
 //! than the first, as in [`parallel`](super::parallel). The third is relative to `s² + v²` in place of `s² − v²`. What the logarithm
 //! of r0² is off by, 4 roundings of 1, counts a quarter of its coefficient; in the second line this covers, too, that the sum of v0
 //! and v1 is uncertain by `|v0| + |v1|`.
