@@ -36,27 +36,12 @@ struct Sum {
 }
 
 impl Sum {
-    const ZERO: Self = Self {
-        value: 0.0,
-        magnitude: 0.0,
-    };
-
-    fn add(&mut self, term: f64) {
-        self.magnitude += term.abs();
-        self.value += term;
-    }
-
-    fn add_uncertain(&mut self, term: f64, magnitude: f64) {
-        self.magnitude += magnitude.abs();
-        self.value += term;
-    }
-
-    fn add_signed(&mut self, plus: bool, other: Self) {
-        self.magnitude += other.magnitude;
-        if plus {
-            self.value += other.value;
-        } else {
-            self.value -= other.value;
+    /// The signed sum over eight corners, halves first.
+    fn over_corners(corners: [(bool, Self); 8]) -> Self {
+        let across = |[a, b, c, d, e, f, g, h]: [f64; 8]| ((a + e) + (c + g)) + ((b + f) + (d + h));
+        Self {
+            value: across(corners.map(|(plus, term)| if plus { term.value } else { -term.value })),
+            magnitude: across(corners.map(|(_, term)| term.magnitude)),
         }
     }
 }
@@ -67,10 +52,6 @@ fn log_ratio(difference: f64, r2_a: f64, r2_b: f64) -> f64 {
     } else {
         (difference / r2_a).ln_1p()
     }
-}
-
-fn log_ratio_size(log: f64, uncertainty: f64, r2_a: f64, r2_b: f64) -> f64 {
-    log.abs() + uncertainty / if r2_a < r2_b { r2_b } else { r2_a }
 }
 
 fn parallel_by_hand(first: [Side; 2], second: [Side; 2], z: f64) -> Option<Sum> {
@@ -95,17 +76,17 @@ fn parallel_by_hand(first: [Side; 2], second: [Side; 2], z: f64) -> Option<Sum> 
         2 => (second[1], second[0], first[1], first[0]),
         _ => (second[0], second[1], first[0], first[1]),
     };
-    let mut sum = Sum::ZERO;
-    for (u, plus_u) in [
+    let across = [
         (x.lower - xi.lower, false),
         (x.lower - xi.upper, true),
         (x.upper - xi.lower, true),
         (x.upper - xi.upper, false),
-    ] {
-        for (eta, plus_eta) in [(eta.lower, true), (eta.upper, false)] {
-            sum.add_signed(plus_u == plus_eta, parallel_corner(u, y, eta, z));
-        }
-    }
+    ];
+    let ends = [(eta.lower, true), (eta.upper, false)];
+    let sum = Sum::over_corners([0, 1, 2, 3, 4, 5, 6, 7].map(|k| {
+        let ((u, plus_u), (eta, plus_eta)) = (across[k / 2], ends[k % 2]);
+        (plus_u == plus_eta, parallel_corner(u, y, eta, z))
+    }));
     let two_pi = PI * 2.0;
     Some(Sum {
         value: sum.value / two_pi,
@@ -116,32 +97,28 @@ fn parallel_by_hand(first: [Side; 2], second: [Side; 2], z: f64) -> Option<Sum> 
 fn parallel_corner(u: f64, y: Side, eta: f64, z: f64) -> Sum {
     let delta = y.length;
     let (v0, v1) = (y.lower - eta, y.upper - eta);
-    let z2 = z * z;
-    let p2 = u * u + z2;
-    let p = p2.sqrt();
-    let (q0, q1) = ((v0 * v0 + z2).sqrt(), (v1 * v1 + z2).sqrt());
-    let (r2_0, r2_1) = (p2 + v0 * v0, p2 + v1 * v1);
+    let (u2, z2) = (u * u, z * z);
+    let (v2_0, v2_1) = (v0 * v0, v1 * v1);
+    let p2 = u2 + z2;
     let squares = delta * (v1 + v0);
-    let squares_size = delta * (v1.abs() + v0.abs());
-    let q_sum = q0 + q1;
-    let q_step = squares / q_sum;
-    let q_step_size = squares_size / q_sum;
-
-    let mut sum = Sum::ZERO;
-    sum.add(delta * p * v1.atan2(p));
-    sum.add(v0 * p * (delta * p).atan2(p2 + v0 * v1));
-    let angle = u.atan2(q1) * u;
-    sum.add_uncertain(angle * q_step, angle * q_step_size);
-    let denominator = q0 * q1 + u * u;
-    let turn = (u * q_step).atan2(denominator) * u * q0;
-    sum.add_uncertain(-turn, u * u * q_step_size / denominator * q0);
-    let log = log_ratio(squares, r2_0, r2_1);
-    let half_z2 = z2 / 2.0;
-    sum.add_uncertain(
-        -(log * half_z2),
-        log_ratio_size(log, squares_size, r2_0, r2_1) * half_z2,
-    );
-    sum
+    let fifth = -(log_ratio(squares, p2 + v2_0, p2 + v2_1) * (z2 * 0.5));
+    let p = p2.sqrt();
+    let (q0, q1) = ((v2_0 + z2).sqrt(), (v2_1 + z2).sqrt());
+    let inverse = 1.0 / (q0 + q1);
+    let q_step = squares * inverse;
+    let (near, far) = if q0 < q1 { (q0, q1) } else { (q1, q0) };
+    let step = delta * p;
+    let first = v1.atan2(p) * step;
+    let second = step.atan2(p2 + v0 * v1) * (p * v0);
+    let angle = u.atan2(far) * u;
+    let third = angle * q_step;
+    let fourth = -((u * q_step).atan2(near * far + u2) * (near * u));
+    let terms = first.abs() + second.abs() + (third.abs() + fourth.abs()) + fifth.abs();
+    let excess = delta * (v1.abs() + v0.abs()) - squares.abs();
+    Sum {
+        value: (first + second) + ((third + fourth) + fifth),
+        magnitude: terms + excess * inverse * (angle * 0.25 + z2 * inverse * 0.5),
+    }
 }
 
 /// `[depth, width]` of both plates.
@@ -164,29 +141,27 @@ fn perpendicular_by_hand(first: [Side; 2], second: [Side; 2]) -> Sum {
         (second, first)
     };
     let ends = |side: Side| [(side.upper, true), (side.lower, false)];
-    let mut sum = Sum::ZERO;
-    if shortest < 2 {
-        for (z, plus_z) in ends(other[0]) {
-            for (v, plus_v) in [
-                (thin[1].lower - other[1].lower, false),
-                (thin[1].lower - other[1].upper, true),
-                (thin[1].upper - other[1].lower, true),
-                (thin[1].upper - other[1].upper, false),
-            ] {
-                sum.add_signed(plus_z == plus_v, depth_corner(thin[0], z, v));
-            }
-        }
+    let corners = [0, 1, 2, 3, 4, 5, 6, 7];
+    let sum = if shortest < 2 {
+        let across = [
+            (thin[1].lower - other[1].lower, false),
+            (thin[1].lower - other[1].upper, true),
+            (thin[1].upper - other[1].lower, true),
+            (thin[1].upper - other[1].upper, false),
+        ];
+        Sum::over_corners(corners.map(|k| {
+            let ((z, plus_z), (v, plus_v)) = (ends(other[0])[k / 4], across[k % 4]);
+            (plus_z == plus_v, depth_corner(thin[0], z, v))
+        }))
     } else {
-        for (x, plus_x) in ends(thin[0]) {
-            for (z, plus_z) in ends(other[0]) {
-                for (eta, plus_eta) in ends(other[1]) {
-                    let plus = (plus_x == plus_z) != plus_eta;
-                    let (v0, v1) = (thin[1].lower - eta, thin[1].upper - eta);
-                    sum.add_signed(plus, width_corner(x, z, thin[1].length, v0, v1));
-                }
-            }
-        }
-    }
+        Sum::over_corners(corners.map(|k| {
+            let ((x, plus_x), (z, plus_z)) = (ends(thin[0])[k / 4], ends(other[0])[k / 2 % 2]);
+            let (eta, plus_eta) = ends(other[1])[1 - k % 2];
+            let (v0, v1) = (thin[1].lower - eta, thin[1].upper - eta);
+            let plus = (plus_x == plus_z) != plus_eta;
+            (plus, width_corner(x, z, thin[1].length, v0, v1))
+        }))
+    };
     let two_pi = PI * 2.0;
     Sum {
         value: -sum.value / two_pi,
@@ -194,79 +169,54 @@ fn perpendicular_by_hand(first: [Side; 2], second: [Side; 2]) -> Sum {
     }
 }
 
-fn log_size(term: f64, coefficient: f64) -> f64 {
-    term.abs() + coefficient.abs()
-}
-
 fn depth_corner(x: Side, z: f64, v: f64) -> Sum {
     let (z2, v2) = (z * z, v * v);
     let (s2_0, s2_1) = (x.lower * x.lower + z2, x.upper * x.upper + z2);
-    let (s0, s1) = (s2_0.sqrt(), s2_1.sqrt());
     let (r2_0, r2_1) = (s2_0 + v2, s2_1 + v2);
     let squares = x.length * (x.upper + x.lower);
-
-    let mut sum = Sum::ZERO;
-    if r2_0 == 0.0 {
-        let coefficient = s2_1 * 0.25;
-        let log_term = r2_1.ln() * coefficient;
-        sum.add_uncertain(-log_term, log_size(log_term, coefficient));
-        return sum;
-    }
-    if v != 0.0 {
-        let s_step = squares / (s1 + s0);
-        sum.add(v.atan2(s1) * v * s_step);
-        let denominator = s0 * s1 + v2;
-        sum.add(-((v * s_step).atan2(denominator) * v * s0));
-    }
-    let log = log_ratio(squares, r2_0, r2_1);
-    let difference = (s2_1 - v2) * 0.25;
-    sum.add_uncertain(
-        -(log * difference),
-        log_ratio_size(log, squares, r2_0, r2_1) * ((s2_1 + v2) * 0.25),
-    );
     let coefficient = squares * 0.25;
-    let log_term = r2_0.ln() * coefficient;
-    sum.add_uncertain(-log_term, log_size(log_term, coefficient));
-    sum
+    let (log, base) = if r2_0 == 0.0 {
+        (0.0, r2_1)
+    } else {
+        (log_ratio(squares, r2_0, r2_1), r2_0)
+    };
+    let third = -(log * ((s2_1 - v2) * 0.25));
+    let fourth = -(base.ln() * coefficient);
+    let (s0, s1) = (s2_0.sqrt(), s2_1.sqrt());
+    let s_step = squares / (s1 + s0);
+    let first = v.atan2(s1) * v * s_step;
+    let second = -((v * s_step).atan2(s0 * s1 + v2) * (s0 * v));
+    let logs = log.abs() * (r2_1 * 0.25) + fourth.abs();
+    Sum {
+        value: (first + second) + (third + fourth),
+        magnitude: first.abs() + second.abs() + (logs + coefficient * 0.25),
+    }
 }
 
 fn width_corner(x: f64, z: f64, delta: f64, v0: f64, v1: f64) -> Sum {
     let s2 = x * x + z * z;
-    let s = s2.sqrt();
     let (v2_0, v2_1) = (v0 * v0, v1 * v1);
     let (r2_0, r2_1) = (s2 + v2_0, s2 + v2_1);
-
-    let mut sum = Sum::ZERO;
-    if s != 0.0 {
-        sum.add(v1.atan2(s) * s * delta);
-        let angle = (delta * s).atan2(s2 + v0 * v1);
-        sum.add(angle * v0 * s);
-    }
-    if r2_0 == 0.0 || r2_1 == 0.0 {
-        for (v2, r2, plus) in [(v2_1, r2_1, true), (v2_0, r2_0, false)] {
-            if r2 != 0.0 {
-                let coefficient = v2 * 0.25;
-                let log_term = r2.ln() * coefficient;
-                let signed = if plus { log_term } else { -log_term };
-                sum.add_uncertain(signed, log_size(log_term, coefficient));
-            }
-        }
-        return sum;
-    }
     let squares = delta * (v1 + v0);
-    let squares_size = delta * (v1.abs() + v0.abs());
-    let log = log_ratio(squares, r2_0, r2_1);
-    let difference = (s2 - v2_1) * 0.25;
-    sum.add_uncertain(
-        -(log * difference),
-        log_ratio_size(log, squares_size, r2_0, r2_1) * ((s2 + v2_1) * 0.25),
-    );
-    let log = r2_0.ln();
-    sum.add_uncertain(
-        log * squares * 0.25,
-        (log.abs() + 1.0) * squares_size * 0.25,
-    );
-    sum
+    let log = if r2_0 == 0.0 || r2_1 == 0.0 {
+        0.0
+    } else {
+        log_ratio(squares, r2_0, r2_1)
+    };
+    let base = if r2_0 == 0.0 { r2_1 } else { r2_0 }.ln();
+    let third = -(log * ((s2 - v2_1) * 0.25));
+    let fourth = base * (squares * 0.25);
+    let s = s2.sqrt();
+    let step = delta * s;
+    let first = v1.atan2(s) * step;
+    let second = step.atan2(s2 + v0 * v1) * (s * v0);
+    let size = delta * (v1.abs() + v0.abs()) * 0.25;
+    Sum {
+        value: (first + second) + (third + fourth),
+        magnitude: first.abs()
+            + second.abs()
+            + (log.abs() * (r2_1 * 0.25) + size * (base.abs() + 0.25)),
+    }
 }
 
 /// `D(J ‖ w)` in bits.

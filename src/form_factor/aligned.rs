@@ -6,8 +6,8 @@
 
 use super::shape::Shape;
 use super::{Answer, ExchangeArea, Polygon, RectanglePair, Route};
-use crate::geometry::Rectangle;
-use crate::numeric::{DoubleDouble, Interval, Scalar};
+use crate::geometry::AlignedRectangle;
+use crate::numeric::{Interval, Scalar, vectorised};
 use std::f64::consts::PI;
 
 /// Bits of the closed forms in intervals.
@@ -18,17 +18,41 @@ impl Polygon {
     /// where they meet the tolerance; `None` for other polygons, and where nothing is exchanged.
     pub(super) fn rectangles(&self, other: &Self, tolerance: f64) -> Option<Answer> {
         let (first, second) = (self.rectangle.as_ref()?, other.rectangle.as_ref()?);
-        let pair = RectanglePair::try_new(first, second).ok()?;
         let by_rules = if self.is_far_from(other) {
-            pair.exchange_by_rules(tolerance)
+            self.by_rules(other, tolerance)
         } else {
             None
         };
-        let (mut exchange, route) = if let Some(exchange) = by_rules {
-            (exchange, Route::Kernel)
-        } else {
-            (pair.exchange_area().ok()?, route_of(first, second)?)
-        };
+        if by_rules.is_some() {
+            return by_rules;
+        }
+        // from the places to the bound in vector code: numbers pass from one step to the next in registers
+        let exchange = vectorised(
+            #[inline(always)]
+            || {
+                let pair = RectanglePair::along_axes(first, second);
+                pair.and_then(
+                    #[inline(always)]
+                    |pair| pair.closed_form(),
+                )
+                .unwrap_or(ExchangeArea::NOTHING)
+            },
+        );
+        self.answer(other, exchange, route_of(first, second))
+    }
+
+    /// The same by rules along the sides.
+    #[inline(never)]
+    fn by_rules(&self, other: &Self, tolerance: f64) -> Option<Answer> {
+        let (first, second) = (self.rectangle.as_ref()?, other.rectangle.as_ref()?);
+        let pair = RectanglePair::along_axes(first, second).ok()?;
+        let exchange = pair.exchange_by_rules(tolerance)?;
+        self.answer(other, exchange, Route::Kernel)
+    }
+
+    /// What is exchanged, if that is positive, with what the rounding of places may change.
+    #[inline(always)]
+    fn answer(&self, other: &Self, mut exchange: ExchangeArea, route: Route) -> Option<Answer> {
         if exchange.value <= 0.0 {
             return None;
         }
@@ -39,7 +63,7 @@ impl Polygon {
     /// The closed form of aligned rectangles in intervals: for extreme ones, whose terms cancel by more than 106 bits hold.
     pub(super) fn enclosed_rectangles(&self, other: &Self) -> Option<Answer> {
         let (first, second) = (self.rectangle.as_ref()?, other.rectangle.as_ref()?);
-        let pair = RectanglePair::try_new(first, second).ok()?;
+        let pair = RectanglePair::along_axes(first, second).ok()?;
         let like = Interval::precise(1.0, ENCLOSED);
         let enclosure = pair.lifted(&like).exchange_value().ok()?;
         let value = enclosure.to_f64();
@@ -47,7 +71,7 @@ impl Polygon {
         let is_number = value > 0.0 && value.is_finite() && error_bound.is_finite();
         is_number.then_some(Answer {
             exchange: ExchangeArea { value, error_bound },
-            route: route_of(first, second)?,
+            route: route_of(first, second),
         })
     }
 
@@ -57,14 +81,7 @@ impl Polygon {
         let (Some(first), Some(second)) = (&self.rectangle, &other.rectangle) else {
             return 0.0;
         };
-        let origin = first.origin().to_array();
-        let exact = [second.origin(), second.corners()[2]]
-            .into_iter()
-            .all(|corner| {
-                let mut pairs = corner.to_array().into_iter().zip(origin);
-                pairs.all(|(x, o)| DoubleDouble::difference(x, o).low() == 0.0)
-            });
-        if exact {
+        if first.places_exactly(second) {
             return 0.0;
         }
         let (first, second) = (&self.shape, &other.shape);
@@ -85,11 +102,10 @@ impl Polygon {
 }
 
 /// Whether two aligned rectangles are parallel or perpendicular.
-fn route_of(first: &Rectangle, second: &Rectangle) -> Option<Route> {
-    let [axes, others] = [first.axes()?, second.axes()?];
-    Some(if axes[0] + axes[1] == others[0] + others[1] {
+const fn route_of(first: &AlignedRectangle, second: &AlignedRectangle) -> Route {
+    if first.is_parallel_to(second) {
         Route::ParallelRectangles
     } else {
         Route::PerpendicularRectangles
-    })
+    }
 }

@@ -14,7 +14,11 @@
 //! ```
 //!
 //! The first is perfectly conditioned: with M² = (p²+a²)(p²+b²) the argument's rounding is at most
-//! ε M, which moves the angle by ε sin(angle).
+//! some ε M, which moves the angle by as many ε sin(angle).
+//!
+//! Roundings are counted in halves of ε: one for an operation, four for an angle (2 ε), two for a logarithm, four for one of a
+//! ratio; an angle or a root passes on at most what its argument has, or half of it. A sum over corners takes 8: three levels within
+//! a corner, three across the eight, and the quotient by 2π.
 
 #![allow(
     clippy::inline_always,
@@ -23,6 +27,7 @@
 
 use super::FormFactorError;
 use crate::numeric::{Scalar, tolerance};
+use std::array::from_fn;
 
 /// A sum, and the sum of its terms' magnitudes.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,49 +73,35 @@ impl<S: Scalar> Exchange<S> {
         };
     }
 
-    /// The signed sum of a term over the eight corners of a form, all in one loop; `special` has the corners for which the
-    /// term's formula does not stand. The term captures nothing, so that all it needs lies in registers.
+    /// The signed sum of a term over the eight corners of a form, all in one loop; to be called where vector code is made.
+    /// `columns` lays the numbers out coordinate by coordinate, as vectors are.
     #[inline(always)]
     pub(super) fn over_corners<const K: usize, const C: usize>(
-        corners: &[([S; K], Sign); 8],
-        constants: [S; C],
-        term: impl Fn(&[S; C], &[[S; 8]; K], usize) -> Self + Copy,
-        special: impl Fn(&[S; K]) -> Option<Self>,
+        numbers: &[S; C],
+        sign: impl Fn(usize) -> Sign,
+        columns: impl Fn(&[S; C]) -> [[S; 8]; K],
+        term: impl Fn(&[S; C], &[[S; 8]; K], usize) -> Self,
     ) -> Self {
-        let zero = corners[0].0[0].zero();
-        let mut terms: Option<[[S; 8]; 2]> = None;
-        let out = &mut terms;
-        S::vectorised(
-            #[inline(always)]
-            move || {
-                // coordinate by coordinate, as vectors are loaded
-                let columns: [[S; 8]; K] =
-                    std::array::from_fn(|k| std::array::from_fn(|i| corners[i].0[k].clone()));
-                let constants = constants;
-                let mut values: [S; 8] = std::array::from_fn(|_| zero.clone());
-                let mut magnitudes = values.clone();
-                for i in 0..8 {
-                    let term = term(&constants, &columns, i);
-                    values[i] = term.value;
-                    magnitudes[i] = term.magnitude;
-                }
-                *out = Some([values, magnitudes]);
-            },
-        );
-        let mut sum = Self::new(&corners[0].0[0]);
-        let Some([values, magnitudes]) = terms else {
-            return sum;
-        };
-        for ((corner, sign), (value, magnitude)) in
-            corners.iter().zip(values.into_iter().zip(magnitudes))
-        {
-            let term = special(corner).unwrap_or(Self { value, magnitude });
-            sum.add_signed(*sign, &term);
+        let columns = columns(numbers);
+        let mut values: [S; 8] = from_fn(|_| numbers[0].zero());
+        let mut magnitudes = values.clone();
+        for i in 0..8 {
+            let term = term(numbers, &columns, i);
+            values[i] = term.value;
+            magnitudes[i] = term.magnitude;
         }
-        sum
+        let values: [S; 8] = from_fn(|i| match sign(i) {
+            Sign::Plus => values[i].clone(),
+            Sign::Minus => -values[i].clone(),
+        });
+        Self {
+            value: across(values),
+            magnitude: across(magnitudes),
+        }
     }
 
     /// Divided by 2π and signed, as the last step of a form.
+    #[inline(always)]
     pub(super) fn over_two_pi(self, sign: Sign) -> Self {
         let two_pi = self.value.pi() * &self.value.constant(2.0);
         let value = match sign {
@@ -135,11 +126,20 @@ pub struct ExchangeArea {
     pub error_bound: f64,
 }
 
+impl ExchangeArea {
+    /// Of two that see nothing of each other.
+    pub(super) const NOTHING: Self = Self {
+        value: 0.0,
+        error_bound: 0.0,
+    };
+}
+
 impl Exchange<f64> {
     /// Value and error bound, times the area of a unit square.
     ///
     /// # Errors
     /// [`FormFactorError::OutOfRange`] if the value leaves the range of `f64`.
+    #[inline(always)]
     pub fn in_range(&self, unit_area: f64) -> Result<ExchangeArea, FormFactorError> {
         let value = self.value * unit_area;
         let error_bound = tolerance::RECTANGLE_TERMS * f64::EPSILON * self.magnitude * unit_area;
@@ -155,6 +155,7 @@ impl Exchange<f64> {
     /// # Errors
     /// As [`in_range`](Self::in_range); [`FormFactorError::NotResolved`] if the error bound is not below
     /// the value.
+    #[inline(always)]
     pub fn resolved(&self, unit_area: f64) -> Result<ExchangeArea, FormFactorError> {
         let exchange = self.in_range(unit_area)?;
         let ExchangeArea { value, error_bound } = exchange;
@@ -207,18 +208,17 @@ impl Sign {
 #[inline(always)]
 pub(super) fn log_ratio<S: Scalar>(difference: &S, r2_a: &S, r2_b: &S) -> S {
     let falls = *difference < difference.zero();
-    let (step, from) = if falls {
-        (-difference.clone(), r2_b)
+    let (step, from, to) = if falls {
+        (-difference.clone(), r2_b, r2_a)
     } else {
-        (difference.clone(), r2_a)
+        (difference.clone(), r2_a, r2_b)
     };
-    let log = (step / from).ln_1p();
+    let log = step.ln_ratio(from, to);
     if falls { -log } else { log }
 }
 
-/// What the rounding of [`log_ratio`] is relative to, if `uncertainty` is what its difference was computed from.
+/// The sum of eight, halves first.
 #[inline(always)]
-pub(super) fn log_ratio_size<S: Scalar>(log: &S, uncertainty: &S, r2_a: &S, r2_b: &S) -> S {
-    let larger = if r2_a < r2_b { r2_b } else { r2_a };
-    log.abs() + &(uncertainty.clone() / larger)
+fn across<S: Scalar>([a, b, c, d, e, f, g, h]: [S; 8]) -> S {
+    ((a + e) + (c + g)) + ((b + f) + (d + h))
 }

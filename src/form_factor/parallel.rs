@@ -11,12 +11,25 @@
 //! of 1e-12 costs no digits; the caller's shortest side is put there. What remains is the
 //! cancellation of distance: three differences are left, about `(distance/size)³` in relative error.
 //!
+//! A corner has five terms (Δ = y1 − y0; q, q' the smaller and the larger of q0, q1; ν = q1 − q0 = Δ (v0 + v1)/(q0 + q1)),
+//!
+//! ```text
+//!   Δ p atan(v1/p)   +   v0 p atan2(Δ p, p² + v0 v1)   +   ν u atan(u/q')   −   u q atan2(u ν, q q' + u²)   −   (z²/2) ln(r1²/r0²)
+//! ```
+//!
+//! with 13, 19, 20, 23 and 21 roundings (`exchange`). The fourth is never larger than the third, as
+//! `a/(1 + a²) ≤ atan a` for a = u/q', so that both together take 22. Where v0 and v1 have different signs, their sum is uncertain by
+//! `|v0| + |v1|`: with e = Δ (|v0| + |v1| − |v0 + v1|), 3 roundings each of the third and the fourth are relative to at most
+//! `e/(q0+q1) |u| atan(|u|/q')` more, and 4.5 of the fifth to `(z²/2) e/r²`, r² the larger, more; a quarter of the one and
+//! `(z²/2) e/(q0+q1)²` are in the magnitude.
+//!
 //! Source: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-13.
 
 use super::FormFactorError;
-use super::exchange::{Exchange, Sign, log_ratio, log_ratio_size};
+use super::exchange::{Exchange, Sign, log_ratio};
 use crate::geometry::{Offsets, Span};
 use crate::numeric::Scalar;
+use std::array::from_fn;
 
 /// Exchange area of two parallel rectangles `distance` apart.
 ///
@@ -44,32 +57,63 @@ pub fn exchange_area<S: Scalar>(
     second: &[Span<S>; 2],
     distance: &S,
 ) -> Result<Exchange<S>, FormFactorError> {
+    S::vectorised(
+        #[inline(always)]
+        || form(first, second, distance),
+    )
+}
+
+/// [`exchange_area`], to be called where vector code is made.
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+pub(super) fn form<S: Scalar>(
+    first: &[Span<S>; 2],
+    second: &[Span<S>; 2],
+    distance: &S,
+) -> Result<Exchange<S>, FormFactorError> {
     positive_distance(distance)?;
     // The four sides trade places by symmetry (x ↔ y; first ↔ second mirrors u and v):
     // the shortest becomes `y` of the first.
     let sides = [&first[0], &first[1], &second[0], &second[1]].map(Span::length);
     let shortest = (0..4).fold(1, |best, k| if sides[k] < sides[best] { k } else { best });
-    let (x, y, xi, eta) = match shortest {
-        0 => (&first[1], &first[0], &second[1], &second[0]),
-        1 => (&first[0], &first[1], &second[0], &second[1]),
-        2 => (&second[1], &second[0], &first[1], &first[0]),
-        _ => (&second[0], &second[1], &first[0], &first[1]),
+    let (is_first, is_y) = (shortest < 2, shortest % 2 == 1);
+    let along = |k: usize| {
+        let one = Span::either(is_first, &first[k], &second[k]);
+        [one, Span::either(is_first, &second[k], &first[k])]
     };
-    let offsets = Offsets::between(x, xi);
-    let across = second_difference(&offsets);
-    let ends = [(eta.lower(), Sign::Plus), (eta.upper(), Sign::Minus)];
-    let corners = std::array::from_fn(|k| {
-        let ((u, sign_u), (eta, sign_eta)) = (across[k / 2], ends[k % 2]);
-        let v = [y.lower(), y.upper()].map(|end| end.clone() - eta);
-        let [v0, v1] = v;
-        ([u.clone(), v0, v1], sign_u.times(sign_eta))
-    });
+    let ([a, b], [c, d]) = (along(0), along(1));
+    let (x, xi) = (Span::either(is_y, &a, &c), Span::either(is_y, &b, &d));
+    let (y, eta) = (Span::either(is_y, &c, &a), Span::either(is_y, &d, &b));
+    let numbers = [
+        y.length(),
+        distance,
+        x.lower(),
+        x.upper(),
+        xi.lower(),
+        xi.upper(),
+        y.lower(),
+        y.upper(),
+        eta.lower(),
+        eta.upper(),
+    ];
     let sum = Exchange::over_corners(
-        &corners,
-        [y.length().clone(), distance.clone()],
+        &numbers.map(Clone::clone),
+        // minus, plus, plus, minus in u; in v the lower end of η is the plus
+        |k| [Sign::Minus, Sign::Plus][(k / 4 + k / 2 + k) % 2],
         #[inline(always)]
-        |[delta, z], [u, v0, v1], i| difference_in_v(&u[i], delta, [&v0[i], &v1[i]], z),
-        |_| None,
+        |[_, _, x @ .., y0, y1, eta0, eta1]| {
+            let v = |y: &S, k: usize| y.clone() - [eta0, eta1][k % 2];
+            [
+                from_fn(|k| x[k / 4].clone() - &x[2 + k / 2 % 2]),
+                from_fn(|k| v(y0, k)),
+                from_fn(|k| v(y1, k)),
+            ]
+        },
+        #[inline(always)]
+        |[delta, z, ..], [u, v0, v1], i| difference_in_v(&u[i], delta, [&v0[i], &v1[i]], z),
     );
     Ok(sum.over_two_pi(Sign::Plus))
 }
@@ -111,6 +155,11 @@ pub fn strip_exchange<S: Scalar>(
     Ok(sum.over_two_pi(Sign::Plus))
 }
 
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 fn positive_distance<S: Scalar>(distance: &S) -> Result<(), FormFactorError> {
     let value = distance.to_f64();
     if value.is_finite() && *distance > distance.zero() {
@@ -139,36 +188,46 @@ pub(super) fn second_difference<S: Scalar>(offsets: &Offsets<S>) -> [(&S, Sign);
     clippy::inline_always,
     reason = "vector code is made where it is called"
 )]
-fn difference_in_v<S: Scalar>(u: &S, delta: &S, v: [&S; 2], z: &S) -> Exchange<S> {
-    let (delta, [v0, v1]) = (delta.clone(), v.map(Clone::clone));
-    let z2 = z.square();
-    let p2 = u.square() + &z2;
-    let p = p2.sqrt();
-    let (q0, q1) = ((v0.square() + &z2).sqrt(), (v1.square() + &z2).sqrt());
-    let (r2_0, r2_1) = (p2.clone() + &v0.square(), p2.clone() + &v1.square());
-    // v1² − v0², and what its rounding is relative to
-    let squares = delta.clone() * &(v1.clone() + &v0);
-    let squares_size = delta.clone() * &(v1.abs() + &v0.abs());
-    let q_sum = q0.clone() + &q1;
-    let q_step = squares.clone() / &q_sum;
-    let q_step_size = squares_size.clone() / &q_sum;
-
-    let mut sum = Exchange::new(u);
-    // v p atan(v/p)
-    sum.add(delta.clone() * &p * &v1.atan2(&p));
-    sum.add(v0.clone() * &p * &(delta * &p).atan2(&(p2 + &(v0 * &v1))));
-    // u q atan(u/q)
-    let angle = u.atan2(&q1) * u;
-    sum.add_uncertain(angle.clone() * &q_step, || angle * &q_step_size);
-    let denominator = q0.clone() * &q1 + &u.square();
-    let narrowing = u.clone() * &q_step;
-    let turn = narrowing.atan2(&denominator) * u * &q0;
-    sum.add_uncertain(-turn, || u.square() * &q_step_size / &denominator * &q0);
+fn difference_in_v<S: Scalar>(u: &S, delta: &S, [v0, v1]: [&S; 2], z: &S) -> Exchange<S> {
+    let (u2, z2) = (u.square(), z.square());
+    let (v2_0, v2_1) = (v0.square(), v1.square());
+    let p2 = u2.clone() + &z2;
+    // v1² − v0²
+    let squares = delta.clone() * &(v1.clone() + v0);
     // −(z²/2) ln r²
-    let log = log_ratio(&squares, &r2_0, &r2_1);
-    let half_z2 = z2 / &z.constant(2.0);
-    sum.add_uncertain(-(log.clone() * &half_z2), || {
-        log_ratio_size(&log, &squares_size, &r2_0, &r2_1) * &half_z2
-    });
-    sum
+    let log = log_ratio(&squares, &(p2.clone() + &v2_0), &(p2.clone() + &v2_1));
+    let fifth = -(log * &(z2.clone() * &z.constant(0.5)));
+
+    let p = p2.sqrt();
+    let (q0, q1) = ((v2_0 + &z2).sqrt(), (v2_1 + &z2).sqrt());
+    let inverse = u.constant(1.0) / &(q0.clone() + &q1);
+    let q_step = squares.clone() * &inverse;
+    // v p atan(v/p) and u q atan(u/q)
+    let (near, far) = if q0 < q1 { (q0, q1) } else { (q1, q0) };
+    let step = delta.clone() * &p;
+    let [end, turn, angle, narrowing] = S::angles([
+        [v1, &p],
+        [&step, &(p2 + &(v0.clone() * v1))],
+        [u, &far],
+        [&(u.clone() * &q_step), &(near.clone() * &far + &u2)],
+    ]);
+    let first = end * &step;
+    let second = turn * &(p * v0);
+    let angle = angle * u;
+    let third = angle.clone() * &q_step;
+    let fourth = -(narrowing * &(near * u));
+
+    let magnitude = if S::TRACKS_ROUNDING {
+        let terms = first.abs() + &second.abs() + &(third.abs() + &fourth.abs()) + &fifth.abs();
+        // what the rounding of v1 + v0 is relative to, beyond itself
+        let excess = delta.clone() * &(v1.abs() + &v0.abs()) - &squares.abs();
+        let weight = angle * &z.constant(0.25) + &(z2 * &inverse * &z.constant(0.5));
+        terms + &(excess * &inverse * &weight)
+    } else {
+        u.zero()
+    };
+    Exchange {
+        value: (first + &second) + &((third + &fourth) + &fifth),
+        magnitude,
+    }
 }

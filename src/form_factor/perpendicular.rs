@@ -12,13 +12,26 @@
 //! differences is taken in closed form, along the shortest side, so that slivers keep their digits.
 //! What remains is the cancellation of distance, about `(distance/size)³` in relative error.
 //!
+//! A corner has four terms; along a depth, Δ = x1 − x0 (ς = s1 − s0 = Δ (x0 + x1)/(s0 + s1)), or along a width, Δ = y1 − y0,
+//!
+//! ```text
+//!   ς v atan(v/s1)  −  v s0 atan2(v ς, s0 s1 + v²)  −  ¼ (s1² − v²) ln(r1²/r0²)  −  ¼ (s1² − s0²) ln r0²
+//!   Δ s atan(v1/s)  +  v0 s atan2(Δ s, s² + v0 v1)  −  ¼ (s² − v1²) ln(r1²/r0²)  +  ¼ (v1² − v0²) ln r0²
+//! ```
+//!
+//! with 16, 23, 21 and 5 roundings, or 11, 16, 21 and 6 (`exchange`); of the first line the second is never larger
+//! than the first, as in [`parallel`](super::parallel). The third is relative to `s² + v²` in place of `s² − v²`. What the logarithm
+//! of r0² is off by, 4 roundings of 1, counts a quarter of its coefficient; in the second line this covers, too, that the sum of v0
+//! and v1 is uncertain by `|v0| + |v1|`.
+//!
 //! Source: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-15.
 
 use super::FormFactorError;
-use super::exchange::{Exchange, Sign, log_ratio, log_ratio_size};
+use super::exchange::{Exchange, Sign, log_ratio};
 use super::parallel::second_difference;
 use crate::geometry::{Offsets, Span};
 use crate::numeric::Scalar;
+use std::array::from_fn;
 
 /// A rectangle seen from the line in which its plane meets the other one's.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,6 +56,7 @@ impl<S: Scalar> Plate<S> {
     ///
     /// # Errors
     /// [`FormFactorError::BehindPlane`] if the depth starts below 0.
+    #[inline(always)]
     pub fn try_new(depth: Span<S>, width: Span<S>) -> Result<Self, FormFactorError> {
         if !depth.lower().is_nonnegative() {
             return Err(FormFactorError::BehindPlane {
@@ -91,9 +105,32 @@ pub fn exchange_area<S: Scalar>(first: &Plate<S>, second: &Plate<S>) -> Exchange
     exchange_area_at([&first.depth, &second.depth], &widths)
 }
 
+/// [`exchange_area`], to be called where vector code is made.
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+pub(super) fn form<S: Scalar>(first: &Plate<S>, second: &Plate<S>) -> Exchange<S> {
+    let widths = Offsets::between(&first.width, &second.width);
+    form_at([&first.depth, &second.depth], &widths)
+}
+
 /// [`exchange_area`] of plates at these depths, whose widths lie to each other by `widths`.
 #[must_use]
 pub fn exchange_area_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -> Exchange<S> {
+    S::vectorised(
+        #[inline(always)]
+        || form_at(depths, widths),
+    )
+}
+
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+fn form_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -> Exchange<S> {
     let lengths = [
         depths[0].length(),
         depths[1].length(),
@@ -105,41 +142,65 @@ pub fn exchange_area_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -
         |best, k| if lengths[k] < lengths[best] { k } else { best },
     );
     // exchanging the plates turns z into x and mirrors v, in which G is even
-    let swapped = widths.swapped();
-    let (thin, other, widths) = if shortest % 2 == 0 {
-        (depths[0], depths[1], widths)
-    } else {
-        (depths[1], depths[0], &swapped)
-    };
-    let (heights, depths) = (ends(other), ends(thin));
+    let is_first = shortest % 2 == 0;
+    let thin = Span::either(is_first, depths[0], depths[1]);
+    let other = Span::either(is_first, depths[1], depths[0]);
+    let widths = widths.swapped_unless(is_first);
+    let [d00, d01, d10, d11] = from_fn(|k| widths.difference(k / 2, k % 2));
     let sum = if shortest < 2 {
-        let across = second_difference(widths);
-        let corners = std::array::from_fn(|k| {
-            let ((z, sign_z), (v, sign_v)) = (heights[k / 4], across[k % 4]);
-            ([z.clone(), v.clone()], sign_z.times(sign_v))
-        });
+        let numbers = [
+            thin.lower(),
+            thin.upper(),
+            thin.length(),
+            other.upper(),
+            other.lower(),
+            d00,
+            d01,
+            d10,
+            d11,
+        ];
         Exchange::over_corners(
-            &corners,
-            [thin.lower(), thin.upper(), thin.length()].map(Clone::clone),
+            &numbers.map(Clone::clone),
+            // plus, minus in z; minus, plus, plus, minus in v
+            |k| [Sign::Minus, Sign::Plus][(k / 4 + k / 2 + k) % 2],
             #[inline(always)]
-            |thin, [z, v], i| difference_in_depth(thin, &z[i], &v[i]),
-            |[z, v]| at_the_line_in_depth(thin, z, v),
+            |[_, _, _, z0, z1, v @ ..]| {
+                let (z, v) = ([z0, z1], v);
+                [from_fn(|k| z[k / 4].clone()), from_fn(|k| v[k % 4].clone())]
+            },
+            #[inline(always)]
+            |[x0, x1, delta, ..], [z, v], i| difference_in_depth([x0, x1, delta], &z[i], &v[i]),
         )
     } else {
-        let corners = std::array::from_fn(|k| {
-            let ((x, sign_x), (z, sign_z)) = (depths[k / 4], heights[k / 2 % 2]);
-            // in v the lower end of η is the plus
-            let sign = sign_x.times(sign_z).times([Sign::Plus, Sign::Minus][k % 2]);
-            let [v0, v1] = [0, 1].map(|end| widths.difference(end, k % 2).clone());
-            ([x.clone(), z.clone(), v0, v1], sign)
-        });
-        let delta = widths.first_length();
+        let numbers = [
+            widths.first_length(),
+            thin.upper(),
+            thin.lower(),
+            other.upper(),
+            other.lower(),
+            d00,
+            d01,
+            d10,
+            d11,
+        ];
         Exchange::over_corners(
-            &corners,
-            [delta.clone()],
+            &numbers.map(Clone::clone),
+            // plus, minus in x and in z; in v the lower end of η is the plus
+            |k| [Sign::Plus, Sign::Minus][(k / 4 + k / 2 + k) % 2],
             #[inline(always)]
-            |[delta], [x, z, v0, v1], i| difference_in_width(&x[i], &z[i], delta, [&v0[i], &v1[i]]),
-            |[x, z, v0, v1]| at_the_line_in_width(x, z, delta, [v0, v1]),
+            |[_, x0, x1, z0, z1, d00, d01, d10, d11]| {
+                let (x, z, v0, v1) = ([x0, x1], [z0, z1], [d00, d01], [d10, d11]);
+                [
+                    from_fn(|k| x[k / 4].clone()),
+                    from_fn(|k| z[k / 2 % 2].clone()),
+                    from_fn(|k| v0[k % 2].clone()),
+                    from_fn(|k| v1[k % 2].clone()),
+                ]
+            },
+            #[inline(always)]
+            |[delta, ..], [x, z, v0, v1], i| {
+                difference_in_width(&x[i], &z[i], delta, [&v0[i], &v1[i]])
+            },
         )
     };
     sum.over_two_pi(Sign::Minus)
@@ -232,74 +293,54 @@ fn log_size<S: Scalar>(term: &S, coefficient: &S) -> S {
     term.abs() + &coefficient.abs()
 }
 
-/// `G(x1, z, v) − G(x0, z, v)`, each term to its own relative precision; not for a corner on the common line.
+/// `G(x1, z, v) − G(x0, z, v)`, each term to its own relative precision; where x0, z and v are 0, r0² ln r0² is.
 #[inline(always)]
 #[allow(
     clippy::inline_always,
     reason = "vector code is made where it is called"
 )]
-fn difference_in_depth<S: Scalar>([x0, x1, delta]: &[S; 3], z: &S, v: &S) -> Exchange<S> {
-    let delta = delta.clone();
+fn difference_in_depth<S: Scalar>([x0, x1, delta]: [&S; 3], z: &S, v: &S) -> Exchange<S> {
+    let quarter = v.constant(0.25);
     let (z2, v2) = (z.square(), v.square());
     let (s2_0, s2_1) = (x0.square() + &z2, x1.square() + &z2);
-    let (s0, s1) = (s2_0.sqrt(), s2_1.sqrt());
     let (r2_0, r2_1) = (s2_0.clone() + &v2, s2_1.clone() + &v2);
-    let squares = delta * &(x1.clone() + x0);
+    // s1² − s0²
+    let squares = delta.clone() * &(x1.clone() + x0);
+    // −¼ (s² − v²) ln r²
+    let is_origin = r2_0.is_zero();
+    let from = if is_origin { &r2_1 } else { &r2_0 };
+    let log = squares.ln_ratio(from, &r2_1);
+    let log = if is_origin { v.zero() } else { log };
+    let coefficient = squares.clone() * &quarter;
+    let third = -(log.clone() * &((s2_1.clone() - &v2) * &quarter));
+    let fourth = -(from.ln() * &coefficient);
 
-    let mut sum = Exchange::new(v);
-    // v s atan(v/s)
-    let s_step = squares.clone() / &(s1.clone() + &s0);
-    sum.add(v.atan2(&s1) * v * &s_step);
-    let denominator = s0.clone() * &s1 + &v2;
-    sum.add(-((v.clone() * &s_step).atan2(&denominator) * v * &s0));
-    add_logs_in_depth(&mut sum, [s2_1, v2], squares, [&r2_0, &r2_1]);
-    sum
-}
-
-/// `−¼ (s² − v²) ln r²`, as a difference.
-#[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
-fn add_logs_in_depth<S: Scalar>(
-    sum: &mut Exchange<S>,
-    [s2_1, v2]: [S; 2],
-    squares: S,
-    [r2_0, r2_1]: [&S; 2],
-) {
-    let quarter = v2.constant(0.25);
-    let log = log_ratio(&squares, r2_0, r2_1);
-    let difference = (s2_1.clone() - &v2) * &quarter;
-    sum.add_uncertain(-(log.clone() * &difference), || {
-        log_ratio_size(&log, &squares, r2_0, r2_1) * &((s2_1 + &v2) * &quarter)
-    });
-    let coefficient = squares * &quarter;
-    let log_term = r2_0.ln() * &coefficient;
-    sum.add_uncertain(-log_term.clone(), || log_size(&log_term, &coefficient));
-}
-
-/// [`difference_in_depth`] for v = 0, where the angles have no weight: on the common line G is 0; elsewhere an interval
-/// that reaches to the line would not know its angle.
-fn at_the_line_in_depth<S: Scalar>(x: &Span<S>, z: &S, v: &S) -> Option<Exchange<S>> {
-    let on_the_line = z.is_zero() && x.lower().is_zero();
-    if !v.is_zero() || (S::TRACKS_ROUNDING && !on_the_line) {
-        return None;
-    }
-    let mut sum = Exchange::new(v);
-    let [s2_0, s2_1] = [x.lower(), x.upper()].map(|end| end.square() + &z.square());
-    if on_the_line {
-        let coefficient = s2_1.clone() * &v.constant(0.25);
-        let log_term = s2_1.ln() * &coefficient;
-        sum.add_uncertain(-log_term.clone(), || log_size(&log_term, &coefficient));
+    let (s0, s1) = (s2_0.sqrt(), s2_1.sqrt());
+    let s_step = squares / &(s1.clone() + &s0);
+    // v s atan(v/s); an enclosure that reaches to the line does not know its angle, which has no weight for v = 0
+    let [first, second] = if S::TRACKS_ROUNDING || !v.is_zero() {
+        let [end, narrowing] = S::angles([
+            [v, &s1],
+            [&(v.clone() * &s_step), &(s0.clone() * &s1 + &v2)],
+        ]);
+        [end * v * &s_step, -(narrowing * &(s0 * v))]
     } else {
-        let squares = x.length().clone() * &(x.upper().clone() + x.lower());
-        add_logs_in_depth(&mut sum, [s2_1.clone(), v.zero()], squares, [&s2_0, &s2_1]);
+        [v.zero(), v.zero()]
+    };
+
+    let magnitude = if S::TRACKS_ROUNDING {
+        let logs = log.abs() * &(r2_1 * &quarter) + &fourth.abs();
+        first.abs() + &second.abs() + &(logs + &(coefficient * &quarter))
+    } else {
+        v.zero()
+    };
+    Exchange {
+        value: (first + &second) + &(third + &fourth),
+        magnitude,
     }
-    Some(sum)
 }
 
-/// `G(x, z, y1 − η) − G(x, z, y0 − η)`, each term to its own relative precision; not for a corner on the common line.
+/// `G(x, z, y1 − η) − G(x, z, y0 − η)`, each term to its own relative precision; where s and one v are 0, its r² ln r² is.
 #[inline(always)]
 #[allow(
     clippy::inline_always,
@@ -308,67 +349,39 @@ fn at_the_line_in_depth<S: Scalar>(x: &Span<S>, z: &S, v: &S) -> Option<Exchange
 fn difference_in_width<S: Scalar>(x: &S, z: &S, delta: &S, [v0, v1]: [&S; 2]) -> Exchange<S> {
     let quarter = x.constant(0.25);
     let s2 = x.square() + &z.square();
-    let s = s2.sqrt();
     let (v2_0, v2_1) = (v0.square(), v1.square());
     let (r2_0, r2_1) = (s2.clone() + &v2_0, s2.clone() + &v2_1);
-
-    let mut sum = Exchange::new(x);
-    // v s atan(v/s)
-    sum.add(v1.atan2(&s) * &s * delta);
-    let angle = (delta.clone() * &s).atan2(&(s2.clone() + &(v0.clone() * v1)));
-    sum.add(angle * v0 * &s);
+    // v1² − v0²
+    let squares = delta.clone() * &(v1.clone() + v0);
     // −¼ (s² − v²) ln r²
-    let squares = delta.clone() * &(v1.clone() + v0);
-    let squares_size = delta.clone() * &(v1.abs() + &v0.abs());
-    let log = log_ratio(&squares, &r2_0, &r2_1);
-    let difference = (s2.clone() - &v2_1) * &quarter;
-    sum.add_uncertain(-(log.clone() * &difference), || {
-        log_ratio_size(&log, &squares_size, &r2_0, &r2_1) * &((s2 + &v2_1) * &quarter)
-    });
-    let log = r2_0.ln();
-    sum.add_uncertain(log.clone() * &squares * &quarter, || {
-        (log.abs() + &log.constant(1.0)) * &squares_size * &quarter
-    });
-    sum
-}
+    let (starts, ends) = (r2_0.is_zero(), r2_1.is_zero());
+    let from = if starts { &r2_1 } else { &r2_0 };
+    let to = if ends { &r2_0 } else { &r2_1 };
+    let log = log_ratio(&squares, from, to);
+    let log = if starts || ends { x.zero() } else { log };
+    let third = -(log.clone() * &((s2.clone() - &v2_1) * &quarter));
+    let base = from.ln();
+    let fourth = base.clone() * &(squares * &quarter);
 
-/// [`difference_in_width`] on the common line, where the angles have no weight, and a corner at r = 0 contributes 0.
-fn at_the_line_in_width<S: Scalar>(
-    x: &S,
-    z: &S,
-    delta: &S,
-    [v0, v1]: [&S; 2],
-) -> Option<Exchange<S>> {
-    if !x.is_zero() || !z.is_zero() {
-        return None;
+    let s = s2.sqrt();
+    // v s atan(v/s); on the line an enclosure does not know its angles, which have no weight there
+    let [first, second] = if S::TRACKS_ROUNDING || !s.is_zero() {
+        let step = delta.clone() * &s;
+        let [end, turn] = S::angles([[v1, &s], [&step, &(s2.clone() + &(v0.clone() * v1))]]);
+        [end * &step, turn * &(s * v0)]
+    } else {
+        [x.zero(), x.zero()]
+    };
+
+    let magnitude = if S::TRACKS_ROUNDING {
+        let size = delta.clone() * &(v1.abs() + &v0.abs()) * &quarter;
+        let logs = log.abs() * &(r2_1 * &quarter) + &(size * &(base.abs() + &quarter));
+        first.abs() + &second.abs() + &logs
+    } else {
+        x.zero()
+    };
+    Exchange {
+        value: (first + &second) + &(third + &fourth),
+        magnitude,
     }
-    let quarter = x.constant(0.25);
-    let mut sum = Exchange::new(x);
-    if v0.is_zero() || v1.is_zero() {
-        for (v, sign) in [(v1, Sign::Plus), (v0, Sign::Minus)] {
-            if !v.is_zero() {
-                let coefficient = v.square() * &quarter;
-                let log_term = v.square().ln() * &coefficient;
-                let signed = match sign {
-                    Sign::Plus => log_term.clone(),
-                    Sign::Minus => -log_term.clone(),
-                };
-                sum.add_uncertain(signed, || log_size(&log_term, &coefficient));
-            }
-        }
-        return Some(sum);
-    }
-    let (v2_0, v2_1) = (v0.square(), v1.square());
-    let squares = delta.clone() * &(v1.clone() + v0);
-    let squares_size = delta.clone() * &(v1.abs() + &v0.abs());
-    let log = log_ratio(&squares, &v2_0, &v2_1);
-    let difference = v2_1.clone() * &quarter;
-    sum.add_uncertain(log.clone() * &difference, || {
-        log_ratio_size(&log, &squares_size, &v2_0, &v2_1) * &difference
-    });
-    let log = v2_0.ln();
-    sum.add_uncertain(log.clone() * &squares * &quarter, || {
-        (log.abs() + &log.constant(1.0)) * &squares_size * &quarter
-    });
-    Some(sum)
 }

@@ -1,7 +1,7 @@
 //! A patch made ready for form factors: what every route needs of it, computed once.
 
 use super::shape::Shape;
-use crate::geometry::{Patch, Rectangle, Vector};
+use crate::geometry::{AlignedRectangle, Patch, Rectangle, Vector};
 use crate::numeric::{DoubleDouble, Scalar, vectorised};
 use glam::DVec3;
 
@@ -14,7 +14,7 @@ pub struct Polygon {
     /// How far a corner may be off the plane, per distance from it.
     pub(super) tilt: f64,
     /// Itself, if it is a rectangle with edges along the coordinate axes.
-    pub(super) rectangle: Option<Rectangle>,
+    pub(super) rectangle: Option<AlignedRectangle>,
 }
 
 impl Polygon {
@@ -63,7 +63,7 @@ impl Polygon {
             normal: precise_normal.to_doubles(),
             precise_normal,
             tilt,
-            rectangle: rectangle.filter(|rectangle| rectangle.axes().is_some()),
+            rectangle: rectangle.and_then(|rectangle| rectangle.aligned()),
         })
     }
 

@@ -35,7 +35,7 @@ pub(super) fn potential<S: Scalar + Copy>(
     logs: [S; 2],
 ) -> S {
     let height = a.cross(direction).length();
-    let angle = (height * length).angle_above(&a.dot(c));
+    let [angle] = S::angles([[&(height * length), &a.dot(c)]]);
     c.dot(direction) * logs[1] - a.dot(direction) * logs[0] + height * angle - length
 }
 

@@ -5,12 +5,19 @@
 //!
 //! **Not covered**: rectangles turned against each other; occlusion.
 
+#![allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+
 use super::parallel::{self, strip_exchange};
 use super::perpendicular::{self, Plate, strip_exchange_at_depth, strip_exchange_at_width};
 use super::rectangle_kernel::{self, Sides};
 use super::{Exchange, ExchangeArea, FormFactorError};
-use crate::geometry::{Extent, GeometryError, Offsets, Placement, Rectangle, Span, SplitAxis};
-use crate::numeric::Scalar;
+use crate::geometry::{
+    AlignedRectangle, Extent, GeometryError, Offsets, Placement, Rectangle, Span, SplitAxis,
+};
+use crate::numeric::{Scalar, vectorised};
 
 /// Two rectangles with edges along three common axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,10 +50,23 @@ impl RectanglePair {
     /// # Errors
     /// [`FormFactorError::Geometry`] if the edges do not run along three common axes.
     pub fn try_new(first: &Rectangle, second: &Rectangle) -> Result<Self, FormFactorError> {
-        let placement = Placement::try_new(first, second)?;
+        Self::placed(&Placement::try_new(first, second)?)
+    }
+
+    /// The same of rectangles with edges along the coordinate axes.
+    #[inline(always)]
+    pub(super) fn along_axes(
+        first: &AlignedRectangle,
+        second: &AlignedRectangle,
+    ) -> Result<Self, FormFactorError> {
+        Self::placed(&Placement::along_axes(first, second)?)
+    }
+
+    #[inline(always)]
+    fn placed(placement: &Placement) -> Result<Self, FormFactorError> {
         Ok(Self {
             first: placement.first,
-            second: Second::try_from(&placement)?,
+            second: Second::try_from(placement)?,
             unit: placement.unit,
         })
     }
@@ -57,12 +77,18 @@ impl RectanglePair {
     /// [`FormFactorError::OutOfRange`] if the value leaves the range of `f64`;
     /// [`FormFactorError::NotResolved`] if rounding leaves no correct digit.
     pub fn exchange_area(&self) -> Result<ExchangeArea, FormFactorError> {
+        vectorised(
+            #[inline(always)]
+            || self.closed_form(),
+        )
+    }
+
+    /// [`exchange_area`](Self::exchange_area), to be called where vector code is made.
+    #[inline(always)]
+    pub(super) fn closed_form(&self) -> Result<ExchangeArea, FormFactorError> {
         match self.exchange()? {
             Some(exchange) => exchange.resolved(self.unit * self.unit),
-            None => Ok(ExchangeArea {
-                value: 0.0,
-                error_bound: 0.0,
-            }),
+            None => Ok(ExchangeArea::NOTHING),
         }
     }
 
@@ -137,7 +163,11 @@ impl<S: Scalar> RectanglePair<S> {
     /// [`FormFactorError::OutOfRange`] if the value leaves the range or has no bounds;
     /// [`FormFactorError::NotResolved`] if rounding leaves no correct digit.
     pub fn exchange_value(&self) -> Result<S, FormFactorError> {
-        match self.exchange()? {
+        let exchange = S::vectorised(
+            #[inline(always)]
+            || self.exchange(),
+        );
+        match exchange? {
             Some(exchange) => self.in_range(exchange.certain()?),
             None => Ok(self.first[0].lower().zero()),
         }
@@ -213,12 +243,13 @@ impl<S: Scalar> RectanglePair<S> {
         self.in_range(exchange.value * along.length())
     }
 
-    /// What the two exchange, in units of their frame; `None` if nothing.
+    /// What the two exchange, in units of their frame; `None` if nothing; to be called where vector code is made.
+    #[inline(always)]
     fn exchange(&self) -> Result<Option<Exchange<S>>, FormFactorError> {
         match &self.second {
             Second::Dark => Ok(None),
             Second::Parallel { spans, distance } => {
-                parallel::exchange_area(&self.first, spans, distance).map(Some)
+                parallel::form(&self.first, spans, distance).map(Some)
             }
             Second::Perpendicular {
                 across,
@@ -229,7 +260,7 @@ impl<S: Scalar> RectanglePair<S> {
                 Some(depth) => {
                     let width = self.first[other(*across) as usize].clone();
                     let first = Plate::try_new(depth, width)?;
-                    Ok(Some(perpendicular::exchange_area(&first, plate)))
+                    Ok(Some(perpendicular::form(&first, plate)))
                 }
                 None => Ok(None),
             },
@@ -249,6 +280,7 @@ impl<S: Scalar> RectanglePair<S> {
     }
 
     /// The part of the first rectangle in front of the second one's plane, as distances from it.
+    #[inline(always)]
     fn depth(
         &self,
         across: SplitAxis,
@@ -284,6 +316,7 @@ impl<S: Scalar> RectanglePair<S> {
 impl TryFrom<&Placement> for Second<f64> {
     type Error = FormFactorError;
 
+    #[inline(always)]
     fn try_from(placement: &Placement) -> Result<Self, FormFactorError> {
         let perpendicular = |across, plane, width, height: Span| {
             Ok(match height.above(&0.0) {
@@ -334,6 +367,7 @@ fn relative<S: Scalar>(position: &S) -> Result<(), GeometryError> {
     Ok(())
 }
 
+#[inline(always)]
 /// Refuses a depth that may be in front of a plane or behind it.
 fn in_front<S: Scalar>(depth: &S) -> Result<(), FormFactorError> {
     if !depth.is_nonnegative() {
@@ -344,6 +378,7 @@ fn in_front<S: Scalar>(depth: &S) -> Result<(), FormFactorError> {
     Ok(())
 }
 
+#[inline(always)]
 const fn other(axis: SplitAxis) -> SplitAxis {
     match axis {
         SplitAxis::U => SplitAxis::V,

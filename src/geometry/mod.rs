@@ -6,6 +6,7 @@
 //!
 //! **Not here**: anything radiometric.
 
+mod aligned_rectangle;
 mod convex_pieces;
 mod cut_lines;
 mod error;
@@ -20,6 +21,7 @@ mod span;
 mod triangulation;
 mod vector;
 
+pub use aligned_rectangle::AlignedRectangle;
 pub use cut_lines::CutLines;
 pub use error::GeometryError;
 pub use offsets::Offsets;

@@ -25,7 +25,12 @@ impl<S: Scalar> Offsets<S> {
     }
 
     /// Those of two spans on one axis.
+    #[inline(always)]
     #[must_use]
+    #[allow(
+        clippy::inline_always,
+        reason = "vector code is made where it is called"
+    )]
     pub fn between(first: &Span<S>, second: &Span<S>) -> Self {
         let difference = |a: &S, b: &S| a.clone() - b;
         let row = |end| {
@@ -58,14 +63,26 @@ impl<S: Scalar> Offsets<S> {
         &self.lengths[1]
     }
 
-    /// The same with first and second exchanged.
+    /// The same, or with first and second exchanged.
+    #[inline(always)]
     #[must_use]
-    pub fn swapped(&self) -> Self {
-        let differences = [0, 1].map(|i| [0, 1].map(|k: usize| -self.differences[k][i].clone()));
-        let [first, second] = self.lengths.clone();
+    #[allow(
+        clippy::inline_always,
+        reason = "vector code is made where it is called"
+    )]
+    pub fn swapped_unless(&self, stays: bool) -> Self {
+        let [[a, b], [c, d]] = &self.differences;
+        let [first, second] = &self.lengths;
+        let of = |here: &S, there: &S| if stays { here.clone() } else { there.clone() };
+        let difference = |here: &S, there: &S| {
+            if stays { here.clone() } else { -there.clone() }
+        };
         Self {
-            differences,
-            lengths: [second, first],
+            differences: [
+                [difference(a, a), difference(b, c)],
+                [difference(c, b), difference(d, d)],
+            ],
+            lengths: [of(first, second), of(second, first)],
         }
     }
 }

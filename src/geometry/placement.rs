@@ -7,7 +7,7 @@
 //! All lengths are divided by a power of two near the largest of them, so that squares neither
 //! overflow nor underflow; [`Placement::unit`] undoes it exactly.
 
-use super::{GeometryError, Rectangle, Span, SplitAxis};
+use super::{AlignedRectangle, GeometryError, Rectangle, Span, SplitAxis};
 use crate::numeric::tolerance;
 
 /// The extent of a rectangle along one axis.
@@ -42,8 +42,8 @@ impl Placement {
     /// [`GeometryError::NotAligned`] if the edges do not run along three common axes;
     /// [`GeometryError::EmptySpan`] if the sizes differ by more than `f64` can hold.
     pub fn try_new(first: &Rectangle, second: &Rectangle) -> Result<Self, GeometryError> {
-        if let (Some(axes), Some(others)) = (first.axes(), second.axes()) {
-            return Self::along_axes((first, axes), (second, others));
+        if let (Some(first), Some(second)) = (first.aligned(), second.aligned()) {
+            return Self::along_axes(&first, &second);
         }
         let lengths = SplitAxis::ALL.map(|axis| first.edge(axis).length());
         let axes = [
@@ -137,59 +137,56 @@ impl Placement {
     }
 
     /// Rectangles with edges along the coordinate axes: nothing is turned, so only differences are rounded.
-    fn along_axes(
-        (first, axes): (&Rectangle, [usize; 2]),
-        (second, others): (&Rectangle, [usize; 2]),
+    ///
+    /// # Errors
+    /// [`GeometryError::EmptySpan`] if the sizes differ by more than `f64` can hold.
+    #[inline(always)]
+    #[allow(
+        clippy::inline_always,
+        reason = "its parts go on to the next step in registers"
+    )]
+    pub fn along_axes(
+        first: &AlignedRectangle,
+        second: &AlignedRectangle,
     ) -> Result<Self, GeometryError> {
-        let [u, v] = SplitAxis::ALL.map(|axis| first.edge(axis).to_array()[axes[axis as usize]]);
-        let [p, q] = SplitAxis::ALL.map(|axis| second.edge(axis).to_array()[others[axis as usize]]);
-        // the third axis, and whether two make a right-handed system with it
-        let normal = 3 - axes[0] - axes[1];
-        let flat = 3 - others[0] - others[1];
-        let up = handedness(axes) * u.signum() * v.signum();
-        let other_up = handedness(others) * p.signum() * q.signum();
-        let frame = [(axes[0], u.signum()), (axes[1], v.signum()), (normal, up)];
-        let from_origin = (second.origin() - first.origin()).to_array();
-        let lengths = [u.abs(), v.abs()];
-        let starts = frame.map(|(k, sign)| sign * from_origin[k]);
-        let sides = frame.map(|(k, sign)| {
-            let side = if k == others[0] { p } else { q };
-            if k == flat { 0.0 } else { sign * side }
-        });
-        let extent = (0..3)
-            .flat_map(|k| [starts[k].abs(), (starts[k] + sides[k]).abs()])
-            .chain(lengths)
-            .fold(0.0, f64::max);
-        // the power of two at or below it
-        let unit = f64::from_bits(extent.to_bits() & 0x7ff0_0000_0000_0000);
-        let extent_along = |k: usize| {
-            if frame[k].0 == flat {
-                return Ok(Extent::Flat(starts[k] / unit));
-            }
-            let lower = if sides[k] < 0.0 {
-                starts[k] + sides[k]
-            } else {
-                starts[k]
-            };
-            Span::with_length(lower / unit, sides[k].abs() / unit).map(Extent::Long)
+        let (axes, flat) = (first.axes, second.axes[2]);
+        let along = |k: usize| {
+            let (axis, sign) = (axes[k], first.signs[k]);
+            let start = sign * (second.origin[axis] - first.origin[axis]);
+            (start, sign * second.sides[axis])
         };
-        let faces = frame
-            .iter()
-            .find(|(k, _)| *k == flat)
-            .map_or(1.0, |(_, sign)| *sign);
+        let places = [along(0), along(1), along(2)];
+        let lengths = [first.sides[axes[0]].abs(), first.sides[axes[1]].abs()];
+        let mut extent = lengths[0].max(lengths[1]);
+        for (start, side) in places {
+            extent = extent.max(start.abs()).max((start + side).abs());
+        }
+        // the power of two at or below it, and its inverse: a product with that is as exact as a quotient
+        let unit = f64::from_bits(extent.to_bits() & 0x7ff0_0000_0000_0000);
+        let inverse = 1.0 / unit;
+        let extent_along = |k: usize| {
+            let (start, side) = places[k];
+            if axes[k] == flat {
+                return Ok(Extent::Flat(start * inverse));
+            }
+            let lower = if side < 0.0 { start + side } else { start };
+            Span::with_length(lower * inverse, side.abs() * inverse).map(Extent::Long)
+        };
+        let faces = first.signs[if axes[0] == flat {
+            0
+        } else if axes[1] == flat {
+            1
+        } else {
+            2
+        }];
         Ok(Self {
             first: [
-                Span::with_length(0.0, lengths[0] / unit)?,
-                Span::with_length(0.0, lengths[1] / unit)?,
+                Span::with_length(0.0, lengths[0] * inverse)?,
+                Span::with_length(0.0, lengths[1] * inverse)?,
             ],
             second: [extent_along(0)?, extent_along(1)?, extent_along(2)?],
-            faces_along: faces * other_up > 0.0,
+            faces_along: faces * second.signs[2] > 0.0,
             unit,
         })
     }
-}
-
-/// +1 if the third axis follows these two as z follows x and y, else −1.
-const fn handedness([a, b]: [usize; 2]) -> f64 {
-    if (b + 3 - a) % 3 == 1 { 1.0 } else { -1.0 }
 }

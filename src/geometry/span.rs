@@ -27,11 +27,16 @@ impl Span {
     }
 }
 
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
 impl<S: Scalar> Span<S> {
     /// The span between two points in increasing order.
     ///
     /// # Errors
     /// [`GeometryError::EmptySpan`] unless both are finite and `lower < upper`.
+    #[inline(always)]
     pub fn try_new(lower: S, upper: S) -> Result<Self, GeometryError> {
         let length = upper.clone() - &lower;
         Self::checked(lower, upper, length)
@@ -41,11 +46,13 @@ impl<S: Scalar> Span<S> {
     ///
     /// # Errors
     /// [`GeometryError::EmptySpan`] unless both are finite and `length > 0`.
+    #[inline(always)]
     pub fn with_length(lower: S, length: S) -> Result<Self, GeometryError> {
         let upper = lower.clone() + &length;
         Self::checked(lower, upper, length)
     }
 
+    #[inline(always)]
     fn checked(lower: S, upper: S, length: S) -> Result<Self, GeometryError> {
         let finite = lower.to_f64().is_finite() && upper.to_f64().is_finite();
         if finite && length > length.zero() && lower < upper {
@@ -59,6 +66,18 @@ impl<S: Scalar> Span<S> {
                 lower: lower.to_f64(),
                 upper: upper.to_f64(),
             })
+        }
+    }
+
+    /// One of two, number by number: for a choice that vector code makes without a branch.
+    #[inline(always)]
+    #[must_use]
+    pub fn either(is_first: bool, first: &Self, second: &Self) -> Self {
+        let of = |a: &S, b: &S| if is_first { a.clone() } else { b.clone() };
+        Self {
+            lower: of(&first.lower, &second.lower),
+            upper: of(&first.upper, &second.upper),
+            length: of(&first.length, &second.length),
         }
     }
 
@@ -83,6 +102,7 @@ impl<S: Scalar> Span<S> {
     /// The part at and above `floor`; `None` if nothing of positive length is left. Over intervals the comparison must be
     /// certain: a span that may or may not reach above `floor` counts as nothing.
     #[must_use]
+    #[inline(always)]
     pub fn above(&self, floor: &S) -> Option<Self> {
         if self.lower < *floor {
             Self::try_new(floor.clone(), self.upper.clone()).ok()
@@ -93,6 +113,7 @@ impl<S: Scalar> Span<S> {
 
     /// The same span moved by `shift`.
     #[must_use]
+    #[inline(always)]
     pub fn shifted(&self, shift: &S) -> Self {
         let (lower, upper) = (self.lower.clone() + shift, self.upper.clone() + shift);
         Self {
@@ -104,6 +125,7 @@ impl<S: Scalar> Span<S> {
 
     /// The same span seen from `origin` in the opposite direction: `origin − upper … origin − lower`.
     #[must_use]
+    #[inline(always)]
     pub fn mirrored(&self, origin: &S) -> Self {
         let (lower, upper) = (origin.clone() - &self.upper, origin.clone() - &self.lower);
         Self {

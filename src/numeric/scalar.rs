@@ -48,6 +48,11 @@ pub trait Scalar:
     /// `ln(1 + x)` for `x > −1`, without forming the sum.
     #[must_use]
     fn ln_1p(&self) -> Self;
+    /// `ln(to/from)` where this is `to − from`, for `0 < from ≤ to`.
+    #[must_use]
+    fn ln_ratio(&self, from: &Self, _to: &Self) -> Self {
+        (self.clone() / from).ln_1p()
+    }
     /// `eˣ`.
     #[must_use]
     fn exp(&self) -> Self;
@@ -67,15 +72,11 @@ pub trait Scalar:
     fn ln_of_normal(&self) -> Self {
         self.ln()
     }
-    /// Angle of the point `(x, self)` in the upper half plane, in `[0, π]`; of a point within 1e-290 of the origin to few digits.
-    #[inline(always)]
+    /// The angles of several points `[y, x]`, of which none is subnormal in both coordinates: as [`atan2`](Self::atan2), but
+    /// faster together.
     #[must_use]
-    #[allow(
-        clippy::inline_always,
-        reason = "vector code is made where it is called"
-    )]
-    fn angle_above(&self, x: &Self) -> Self {
-        self.atan2(x)
+    fn angles<const N: usize>(points: [[&Self; 2]; N]) -> [Self; N] {
+        points.map(|[y, x]| y.atan2(x))
     }
     /// `(1+x)·ln(1+x) − x` for `x ≥ −1`, to full relative precision.
     ///
@@ -93,8 +94,8 @@ pub trait Scalar:
         clippy::inline_always,
         reason = "vector code is made where it is called"
     )]
-    fn vectorised(work: impl FnOnce()) {
-        work();
+    fn vectorised<T>(work: impl FnOnce() -> T) -> T {
+        work()
     }
 
     /// Zero.
@@ -155,6 +156,10 @@ impl Scalar for f64 {
         super::elementary::ln_1p(*self)
     }
     #[inline(always)]
+    fn ln_ratio(&self, from: &Self, to: &Self) -> Self {
+        super::elementary::ln_ratio(*self, *from, *to)
+    }
+    #[inline(always)]
     fn exp(&self) -> Self {
         f64::exp(*self)
     }
@@ -177,8 +182,13 @@ impl Scalar for f64 {
         super::elementary::ln_of_normal(*self)
     }
     #[inline(always)]
-    fn angle_above(&self, x: &Self) -> Self {
-        super::elementary::angle_above(*self, *x)
+    fn angles<const N: usize>(points: [[&Self; 2]; N]) -> [Self; N] {
+        let mut copies = [[0.0; 2]; N];
+        for i in 0..N {
+            let [y, x] = points[i];
+            copies[i] = [*y, *x];
+        }
+        super::elementary::angles(copies)
     }
     #[inline(always)]
     fn divergence_kernel(&self) -> Self {
@@ -193,7 +203,7 @@ impl Scalar for f64 {
         f64::abs(*self)
     }
     #[inline(always)]
-    fn vectorised(work: impl FnOnce()) {
-        super::vectorised(work);
+    fn vectorised<T>(work: impl FnOnce() -> T) -> T {
+        super::vectorised(work)
     }
 }

@@ -33,11 +33,10 @@ pub const PLANARITY: f64 = 1e-12;
 /// over for a difference, and the frame another two.
 pub const ALIGNMENT: f64 = 16.0 * f64::EPSILON;
 
-/// The factor of ε in the running bound of the rectangle closed forms: (a) each term takes at most
-/// eight roundings of ε/2 and two function values within 2 ε, conditions ≤ 1 by the forms
-/// chosen (`form_factor::exchange`), and the sum at most twenty additions. Held by
+/// The factor of ε in the running bound of the rectangle closed forms: (a) each term takes at most 22 roundings of ε/2, function
+/// values counted with theirs (`form_factor::parallel`, `perpendicular`), and the sum 8 more (`form_factor::exchange`). Held by
 /// `parallel_bound_is_never_below_the_error` and `perpendicular_bound_is_never_below_the_error`.
-pub const RECTANGLE_TERMS: f64 = 16.0;
+pub const RECTANGLE_TERMS: f64 = 15.0;
 
 /// Relative asymmetry that a joint matrix built from weights and transition probabilities may
 /// have before it counts as irreversible: (a) w, P and their product carry half an ε each, 3 ε over both

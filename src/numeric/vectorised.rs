@@ -11,8 +11,8 @@ static VECTOR_UNIT: LazyLock<pulp::Arch> = LazyLock::new(pulp::Arch::new);
     clippy::inline_always,
     reason = "vector code is made where it is called"
 )]
-pub fn vectorised(work: impl FnOnce()) {
-    VECTOR_UNIT.dispatch(work);
+pub fn vectorised<T>(work: impl FnOnce() -> T) -> T {
+    VECTOR_UNIT.dispatch(work)
 }
 
 /// Doubles in a vector of today's widest processors.

@@ -1,8 +1,8 @@
 //! The functions that every form factor is made of keep their bounds.
 
 use infoscene::numeric::elementary::{
-    ANGLE_ERROR, ANGLE_OVER_SINE_ERROR, LN_ERROR, ROUGH_LN_ERROR, angle, angle_over_sine, ln,
-    rough_ln,
+    ANGLE_ERROR, ANGLE_OVER_SINE_ERROR, LN_ERROR, LN_RATIO_ERROR, ROUGH_LN_ERROR, angle,
+    angle_over_sine, angles, ln, ln_ratio, rough_ln,
 };
 use infoscene::numeric::{DoubleDouble, GaussLegendre, Interval, SQUARED_EPSILON, Scalar};
 use rand::{Rng, SeedableRng};
@@ -92,6 +92,53 @@ fn elementary_functions_keep_their_bound() {
         (-1.0, 0.0, -2.0),
     ] {
         assert!((angle(y, x) - quarters * std::f64::consts::FRAC_PI_4).abs() <= 0.0);
+    }
+}
+
+/// Against the logarithm of the quotient, from neighbours to many binades apart; and several angles at once are those of one.
+#[test]
+fn logarithms_of_ratios_keep_their_bound() {
+    let mut random = ChaCha8Rng::seed_from_u64(4);
+    let mut worst = [0.0f64; 2];
+    for _ in 0..SAMPLES {
+        let from = positive(&mut random, 400.0);
+        let growth = if random.random_bool(0.7) {
+            random.random_range(-52.0..1.0f64).exp2()
+        } else {
+            random.random_range(0.0..600.0f64).exp2()
+        };
+        let to = from * (1.0 + growth);
+        // exact below a factor of two, beyond which it is not taken
+        let (binade, value) = (usize::from(to >= 2.0 * from), ln_ratio(to - from, from, to));
+        let exact = (precise(to) / &precise(from)).ln();
+        let allowed = LN_RATIO_ERROR * exact.to_f64();
+        worst[binade] = worst[binade].max(error(value, &exact) / allowed.max(f64::MIN_POSITIVE));
+    }
+    println!("{worst:?}");
+    assert!(
+        worst.iter().all(|worst| (0.1..=1.0).contains(worst)),
+        "{worst:?} of their bound"
+    );
+    assert!(ln_ratio(0.0, 3.0, 3.0).abs() <= 0.0);
+    // a difference far below the numbers' own rounding, with either sign
+    let tiny = f64::EPSILON / 1024.0;
+    assert!((ln_ratio(tiny, 1.0, 1.0) - tiny).abs() <= LN_RATIO_ERROR * tiny);
+    let below = 1.0 - 0.5 * f64::EPSILON;
+    assert!((ln_ratio(tiny, 1.0, below) - tiny).abs() <= f64::EPSILON * tiny);
+    for [from, to] in [
+        [0.0, 1.0],
+        [5e-324, 1.0],
+        [1e-310, 1e-309],
+        [1.0, f64::INFINITY],
+        [f64::NAN, 1.0],
+        [1.0, f64::NAN],
+        [-1.0, 1.0],
+    ] {
+        assert!(ln_ratio(to - from, from, to).is_nan(), "{from} {to}");
+    }
+    let points = [[0.5, 1.0], [3.0, -1.0], [-2.0, 0.1]];
+    for (several, [y, x]) in angles(points).into_iter().zip(points) {
+        assert_eq!(several.to_bits(), angle(y, x).to_bits());
     }
 }
 
