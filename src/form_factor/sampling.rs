@@ -19,7 +19,7 @@
 //! Santaló, *Integral Geometry and Geometric Probability*, 1976, ch. 12; Cranley and Patterson, SIAM J. Numer. Anal. 13,
 //! 1976 (random shifts).
 
-use crate::geometry::{Patch, triangulated};
+use crate::geometry::{Patch, line_through_sphere, triangulated};
 use glam::{DVec2, DVec3};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -153,14 +153,7 @@ pub fn global_lines(first: &Patch, second: &Patch, lines: u32, seed: u64) -> Glo
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let (mut met, mut joined) = ([0; 2], 0);
     for _ in 0..lines {
-        let [z, turn, square, around]: [f64; 4] = random.random();
-        let z = 2.0 * z - 1.0;
-        let (sine, cosine) = (TAU * turn).sin_cos();
-        let flat = (1.0 - z * z).sqrt();
-        let direction = DVec3::new(flat * cosine, flat * sine, z);
-        let (across, up) = direction.any_orthonormal_pair();
-        let (sine, cosine) = (TAU * around).sin_cos();
-        let start = targets.radius * square.sqrt() * (cosine * across + sine * up);
+        let [start, direction] = line_through_sphere(targets.radius, random.random());
         let crossings = [leaving, arriving].map(|polygon| polygon.crossing(start, direction));
         for (count, crossing) in met.iter_mut().zip(crossings) {
             *count += u32::from(crossing.is_some());

@@ -19,6 +19,7 @@ mod shaft;
 mod side;
 mod span;
 mod triangulation;
+mod uniform_line;
 mod vector;
 
 pub use aligned_rectangle::AlignedRectangle;
@@ -33,4 +34,5 @@ pub use shaft::{Outline, Plane, Shaft};
 pub use side::{Side, side_of_plane};
 pub use span::Span;
 pub use triangulation::triangulated;
+pub(crate) use uniform_line::line_through_sphere;
 pub use vector::Vector;

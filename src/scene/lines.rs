@@ -18,7 +18,7 @@
 //! Reference: Sbert, *An Integral Geometry Based Method for Fast Form-Factor Computation*, Eurographics 1993.
 
 use super::{NamedPatch, Scene};
-use crate::geometry::triangulated;
+use crate::geometry::{line_through_sphere, triangulated};
 use crate::numeric::tolerance;
 use glam::DVec3;
 use rstar::primitives::{GeomWithData, Rectangle as Box3};
@@ -189,14 +189,8 @@ impl SceneLines {
     /// The chords of a global line, added to those given.
     ///
     /// **Arguments** four uniform numbers from 0 to 1: two for the direction, two for the place.
-    pub fn global(&self, [z, turn, square, around]: [f64; 4], chords: &mut Vec<Chord>) -> Passage {
-        let z = 2.0 * z - 1.0;
-        let (sine, cosine) = (TAU * turn).sin_cos();
-        let flat = (1.0 - z * z).sqrt();
-        let direction = DVec3::new(flat * cosine, flat * sine, z);
-        let (across, up) = direction.any_orthonormal_pair();
-        let (sine, cosine) = (TAU * around).sin_cos();
-        let origin = self.radius * square.sqrt() * (cosine * across + sine * up);
+    pub fn global(&self, numbers: [f64; 4], chords: &mut Vec<Chord>) -> Passage {
+        let [origin, direction] = line_through_sphere(self.radius, numbers);
         let mut crossings: Vec<Crossing> = self
             .candidates(origin, direction, f64::NEG_INFINITY)
             .filter_map(|surface| self.crossing(surface, origin, direction))

@@ -178,7 +178,7 @@ fn solids_agree_with_their_cross_sections() {
 }
 
 #[test]
-#[ignore = "ten seconds in the dev profile: cargo test --release --test continuous round_solids -- --ignored"]
+#[ignore = "seconds: cargo test --release --test continuous round_solids -- --ignored"]
 fn round_solids_agree_with_their_cross_sections() {
     SOLIDS[3..].iter().copied().for_each(assert_agreement);
 }

@@ -108,8 +108,7 @@ fn boxes_agree_with_a_formula_of_their_own() {
 #[test]
 fn errors_of_the_solids_are_small() {
     for name in SOLIDS {
-        let scene = Scene::built_in(name).unwrap();
-        let found = continuous_information(&scene).unwrap();
+        let found = information(name);
         assert!(
             found.error < MODERATE * found.mutual_information.max(1.0),
             "{name}: {:e}",

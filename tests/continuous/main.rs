@@ -25,12 +25,9 @@ use std::sync::Mutex;
 /// Continuous mutual information of a built-in scene, computed once.
 fn information(name: &str) -> ContinuousInformation {
     static KNOWN: Mutex<BTreeMap<String, ContinuousInformation>> = Mutex::new(BTreeMap::new());
-    let known = KNOWN.lock().unwrap().get(name).cloned();
-    known.unwrap_or_else(|| {
-        let found = continuous_information(&Scene::built_in(name).unwrap()).unwrap();
-        KNOWN.lock().unwrap().insert(name.to_owned(), found.clone());
-        found
-    })
+    let mut known = KNOWN.lock().unwrap();
+    let compute = || continuous_information(&Scene::built_in(name).unwrap()).unwrap();
+    known.entry(name.to_owned()).or_insert_with(compute).clone()
 }
 
 /// Relative accuracy promised for moderate and for extreme rooms.

@@ -373,8 +373,8 @@ fn all_laws(case: &Case) -> Result<(), String> {
     cut_in_two(case)
 }
 
-/// Pairs of each family in the default run; fewer where nothing is optimised.
-const PAIRS: u64 = if cfg!(debug_assertions) { 200 } else { 1000 };
+/// Pairs of each family in the default run.
+const PAIRS: u64 = 1000;
 
 #[test]
 fn exchange_areas_are_positive_and_at_most_the_areas() {

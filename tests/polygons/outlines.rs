@@ -96,7 +96,7 @@ fn sizes_far_apart_do_not_panic() {
 /// Planes 5e-7 apart in angle, and two corners 5e-15 behind one of them: rounding says that they lie in it, and the strip
 /// that a clip would take off is 1e-8 wide. The contour's bound knows, and the chooser goes on to more digits.
 #[test]
-#[ignore = "half a minute in the dev profile: cargo test --release --test polygons hides -- --ignored"]
+#[ignore = "seconds: cargo test --release --test polygons hides -- --ignored"]
 fn a_clip_that_rounding_hides_is_in_the_bound() {
     let first = [
         [3.7645452320575714, 3.489126145839691, -3.036815106868744],

@@ -60,7 +60,7 @@ fn as_interval(found: &reference::Reference, like: &Interval) -> Interval {
 
 /// The enclosure of the closed form with 384 bits contains the reference widened by its estimate, and is itself far narrower.
 #[test]
-#[ignore = "half a minute in the dev profile: cargo test --release --test polygons stiff -- --ignored"]
+#[ignore = "seconds: cargo test --release --test polygons stiff -- --ignored"]
 fn the_reference_agrees_with_enclosures_of_stiff_rectangles() {
     let rectangle = |origin: [f64; 3], u: DVec3, v: DVec3| {
         Rectangle::try_new(DVec3::from_array(origin), u, v).unwrap()

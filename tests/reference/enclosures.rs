@@ -238,7 +238,7 @@ fn best_grids_are_enclosed_to_20_digits() {
 
 /// The best grid of 6 cells.
 #[test]
-#[ignore = "ten seconds unoptimised: cargo test --release --test reference -- --ignored"]
+#[ignore = "seconds: cargo test --release --test reference -- --ignored"]
 fn the_best_grid_of_six_cells_is_enclosed_to_20_digits() {
     assert_best_grid(6);
 }
