@@ -36,9 +36,9 @@ pub(super) enum Side {
     /// Behind it, or behind it and in it.
     Behind,
     /// In front, as it is.
-    Front(Heights),
+    Front,
     /// In front, what is left of it.
-    Clipped(Box<Shape>, Heights),
+    Clipped(Box<Shape>),
 }
 
 /// How far corners may be from where they should be.
@@ -68,25 +68,24 @@ impl Off {
 }
 
 impl Side {
-    /// The heights of what is in front; `None` if nothing is.
-    pub(super) fn heights(&self) -> Option<&[f64]> {
-        match self {
-            Self::Front(heights) | Self::Clipped(_, heights) => Some(heights),
-            Self::Within | Self::Behind => None,
-        }
+    /// Is any of it in front?
+    pub(super) const fn is_in_front(&self) -> bool {
+        matches!(self, Self::Front | Self::Clipped(_))
     }
 
     /// What is in front of a polygon that was `whole` before.
     pub(super) fn shape<'a>(&'a self, whole: &'a Shape) -> &'a Shape {
         match self {
-            Self::Clipped(shape, _) => shape,
+            Self::Clipped(shape) => shape,
             _ => whole,
         }
     }
 }
 
 /// Where a polygon lies to another one's plane, and how far its corners may be from where they should be.
-pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
+///
+/// **Arguments** `heights`: empty; those of what is in front are put there.
+pub(super) fn side_of(polygon: &Polygon, plane: &Polygon, heights: &mut Heights) -> (Side, Off) {
     let (shape, origin) = (&polygon.shape, plane.shape.corners[0]);
     let reach = shape.largest;
     // what the rounding of coordinates may do to a height
@@ -112,7 +111,6 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
     };
     // the product is within 3 ε of the distance: on which side it is, is known
     let certain = 4.0 * f64::EPSILON * distance + 64.0 * noise;
-    let mut heights = Heights::with_capacity(shape.corners.len());
     let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
     for corner in &shape.corners {
         let product = (*corner - origin).dot(plane.normal);
@@ -137,22 +135,22 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon) -> (Side, Off) {
     // none where every height is certain
     if wrong_side > f64::NEG_INFINITY {
         let widths = [wrong_side.max(0.0) + tilted, tilted];
-        [off.strip, off.tilted_strip] = strips(shape, &heights, widths);
+        [off.strip, off.tilted_strip] = strips(shape, heights, widths);
     }
     match (least >= 0.0, most <= 0.0) {
         (true, true) => return (Side::Within, off),
-        (true, false) => return (Side::Front(heights), off),
+        (true, false) => return (Side::Front, off),
         (false, true) => return (Side::Behind, off),
         (false, false) => {}
     }
-    let (corners, heights, moved) = clipped(shape, plane, &heights);
+    let (corners, clipped_heights, moved) = clipped(shape, plane, heights);
     // a coordinate of a new corner, no farther out than the old ones, is rounded once: half an ε of each of three
     off.place = 0.87 * f64::EPSILON * reach;
     off.ribbon = off.place * moved;
     match Shape::new(&corners, polygon.precise_normal) {
         Some(shape) => {
-            let heights = heights_of(&shape, &corners, &heights);
-            (Side::Clipped(Box::new(shape), heights), off)
+            *heights = heights_of(&shape, &corners, &clipped_heights);
+            (Side::Clipped(Box::new(shape)), off)
         }
         None => (Side::Behind, off),
     }

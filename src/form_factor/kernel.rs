@@ -21,9 +21,10 @@ impl View<'_> {
         let origin = self.shapes[0].centre;
         let [(first_rules, first_blocks), (second_rules, second_blocks)] =
             [0, 1].map(|k| self.rules(k, points[k]));
-        let heights = [self.precise_heights(0), self.precise_heights(1)];
-        // by reference: what is moved into vector code is copied
-        let [first_heights, second_heights] = [&*heights[0], &*heights[1]];
+        let mut precise = [Heights::new(), Heights::new()];
+        let [for_first, for_second] = &mut precise;
+        let first_heights = self.precise_heights(0, for_first);
+        let second_heights = self.precise_heights(1, for_second);
         let [first, second] = &mut work.blocks;
         first.resize(first_blocks, Block::default());
         second.resize(second_blocks, Block::default());
@@ -40,8 +41,9 @@ impl View<'_> {
             },
         );
         let value = across(sums) / (unit * unit * unit * unit * PI);
-        let largest = self.largest();
-        let truncation: f64 = (0..2).map(|k| self.truncation(k, points[k], largest)).sum();
+        let truncation: f64 = (0..2)
+            .map(|k| self.truncation(k, points[k], self.largest))
+            .sum();
         let terms = 4.0 * (first_blocks + second_blocks) as f64;
         let relative = (24.0 + terms) * f64::EPSILON + 2.0 * HEIGHT_ERROR;
         ExchangeArea {
@@ -50,15 +52,20 @@ impl View<'_> {
         }
     }
 
-    /// The heights of a shape's corners, each within [`HEIGHT_ERROR`] of itself; 0 where a clip put them on the plane.
-    fn precise_heights(&self, k: usize) -> Heights {
-        let mut heights = Heights::from_slice(self.heights[k]);
-        for (height, corner) in heights.iter_mut().zip(&self.shapes[k].corners) {
-            if *height > 0.0 && *height < self.reach / 16.0 {
+    /// The heights of a shape's corners, each within [`HEIGHT_ERROR`] of itself, in `precise` if it must; 0 where a clip put them on
+    /// the plane.
+    fn precise_heights<'b>(&'b self, k: usize, precise: &'b mut Heights) -> &'b [f64] {
+        let is_small = |height: f64| height < self.reach / 16.0;
+        if !self.heights[k].iter().any(|height| is_small(*height)) {
+            return self.heights[k];
+        }
+        precise.extend_from_slice(self.heights[k]);
+        for (height, corner) in precise.iter_mut().zip(&self.shapes[k].corners) {
+            if *height > 0.0 && is_small(*height) {
                 *height = self.polygons[1 - k].height(*corner);
             }
         }
-        heights
+        precise
     }
 }
 

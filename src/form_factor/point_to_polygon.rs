@@ -68,7 +68,7 @@ impl View<'_> {
             },
         );
         let (value, size) = (-across(sums[0]) / TAU, across(sums[1]) / TAU);
-        let truncation = self.truncation(k, points, self.largest());
+        let truncation = self.truncation(k, points, self.largest);
         // the points themselves are off
         let moved = self.moved(4.0 * f64::EPSILON * over.radius, value);
         ExchangeArea {

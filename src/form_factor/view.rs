@@ -1,7 +1,7 @@
 //! A pair as the routes see it: what of each polygon is in front of the other's plane, and measures of both.
 
 use super::gauss_points::{Lines, Rules};
-use super::horizon::{Off, Side, side_of};
+use super::horizon::{Heights, Off, Side, side_of};
 use super::shape::Shape;
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
 use glam::DVec3;
@@ -20,6 +20,8 @@ pub(super) struct View<'a> {
     pub off: Off,
     /// The largest height of each.
     highest: [f64; 2],
+    /// `area × area × h_max g_max / (π gap⁴)`.
+    pub largest: f64,
     /// What that changes at most, per length: by flux through ribbons; for polygons apart, relative to the value, by other
     /// heights, and by other areas and distances.
     ribbons: f64,
@@ -39,11 +41,12 @@ pub(super) fn seen(
     route: impl FnOnce(&View) -> Result<Answer, FormFactorError>,
 ) -> Result<Answer, FormFactorError> {
     let [first, second] = polygons;
-    let (above_second, first_off) = side_of(first, second);
-    let (above_first, second_off) = side_of(second, first);
+    let [mut first_heights, mut second_heights] = [Heights::new(), Heights::new()];
+    let (above_second, first_off) = side_of(first, second, &mut first_heights);
+    let (above_first, second_off) = side_of(second, first, &mut second_heights);
     let off = first_off.and(second_off);
     let sides = [&above_second, &above_first];
-    let [Some(first_heights), Some(second_heights)] = sides.map(Side::heights) else {
+    if !sides.iter().all(|side| side.is_in_front()) {
         let within = sides.iter().all(|side| matches!(side, Side::Within));
         return Ok(Answer {
             exchange: ExchangeArea {
@@ -57,7 +60,7 @@ pub(super) fn seen(
                 Route::BackFacing
             },
         });
-    };
+    }
     let shapes = [
         above_second.shape(&first.shape),
         above_first.shape(&second.shape),
@@ -65,7 +68,7 @@ pub(super) fn seen(
     let view = View::new(
         polygons,
         shapes,
-        [first_heights, second_heights],
+        [&*first_heights, &*second_heights],
         off,
         tolerance,
     );
@@ -114,15 +117,18 @@ impl<'a> View<'a> {
         // between the far formula and that of two patches near to each other
         let square = distance * distance + first.area.max(second.area) / PI;
         let cosines = means[0] * means[1] / (distance * distance).max(means[0] * means[1]);
-        let estimate = first.area * second.area * cosines / (PI * square);
+        let areas = first.area * second.area;
+        let estimate = areas * cosines / (PI * square);
+        let highest = spans.map(|span| span.most);
         Self {
+            largest: areas * (highest[0] / gap) * (highest[1] / gap) / (PI * gap * gap),
             polygons,
             shapes,
             heights,
             gap,
             reach,
             off,
-            highest: spans.map(|span| span.most),
+            highest,
             ribbons: 2.0 * ribbons,
             received: received(first).max(received(second)),
             by_height: 2.0 * (sensitivities[0] + sensitivities[1]),
@@ -171,7 +177,7 @@ impl<'a> View<'a> {
 
     /// Gauss points per direction on one of the shapes.
     pub(super) fn points(&self, k: usize) -> usize {
-        let most = self.wanted() / (self.largest() * 2.0 * self.shapes[k].peak);
+        let most = self.wanted() / (self.largest * 2.0 * self.shapes[k].peak);
         self.lines(k).points(most)
     }
 
@@ -197,13 +203,6 @@ impl<'a> View<'a> {
     /// A bound on the error of a rule on one of the shapes.
     pub(super) fn truncation(&self, k: usize, points: usize, largest: f64) -> f64 {
         2.0 * self.shapes[k].peak * self.lines(k).error(points) * largest
-    }
-
-    /// `area × area × h_max g_max / (π gap⁴)`.
-    pub(super) fn largest(&self) -> f64 {
-        let areas = self.shapes[0].area * self.shapes[1].area;
-        areas * self.highest[0] / self.gap * (self.highest[1] / self.gap)
-            / (PI * self.gap * self.gap)
     }
 }
 
