@@ -18,6 +18,7 @@
 use super::coplanar_edges::Coplanar;
 use super::edge::Edge;
 use crate::geometry::Vector;
+use crate::numeric::elementary::{angles, logarithms};
 use crate::numeric::{GaussLegendre, LANES, Lanes, MOST_POINTS, Scalar, across, vectorised};
 
 /// The potential of an edge at a point, from the vectors `a`, `c` to its ends, its direction and length,
@@ -46,8 +47,19 @@ pub(super) fn potential<S: Scalar + Copy>(
     reason = "vector code is made where it is called"
 )]
 pub(super) fn log_distance<S: Scalar + Copy>(a: Vector<S>, inverse_square: S) -> S {
-    let square = a.dot(a) * inverse_square + inverse_square.constant(f64::MIN_POSITIVE);
-    square.ln_of_normal() * square.constant(0.5)
+    let square = scaled_square(a, inverse_square);
+    let [log] = S::logarithms([&square]);
+    log * square.constant(0.5)
+}
+
+/// `|a|²/unit²`, kept above 0.
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+fn scaled_square<S: Scalar + Copy>(a: Vector<S>, inverse_square: S) -> S {
+    a.dot(a) * inverse_square + inverse_square.constant(f64::MIN_POSITIVE)
 }
 
 /// Points of rules along edges, so many at a time.
@@ -142,19 +154,16 @@ impl Nodes {
             #[inline(always)]
             move || {
                 let mut sums = [[0.0; LANES]; 3];
-                for block in 0..blocks {
-                    let at = block * LANES;
-                    let x = [
-                        lanes(&points[0], at),
-                        lanes(&points[1], at),
-                        lanes(&points[2], at),
-                    ];
-                    let w = [
-                        lanes(&weights[0], at),
-                        lanes(&weights[1], at),
-                        lanes(&weights[2], at),
-                    ];
-                    add_block(&mut sums, x, w, edges, inverse_square);
+                for pair in 0..blocks / 2 {
+                    let at = 2 * pair * LANES;
+                    let x = [lanes(points, at), lanes(points, at + LANES)];
+                    let w = [lanes(weights, at), lanes(weights, at + LANES)];
+                    add_blocks(&mut sums, x, w, edges, inverse_square);
+                }
+                if blocks % 2 == 1 {
+                    let at = (blocks - 1) * LANES;
+                    let (x, w) = ([lanes(points, at)], [lanes(weights, at)]);
+                    add_blocks(&mut sums, x, w, edges, inverse_square);
                 }
                 *out = sums;
             },
@@ -174,46 +183,69 @@ impl Nodes {
     clippy::inline_always,
     reason = "vector code is made where it is called"
 )]
-fn lanes(column: &[f64; ROOM], at: usize) -> Lanes {
-    let mut lanes = [0.0; LANES];
-    lanes.copy_from_slice(&column[at..at + LANES]);
+fn lanes([x, y, z]: &[[f64; ROOM]; 3], at: usize) -> [Lanes; 3] {
+    let mut lanes = [[0.0; LANES]; 3];
+    lanes[0].copy_from_slice(&x[at..at + LANES]);
+    lanes[1].copy_from_slice(&y[at..at + LANES]);
+    lanes[2].copy_from_slice(&z[at..at + LANES]);
     lanes
 }
 
+/// Some blocks together, so that none waits for another.
 #[inline(always)]
 #[allow(
     clippy::inline_always,
     clippy::needless_range_loop,
     reason = "vector code is made where it is called, of loops over lanes"
 )]
-fn add_block(
+fn add_blocks<const N: usize>(
     [values, sizes, errors]: &mut [Lanes; 3],
-    [x, y, z]: [Lanes; 3],
-    [wx, wy, wz]: [Lanes; 3],
+    x: [[Lanes; 3]; N],
+    w: [[Lanes; 3]; N],
     edges: &[Seen],
     inverse_square: f64,
 ) {
-    let from = |corner: Vector<f64>, l: usize| corner.minus(Vector([x[l], y[l], z[l]]));
-    let (mut before, mut lengths) = ([0.0; LANES], [0.0; LANES]);
-    for l in 0..LANES {
-        lengths[l] = (wx[l] * wx[l] + wy[l] * wy[l] + wz[l] * wz[l]).sqrt();
+    let vector = |[x, y, z]: &[Lanes; 3], l: usize| Vector([x[l], y[l], z[l]]);
+    let (mut before, mut lengths) = ([[0.0; LANES]; N], [[0.0; LANES]; N]);
+    for n in 0..N {
+        for l in 0..LANES {
+            lengths[n][l] = vector(&w[n], l).length();
+        }
     }
     if let Some((first, _)) = edges.first() {
-        for l in 0..LANES {
-            before[l] = log_distance(from(first.ends[0], l), inverse_square);
+        for n in 0..N {
+            for l in 0..LANES {
+                let a = first.ends[0].minus(vector(&x[n], l));
+                before[n][l] = log_distance(a, inverse_square);
+            }
         }
     }
     for (edge, error) in edges {
         let ([start, end], direction, length) = (edge.ends, edge.direction, edge.length);
         for l in 0..LANES {
-            let (a, c) = (from(start, l), from(end, l));
-            let after = log_distance(c, inverse_square);
-            let potential = potential(a, c, direction, length, [before[l], after]);
-            let weight = Vector([wx[l], wy[l], wz[l]]).dot(direction);
-            values[l] += weight * potential;
-            sizes[l] += lengths[l] * potential.abs();
-            errors[l] += weight.abs() * error;
-            before[l] = after;
+            let (mut a, mut c) = ([start; N], [end; N]);
+            let (mut heights, mut squares) = ([0.0; N], [0.0; N]);
+            let mut points = [[0.0; 2]; N];
+            for n in 0..N {
+                let point = vector(&x[n], l);
+                (a[n], c[n]) = (start.minus(point), end.minus(point));
+                squares[n] = scaled_square(c[n], inverse_square);
+                heights[n] = a[n].cross(direction).length();
+                points[n] = [heights[n] * length, a[n].dot(c[n])];
+            }
+            let logs = logarithms(squares);
+            let angles = angles(points);
+            for n in 0..N {
+                let after = 0.5 * logs[n];
+                let potential = c[n].dot(direction) * after - a[n].dot(direction) * before[n][l]
+                    + heights[n] * angles[n]
+                    - length;
+                let weight = vector(&w[n], l).dot(direction);
+                values[l] += weight * potential;
+                sizes[l] += lengths[n][l] * potential.abs();
+                errors[l] += weight.abs() * error;
+                before[n][l] = after;
+            }
         }
     }
 }

@@ -118,7 +118,8 @@ pub fn rough_ln(x: f64) -> f64 {
     k * std::f64::consts::LN_2 + (0.405_457 + t * series)
 }
 
-/// Natural logarithm of a number that is positive, finite and normal; of others anything.
+/// Natural logarithms of numbers that are positive, finite and normal, step by step for all of them, so that none waits for
+/// another; of other numbers anything.
 ///
 /// **Accuracy** within [`LN_ERROR`].
 #[inline(always)]
@@ -127,8 +128,33 @@ pub fn rough_ln(x: f64) -> f64 {
     clippy::inline_always,
     reason = "vector code is made where it is called"
 )]
-pub fn ln_of_normal(x: f64) -> f64 {
-    split(x).log(0.0)
+pub fn logarithms<const N: usize>(x: [f64; N]) -> [f64; N] {
+    let (mut k, mut f, mut s) = ([0.0; N], [0.0; N], [0.0; N]);
+    let (mut z, mut w) = ([0.0; N], [0.0; N]);
+    for i in 0..N {
+        let split = split(x[i]);
+        (k[i], f[i]) = (split.k, split.f);
+        s[i] = f[i] / (2.0 + f[i]);
+    }
+    for i in 0..N {
+        z[i] = s[i] * s[i];
+        w[i] = z[i] * z[i];
+    }
+    let (mut odd, mut even) = ([LN[5]; N], [LN[6]; N]);
+    for n in [4, 2] {
+        for i in 0..N {
+            even[i] = LN[n] + w[i] * even[i];
+            odd[i] = LN[n - 1] + w[i] * odd[i];
+        }
+    }
+    let mut logs = [0.0; N];
+    for i in 0..N {
+        let series = w[i] * odd[i] + z[i] * (LN[0] + w[i] * even[i]);
+        let half_square = 0.5 * f[i] * f[i];
+        logs[i] = k[i] * LN_2_HIGH
+            - ((half_square - (s[i] * (half_square + series) + k[i] * LN_2_LOW)) - f[i]);
+    }
+    logs
 }
 
 /// Error bound of [`rough_exp2`], relative.

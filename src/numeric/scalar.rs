@@ -62,15 +62,15 @@ pub trait Scalar:
     /// Angle of the point `(x, self)` from the positive x axis, in `(−π, π]`.
     #[must_use]
     fn atan2(&self, x: &Self) -> Self;
-    /// Logarithm of a number that is positive, finite and normal.
+    /// Logarithms of numbers that are positive, finite and normal: as [`ln`](Self::ln), but faster together.
     #[inline(always)]
     #[must_use]
     #[allow(
         clippy::inline_always,
         reason = "vector code is made where it is called"
     )]
-    fn ln_of_normal(&self) -> Self {
-        self.ln()
+    fn logarithms<const N: usize>(numbers: [&Self; N]) -> [Self; N] {
+        numbers.map(Self::ln)
     }
     /// The angles of several points `[y, x]`, of which none is subnormal in both coordinates: as [`atan2`](Self::atan2), but
     /// faster together.
@@ -178,8 +178,12 @@ impl Scalar for f64 {
         super::elementary::angle(*self * scale, *x * scale)
     }
     #[inline(always)]
-    fn ln_of_normal(&self) -> Self {
-        super::elementary::ln_of_normal(*self)
+    fn logarithms<const N: usize>(numbers: [&Self; N]) -> [Self; N] {
+        let mut copies = [0.0; N];
+        for i in 0..N {
+            copies[i] = *numbers[i];
+        }
+        super::elementary::logarithms(copies)
     }
     #[inline(always)]
     fn angles<const N: usize>(points: [[&Self; 2]; N]) -> [Self; N] {
