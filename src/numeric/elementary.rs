@@ -129,32 +129,11 @@ pub fn rough_ln(x: f64) -> f64 {
     reason = "vector code is made where it is called"
 )]
 pub fn logarithms<const N: usize>(x: [f64; N]) -> [f64; N] {
-    let (mut k, mut f, mut s) = ([0.0; N], [0.0; N], [0.0; N]);
-    let (mut z, mut w) = ([0.0; N], [0.0; N]);
+    let mut splits = [Split::default(); N];
     for i in 0..N {
-        let split = split(x[i]);
-        (k[i], f[i]) = (split.k, split.f);
-        s[i] = f[i] / (2.0 + f[i]);
+        splits[i] = split(x[i]);
     }
-    for i in 0..N {
-        z[i] = s[i] * s[i];
-        w[i] = z[i] * z[i];
-    }
-    let (mut odd, mut even) = ([LN[5]; N], [LN[6]; N]);
-    for n in [4, 2] {
-        for i in 0..N {
-            even[i] = LN[n] + w[i] * even[i];
-            odd[i] = LN[n - 1] + w[i] * odd[i];
-        }
-    }
-    let mut logs = [0.0; N];
-    for i in 0..N {
-        let series = w[i] * odd[i] + z[i] * (LN[0] + w[i] * even[i]);
-        let half_square = 0.5 * f[i] * f[i];
-        logs[i] = k[i] * LN_2_HIGH
-            - ((half_square - (s[i] * (half_square + series) + k[i] * LN_2_LOW)) - f[i]);
-    }
-    logs
+    logarithms_of(splits, [0.0; N])
 }
 
 /// Error bound of [`rough_exp2`], relative.
@@ -189,7 +168,7 @@ fn log_of(x: f64, small: f64) -> f64 {
     let subnormal = x < f64::MIN_POSITIVE;
     let Split { k, f } = split(if subnormal { x * TWO_TO_54 } else { x });
     let k = if subnormal { k - 54.0 } else { k };
-    let log = Split { k, f }.log(small);
+    let [log] = logarithms_of([Split { k, f }], [small]);
     let below = if x < 0.0 { f64::NAN } else { f64::NEG_INFINITY };
     let log = if x > 0.0 { log } else { below };
     // infinity and NaN stay as they are
@@ -197,6 +176,7 @@ fn log_of(x: f64, small: f64) -> f64 {
 }
 
 /// `2^k (1 + f)`, f in [√½ − 1, √2 − 1).
+#[derive(Debug, Clone, Copy, Default)]
 struct Split {
     k: f64,
     f: f64,
@@ -219,25 +199,38 @@ fn split(x: f64) -> Split {
     Split { k, f: m - 1.0 }
 }
 
-impl Split {
-    /// The logarithm, plus something small.
-    #[inline(always)]
-    #[allow(
-        clippy::inline_always,
-        reason = "vector code is made where it is called"
-    )]
-    fn log(self, small: f64) -> f64 {
-        let Self { k, f } = self;
-        // s is within 1.5 ε/2 of itself
-        let s = f / (2.0 + f);
-        let z = s * s;
-        let w = z * z;
-        let odd = w * (LN[1] + w * (LN[3] + w * LN[5]));
-        let even = z * (LN[0] + w * (LN[2] + w * (LN[4] + w * LN[6])));
-        let half_square = 0.5 * f * f;
-        k * LN_2_HIGH
-            - ((half_square - (s * (half_square + (odd + even)) + (k * LN_2_LOW + small))) - f)
+/// The logarithms, each plus something small.
+#[inline(always)]
+#[allow(
+    clippy::inline_always,
+    reason = "vector code is made where it is called"
+)]
+fn logarithms_of<const N: usize>(splits: [Split; N], small: [f64; N]) -> [f64; N] {
+    let (mut s, mut z, mut w) = ([0.0; N], [0.0; N], [0.0; N]);
+    for i in 0..N {
+        // within 1.5 ε/2 of itself
+        s[i] = splits[i].f / (2.0 + splits[i].f);
     }
+    for i in 0..N {
+        z[i] = s[i] * s[i];
+        w[i] = z[i] * z[i];
+    }
+    let (mut odd, mut even) = ([LN[5]; N], [LN[6]; N]);
+    for n in [4, 2] {
+        for i in 0..N {
+            even[i] = LN[n] + w[i] * even[i];
+            odd[i] = LN[n - 1] + w[i] * odd[i];
+        }
+    }
+    let mut logs = [0.0; N];
+    for i in 0..N {
+        let Split { k, f } = splits[i];
+        let series = w[i] * odd[i] + z[i] * (LN[0] + w[i] * even[i]);
+        let half_square = 0.5 * f * f;
+        let low = k * LN_2_LOW + small[i];
+        logs[i] = k * LN_2_HIGH - ((half_square - (s[i] * (half_square + series) + low)) - f);
+    }
+    logs
 }
 
 /// `ln(1 + x)` for `x > −1`, to its own relative precision.

@@ -1,8 +1,8 @@
 //! The functions that every form factor is made of keep their bounds.
 
 use infoscene::numeric::elementary::{
-    ANGLE_ERROR, ANGLE_OVER_SINE_ERROR, LN_ERROR, LN_RATIO_ERROR, ROUGH_LN_ERROR, angle,
-    angle_over_sine, angles, ln, ln_ratio, rough_ln,
+    ANGLE_ERROR, ANGLE_OVER_SINE_ERROR, LN_ERROR, LN_RATIO_ERROR, ROUGH_EXP2_ERROR, ROUGH_LN_ERROR,
+    angle, angle_over_sine, angles, ln, ln_ratio, logarithms, rough_exp2, rough_ln,
 };
 use infoscene::numeric::{DoubleDouble, GaussLegendre, Interval, SQUARED_EPSILON, Scalar};
 use rand::{Rng, SeedableRng};
@@ -40,13 +40,19 @@ fn positive(random: &mut ChaCha8Rng, reach: f64) -> f64 {
 #[test]
 fn elementary_functions_keep_their_bound() {
     let mut random = ChaCha8Rng::seed_from_u64(1);
-    let (mut worst_ln, mut worst_angle, mut worst_rough) = (0.0f64, 0.0f64, 0.0f64);
+    let (mut worst_ln, mut worst_angle) = (0.0f64, 0.0f64);
+    let (mut worst_rough, mut worst_power) = (0.0f64, 0.0f64);
     for _ in 0..SAMPLES {
         let x = positive(&mut random, 1000.0);
         let exact = precise(x).ln();
         let allowed = LN_ERROR * exact.abs().to_f64();
         worst_ln = worst_ln.max(error(ln(x), &exact) / allowed.max(f64::MIN_POSITIVE));
         worst_rough = worst_rough.max(error(rough_ln(x), &exact) / ROUGH_LN_ERROR);
+        assert_eq!(logarithms([x, 2.0]), [ln(x), ln(2.0)]);
+        let power = x.log2();
+        let exact = (precise(power) * &precise(2.0).ln()).exp();
+        let allowed = ROUGH_EXP2_ERROR * exact.to_f64();
+        worst_power = worst_power.max(error(rough_exp2(power), &exact) / allowed);
         let y = positive(&mut random, 30.0);
         let x = positive(&mut random, 30.0) * if random.random_bool(0.5) { 1.0 } else { -1.0 };
         let exact = precise(y).atan2(&precise(x));
@@ -57,6 +63,10 @@ fn elementary_functions_keep_their_bound() {
     assert!(
         (0.1..=1.0).contains(&worst_rough),
         "rough ln: {worst_rough} of its bound"
+    );
+    assert!(
+        (0.1..=1.0).contains(&worst_power),
+        "rough power: {worst_power} of its bound"
     );
     println!("{worst_ln} {worst_angle}");
     assert!(
