@@ -44,7 +44,10 @@ impl<S: Scalar + Copy> Edge<S> {
             log_distance(a, inverse_square),
             log_distance(c, inverse_square),
         ];
-        potential(a, c, self.direction, self.length, logs)
+        let height = a.cross(self.direction).length();
+        let [angle] = S::angles([[&(height * self.length), &a.dot(c)]]);
+        let turn = [height, angle];
+        potential([a, c], self.direction, self.length, logs, turn)
     }
 
     /// A lower bound on the squared distance of a point.

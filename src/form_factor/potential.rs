@@ -21,22 +21,20 @@ use crate::geometry::Vector;
 use crate::numeric::elementary::{angles, logarithms};
 use crate::numeric::{GaussLegendre, LANES, Lanes, MOST_POINTS, Scalar, across, vectorised};
 
-/// The potential of an edge at a point, from the vectors `a`, `c` to its ends, its direction and length,
-/// and `ln|a|`, `ln|c|`.
+/// The potential of an edge at a point, from the vectors `a`, `c` to its ends, its direction and length, `ln|a|` and `ln|c|`,
+/// and h and θ.
 #[inline(always)]
 #[allow(
     clippy::inline_always,
     reason = "vector code is made where it is called"
 )]
 pub(super) fn potential<S: Scalar + Copy>(
-    a: Vector<S>,
-    c: Vector<S>,
+    [a, c]: [Vector<S>; 2],
     direction: Vector<S>,
     length: S,
     logs: [S; 2],
+    [height, angle]: [S; 2],
 ) -> S {
-    let height = a.cross(direction).length();
-    let [angle] = S::angles([[&(height * length), &a.dot(c)]]);
     c.dot(direction) * logs[1] - a.dot(direction) * logs[0] + height * angle - length
 }
 
@@ -237,9 +235,8 @@ fn add_blocks<const N: usize>(
             let angles = angles(points);
             for n in 0..N {
                 let after = 0.5 * logs[n];
-                let potential = c[n].dot(direction) * after - a[n].dot(direction) * before[n][l]
-                    + heights[n] * angles[n]
-                    - length;
+                let (logs, turn) = ([before[n][l], after], [heights[n], angles[n]]);
+                let potential = potential([a[n], c[n]], direction, length, logs, turn);
                 let weight = vector(&w[n], l).dot(direction);
                 values[l] += weight * potential;
                 sizes[l] += lengths[n][l] * potential.abs();
