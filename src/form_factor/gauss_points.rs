@@ -313,10 +313,11 @@ fn remainder(factor: impl Fn(f64) -> f64, rho: f64, points: usize, degree: i32) 
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test may panic")]
 mod tests {
     use super::*;
     use crate::geometry::Vector;
-    use crate::numeric::{DoubleDouble, Scalar};
+    use crate::numeric::DoubleDouble;
 
     /// `∫∫ gap⁴/|x − source|⁴` over a shape.
     fn integral(rules: Rules, shape: &Shape, source: DVec3, gap: f64) -> f64 {
