@@ -166,7 +166,9 @@ fn beside<S: Scalar + Copy>(
 #[allow(clippy::cast_precision_loss, reason = "some points")]
 pub(super) fn power(rho: f64, points: usize) -> f64 {
     let log = (ROUGH_LN_ERROR - rough_ln(rho)) * (2.0 / LN_2) * points as f64;
-    rough_exp2(log.max(-1000.0)) * (1.0 + 2.0 * ROUGH_EXP2_ERROR)
+    // what is not a number stays so
+    let log = if log < -1000.0 { -1000.0 } else { log };
+    rough_exp2(log) * (1.0 + 2.0 * ROUGH_EXP2_ERROR)
 }
 
 /// Where the lines' distance vanishes: how far along the outer line from its start, how far beside it, and how uncertain both

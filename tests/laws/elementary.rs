@@ -68,6 +68,7 @@ fn elementary_functions_keep_their_bound() {
         (0.1..=1.0).contains(&worst_power),
         "rough power: {worst_power} of its bound"
     );
+    assert!(rough_exp2(f64::NAN).is_nan());
     println!("{worst_ln} {worst_angle}");
     assert!(
         worst_ln > 0.1 && worst_angle > 0.1,
