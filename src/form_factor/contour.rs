@@ -165,7 +165,7 @@ pub(super) fn contour(
                 }
                 match relation([a, b], rounding) {
                     Relation::Coplanar(relation) => {
-                        batch.ask_ends([a, b], &relation);
+                        ask_ends(batch, [a, b], &relation);
                         in_a_plane.push((i, j, relation));
                     }
                     Relation::Skew => sum.panels([a, b], cosine.abs(), nodes, only)?,
@@ -208,6 +208,21 @@ pub(super) fn contour(
         value: value / TAU,
         error_bound: (sum.error + error + rounding) / TAU + moved,
     })
+}
+
+/// Asks for the potentials of each of two edges on lines that meet at the other's ends; not at the meeting point, where they
+/// have no weight.
+fn ask_ends(batch: &mut Batch, [a, b]: [&Edge<f64>; 2], relation: &Coplanar<f64>) {
+    if let Coplanar::Meeting { s, t, .. } = relation {
+        for end in 0..2 {
+            if s[end].abs() > 0.0 {
+                batch.ask(b, a.ends[end]);
+            }
+            if t[end].abs() > 0.0 {
+                batch.ask(a, b.ends[end]);
+            }
+        }
+    }
 }
 
 /// How far from a rule's edge others must be, as a sum of half-axes: [`APART`], or where the largest rule does.

@@ -27,9 +27,12 @@
 //!   h J = (h0 + h1 z)(J0 + J1 z):  |h0 J0| B_0 + (|h0 J1| + |h1 J0|) B_1 + |h1 J1| B_2
 //! ```
 //!
-//! for each of the directions. The lines of a triangle are shorter towards its apex, in proportion to J, so that fewer points do there. All of this falls as a moves away, and γ⁴ B does for γ ≥ ½. A height
+//! for each of the directions. All of this falls as a moves away, and γ⁴ B does for γ ≥ ½. A height
 //! ≥ 0 has |h0| ≤ h_max and |h1| ≤ ½ h_max, and |h1| ≤ half-length. (The other polygon's plane is the only one whose height
 //! changes along the line.)
+//!
+//! The lines of a triangle are shorter towards its apex, in proportion to J: a row there has as many points as keep its share of
+//! the error below that of a whole one.
 
 use super::panels::{ellipse, power};
 use super::shape::{Cell, Shape};

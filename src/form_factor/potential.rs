@@ -15,7 +15,6 @@
 //!   error ≤ u [ 2.5 (|s0| + |s1|) + 18 max r |ln r| + (12 + 12 t) L ]
 //! ```
 
-use super::coplanar_edges::Coplanar;
 use super::edge::Edge;
 use crate::geometry::Vector;
 use crate::numeric::elementary::{angles, logarithms};
@@ -263,22 +262,7 @@ impl Batch {
         self.len = 0;
     }
 
-    /// The potentials of each of two edges on lines that meet at the other's ends; not at the meeting point, where they have no
-    /// weight.
-    pub(super) fn ask_ends(&mut self, [a, b]: [&Edge<f64>; 2], relation: &Coplanar<f64>) {
-        if let Coplanar::Meeting { s, t, .. } = relation {
-            for end in 0..2 {
-                if s[end].abs() > 0.0 {
-                    self.ask(b, a.ends[end]);
-                }
-                if t[end].abs() > 0.0 {
-                    self.ask(a, b.ends[end]);
-                }
-            }
-        }
-    }
-
-    fn ask(&mut self, edge: &Edge<f64>, point: Vector<f64>) {
+    pub(super) fn ask(&mut self, edge: &Edge<f64>, point: Vector<f64>) {
         let [[px, py, pz], [sx, sy, sz], [ex, ey, ez], [dx, dy, dz]] =
             [point.0, edge.ends[0].0, edge.ends[1].0, edge.direction.0];
         let numbers = [px, py, pz, sx, sy, sz, ex, ey, ez, dx, dy, dz, edge.length];

@@ -367,8 +367,8 @@ fn relative<S: Scalar>(position: &S) -> Result<(), GeometryError> {
     Ok(())
 }
 
-#[inline(always)]
 /// Refuses a depth that may be in front of a plane or behind it.
+#[inline(always)]
 fn in_front<S: Scalar>(depth: &S) -> Result<(), FormFactorError> {
     if !depth.is_nonnegative() {
         return Err(FormFactorError::Astride {

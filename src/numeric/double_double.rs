@@ -316,24 +316,6 @@ impl Scalar for DoubleDouble {
         }
         y
     }
-    // loops: what closures do is not compiled with fused products
-    #[inline(always)]
-    fn logarithms<const N: usize>(numbers: [&Self; N]) -> [Self; N] {
-        let mut logarithms = [Self::from(0.0); N];
-        for i in 0..N {
-            logarithms[i] = numbers[i].ln();
-        }
-        logarithms
-    }
-    #[inline(always)]
-    fn angles<const N: usize>(points: [[&Self; 2]; N]) -> [Self; N] {
-        let mut angles = [Self::from(0.0); N];
-        for i in 0..N {
-            let [y, x] = points[i];
-            angles[i] = y.atan2(x);
-        }
-        angles
-    }
     #[inline(always)]
     fn atan2(&self, x: &Self) -> Self {
         let (up, across) = (self.abs(), x.abs());

@@ -70,13 +70,27 @@ pub trait Scalar:
         reason = "vector code is made where it is called"
     )]
     fn logarithms<const N: usize>(numbers: [&Self; N]) -> [Self; N] {
-        numbers.map(Self::ln)
+        // a loop: what a closure does is not compiled for the processor at hand
+        let mut logarithms = numbers.map(Clone::clone);
+        for logarithm in &mut logarithms {
+            *logarithm = logarithm.ln();
+        }
+        logarithms
     }
     /// The angles of several points `[y, x]`, of which none is subnormal in both coordinates: as [`atan2`](Self::atan2), but
     /// faster together.
+    #[inline(always)]
     #[must_use]
+    #[allow(
+        clippy::inline_always,
+        reason = "vector code is made where it is called"
+    )]
     fn angles<const N: usize>(points: [[&Self; 2]; N]) -> [Self; N] {
-        points.map(|[y, x]| y.atan2(x))
+        let mut angles = points.map(|[y, _]| y.clone());
+        for (angle, [_, x]) in angles.iter_mut().zip(points) {
+            *angle = angle.atan2(x);
+        }
+        angles
     }
     /// `(1+x)·ln(1+x) − x` for `x ≥ −1`, to full relative precision.
     ///
