@@ -32,7 +32,6 @@
 
 pub mod chain;
 pub mod claims;
-pub mod cli;
 pub mod discretize;
 pub mod form_factor;
 pub mod geometry;

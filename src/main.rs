@@ -1,7 +1,9 @@
 //! The command `infoscene`.
 
+mod cli;
+
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    infoscene::cli::run()
+    cli::run()
 }

@@ -3,7 +3,7 @@
 use super::output::{check_place, write_file};
 use super::scene::SceneArgument;
 use super::{Answer, Outcome};
-use crate::scene::files::{write_obj, write_view3d};
+use infoscene::scene::files::{write_obj, write_view3d};
 use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]

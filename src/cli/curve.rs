@@ -3,8 +3,8 @@
 use super::Answer;
 use super::output::{Output, check_place, write_file};
 use super::reproduce::selected;
-use crate::claims::{DEFAULT_PRECISION, judge, registry};
-use crate::report::{curve_figure, curve_report};
+use infoscene::claims::{DEFAULT_PRECISION, judge, registry};
+use infoscene::report::{curve_figure, curve_report};
 use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]

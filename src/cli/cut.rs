@@ -2,8 +2,8 @@
 
 use super::Answer;
 use super::output::{Output, check_place, precision, write_file};
-use crate::discretize::{CutComparison, DiscretizeError, GradientCut};
-use crate::report::{cut_report, cuts_figure, cuts_report};
+use infoscene::discretize::{CutComparison, DiscretizeError, GradientCut};
+use infoscene::report::{cut_report, cuts_figure, cuts_report};
 use std::path::PathBuf;
 use std::str::FromStr;
 

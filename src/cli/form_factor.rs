@@ -3,10 +3,10 @@
 use super::Answer;
 use super::output::{Output, check_place, replace_with};
 use super::scene_pairs::{ScenePairsOptions, outcome};
-use crate::report::{
+use infoscene::report::{
     FormFactorRecord, PatchRecord, write_form_factors, write_npy_head, write_npy_row,
 };
-use crate::scene::{Account, Entry, ExchangeAreas, ScenePairs};
+use infoscene::scene::{Account, Entry, ExchangeAreas, ScenePairs};
 use std::error::Error;
 use std::path::{Path, PathBuf};
 

@@ -2,8 +2,8 @@
 
 use super::output::{Output, progress_bar};
 use super::{Answer, Outcome};
-use crate::report::fuzz_report;
-use crate::study::fuzz::{Campaign, Sabotage, run};
+use infoscene::report::fuzz_report;
+use infoscene::study::fuzz::{Campaign, Sabotage, run};
 use std::time::Instant;
 
 #[derive(Debug, clap::Args)]

@@ -2,9 +2,9 @@
 
 use super::Answer;
 use super::output::{Output, precision};
-use crate::discretize::{BestGrid, BoxGrid, CertifiedGrid};
-use crate::numeric::Interval;
-use crate::report::{GridAnswer, GridEnclosures, grid_report};
+use infoscene::discretize::{BestGrid, BoxGrid, CertifiedGrid};
+use infoscene::numeric::Interval;
+use infoscene::report::{GridAnswer, GridEnclosures, grid_report};
 
 /// Cells an edge up to which enclosures take seconds.
 const MOST_ENCLOSED: u32 = 12;

@@ -1,8 +1,8 @@
 //! Which chain of a scene is meant, and the light that it takes.
 
 use super::patch_values::{Materials, PatchValue, values};
-use crate::scene::{ExchangeAreas, Material, Scene};
-use crate::transport::{Brightness, Interreflection};
+use infoscene::scene::{ExchangeAreas, Material, Scene};
+use infoscene::transport::{Brightness, Interreflection};
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]

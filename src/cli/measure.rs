@@ -4,13 +4,13 @@ use super::light::Light;
 use super::output::{Output, progress_bar};
 use super::scene_pairs::{ScenePairsOptions, outcome};
 use super::{Answer, Outcome};
-use crate::chain::ChainError;
-use crate::information::{
+use infoscene::chain::ChainError;
+use infoscene::information::{
     LineKind, LineSample, Surroundings, brightness_information, continuous_information,
     expected_bias_of_scene, pair_losses, scene_information,
 };
-use crate::report::{measure_report, sample_report};
-use crate::scene::{NamedPatch, Scene, SceneError};
+use infoscene::report::{measure_report, sample_report};
+use infoscene::scene::{NamedPatch, Scene, SceneError};
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]

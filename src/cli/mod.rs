@@ -82,8 +82,7 @@ enum Outcome {
 type Answer = Result<Outcome, Box<dyn Error>>;
 
 /// Runs the command with the process's arguments.
-#[must_use]
-pub fn run() -> ExitCode {
+pub(crate) fn run() -> ExitCode {
     let arguments = Arguments::parse();
     let answer = with_threads(arguments.threads).and_then(|()| answer(arguments.question));
     match answer {

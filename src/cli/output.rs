@@ -1,11 +1,11 @@
 //! Where an answer goes, and in which format.
 
 use super::{Answer, Outcome};
-use crate::numeric::interval::DecimalBounds;
-use crate::report::{Format, Report};
 use clap::builder::RangedI64ValueParser;
 use indicatif::style::TemplateError;
 use indicatif::{ProgressBar, ProgressStyle};
+use infoscene::numeric::interval::DecimalBounds;
+use infoscene::report::{Format, Report};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

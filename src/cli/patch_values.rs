@@ -1,6 +1,6 @@
 //! Numbers for some patches of a scene: `floor=0.5,3=1`.
 
-use crate::scene::{Material, MaterialError, Scene, SceneError};
+use infoscene::scene::{Material, MaterialError, Scene, SceneError};
 use std::str::FromStr;
 
 /// `PATCH=VALUE`, or `PATCH` alone for 1; PATCH is an index, a name, or `all`.

@@ -4,9 +4,9 @@ use super::output::Output;
 use super::patch_values::{Materials, PatchValue, values};
 use super::scene_pairs::{ScenePairsOptions, outcome};
 use super::{Answer, Outcome};
-use crate::report::radiosity_report;
-use crate::scene::Material;
-use crate::transport::Interreflection;
+use infoscene::report::radiosity_report;
+use infoscene::scene::Material;
+use infoscene::transport::Interreflection;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Radiosity {

@@ -2,8 +2,8 @@
 
 use super::output::{Output, precision, progress_bar};
 use super::{Answer, Outcome};
-use crate::claims::{Claim, ClaimError, DEFAULT_PRECISION, judge_all, registry};
-use crate::report::reproduction_report;
+use infoscene::claims::{Claim, ClaimError, DEFAULT_PRECISION, judge_all, registry};
+use infoscene::report::reproduction_report;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Reproduce {

@@ -1,7 +1,7 @@
 //! SCENE: the argument that all questions about a scene share.
 
-use crate::scene::files::{NonPlanarFaces, open};
-use crate::scene::{Scene, SceneError};
+use infoscene::scene::files::{NonPlanarFaces, open};
+use infoscene::scene::{Scene, SceneError};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct SceneArgument {

@@ -3,8 +3,8 @@
 use super::Outcome;
 use super::output::progress_bar;
 use super::scene::SceneArgument;
-use crate::form_factor::DEFAULT_TOLERANCE;
-use crate::scene::{Account, Blockers, Congruence, Scene, SceneError, ScenePairs, Unreached};
+use infoscene::form_factor::DEFAULT_TOLERANCE;
+use infoscene::scene::{Account, Blockers, Congruence, Scene, SceneError, ScenePairs, Unreached};
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]

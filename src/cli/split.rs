@@ -4,12 +4,12 @@ use super::Answer;
 use super::light::Light;
 use super::output::{MOST_DECIMALS, Output, between, precision};
 use super::scene::SceneArgument;
-use crate::discretize::{DiscretizeError, PatchSplit, regular_positions};
-use crate::geometry::SplitAxis;
-use crate::numeric::interval::DecimalBounds;
-use crate::numeric::{Interval, compensated_sum, tolerance};
-use crate::report::{Report, Table, certain_digits, scientific};
-use crate::scene::Scene;
+use infoscene::discretize::{DiscretizeError, PatchSplit, regular_positions};
+use infoscene::geometry::SplitAxis;
+use infoscene::numeric::interval::DecimalBounds;
+use infoscene::numeric::{Interval, compensated_sum, tolerance};
+use infoscene::report::{Report, Table, certain_digits, scientific};
+use infoscene::scene::Scene;
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]

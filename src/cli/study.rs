@@ -2,22 +2,22 @@
 
 use super::Answer;
 use super::output::{Output, check_place, write_file};
-use crate::report::{
+use infoscene::report::{
     accuracy_report, directions_report, figure_5_report, limits_report, profiles_report,
     refinements_figure, refinements_report, sampling_report, stability_report, study_report,
 };
-use crate::study::accuracy::accuracy;
-use crate::study::directions::directions;
-use crate::study::extreme_pairs::{StabilityRow, route_stability};
-use crate::study::figure_5::figure_5;
-use crate::study::gradient_limits::gradient_limits;
-use crate::study::precision::work_precision;
-use crate::study::profiles::profiles;
-use crate::study::refinement::refinements;
-use crate::study::sampling::sampling;
-use crate::study::stability::gain_stability;
-use crate::study::transport_stability::transport_stability;
-use crate::study::walk_variance::walk_variance;
+use infoscene::study::accuracy::accuracy;
+use infoscene::study::directions::directions;
+use infoscene::study::extreme_pairs::{StabilityRow, route_stability};
+use infoscene::study::figure_5::figure_5;
+use infoscene::study::gradient_limits::gradient_limits;
+use infoscene::study::precision::work_precision;
+use infoscene::study::profiles::profiles;
+use infoscene::study::refinement::refinements;
+use infoscene::study::sampling::sampling;
+use infoscene::study::stability::gain_stability;
+use infoscene::study::transport_stability::transport_stability;
+use infoscene::study::walk_variance::walk_variance;
 
 use std::path::PathBuf;
 
