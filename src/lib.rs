@@ -37,8 +37,10 @@ pub mod form_factor;
 pub mod geometry;
 pub mod information;
 pub mod numeric;
+#[cfg(feature = "report")]
 pub mod report;
 pub mod scene;
+#[cfg(feature = "report")]
 pub mod study;
 pub mod transport;
 

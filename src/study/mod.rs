@@ -1,6 +1,6 @@
 //! Campaigns: Theorem 1 fuzzed, what happens to numbers in stiff and extreme cases, error against run time.
 //!
-//! [`fuzz`] (feature `proptest`) throws random refinements at Theorem 1 and at the gain's promised accuracy.
+//! `study::fuzz` (feature `proptest`) throws random refinements at Theorem 1 and at the gain's promised accuracy.
 //! [`accuracy`] sets the error of every route to a form factor against its run time, on the [families](polygon_pairs) of
 //! pairs too; [`stability`] measures what naive forms of the gain lose, [`extreme_pairs`] what the routes
 //! keep of stiff and extreme pairs, [`transport_stability`] what solvers keep of radiosities, [`precision`] what an enclosure costs. [`Truth`] judges.
