@@ -14,7 +14,7 @@ use super::exact_gain::exact_gain;
 use crate::chain::{ChainError, Refinement, ReversibleChain};
 use crate::information::{mutual_information, refinement_gain};
 use crate::numeric::{Interval, Scalar, x_log2_ratio};
-use nalgebra::dmatrix;
+use nalgebra::DMatrix;
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -73,12 +73,13 @@ pub fn gain_stability(repetitions: u32) -> Result<Vec<Row>, ChainError> {
 }
 
 fn halves(p: f64, q: f64) -> Result<Refinement, ChainError> {
-    let joint = dmatrix![
-        0.0, 0.0, p, q;
-        0.0, 0.0, q, p;
-        p, q, 0.0, 0.0;
-        q, p, 0.0, 0.0
-    ];
+    #[rustfmt::skip]
+    let joint = DMatrix::from_row_slice(4, 4, &[
+        0.0, 0.0, p, q,
+        0.0, 0.0, q, p,
+        p, q, 0.0, 0.0,
+        q, p, 0.0, 0.0,
+    ]);
     Refinement::coarsening(ReversibleChain::try_new(joint)?, vec![0, 0, 1, 2])
 }
 

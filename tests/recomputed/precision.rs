@@ -1,10 +1,10 @@
 //! Real numbers of 320 bits (96 decimal digits), with operators.
 //!
-//! A thin wrapper of [`astro_float::BigFloat`]: the arithmetic keeps 320 bits
+//! A thin wrapper of [`astro_float_num::BigFloat`]: the arithmetic keeps 320 bits
 //! without correct rounding, so that a result is good to a few units of its
 //! last bits, and the constants π and ln 2 are cached per thread.
 
-use astro_float::{BigFloat, Consts, Radix, RoundingMode};
+use astro_float_num::{BigFloat, Consts, Radix, RoundingMode};
 use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::fmt;

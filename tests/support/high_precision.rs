@@ -5,7 +5,7 @@
 //!
 //! **Not covered**: directed rounding; nothing here may be called a bound.
 
-use astro_float::{BigFloat, Consts, Radix, RoundingMode, Sign};
+use astro_float_num::{BigFloat, Consts, Radix, RoundingMode, Sign};
 use infoscene::numeric::Scalar;
 use std::cell::RefCell;
 use std::cmp::Ordering;
@@ -88,7 +88,7 @@ impl<const BITS: usize> BigReal<BITS> {
 fn with_constants(compute: impl FnOnce(&mut Consts) -> BigFloat) -> BigFloat {
     CONSTANTS.with_borrow_mut(|constants| match constants {
         Some(constants) => compute(constants),
-        None => astro_float::NAN,
+        None => astro_float_num::NAN,
     })
 }
 

@@ -4,7 +4,7 @@
 //! an interval are built from these (`elementary`), and the library's own are the tests' independent judge.
 
 use super::endpoint::{Direction, Endpoint};
-use astro_float::{BigFloat, RoundingMode, Sign};
+use astro_float_num::{BigFloat, RoundingMode, Sign};
 use std::cmp::Ordering;
 
 /// A number with a significand of any length and a 32-bit exponent, as the end of an interval.
@@ -78,7 +78,7 @@ impl Precise {
         let is_away_from_zero = is_negative == (direction == Direction::Down);
         let size = match (exponent.cmp(&0), exponent.abs() > LARGEST_POWER) {
             (_, false) => return Self { value, bits },
-            (Ordering::Greater, _) if is_away_from_zero => astro_float::INF_POS,
+            (Ordering::Greater, _) if is_away_from_zero => astro_float_num::INF_POS,
             (Ordering::Greater, _) => {
                 let mut largest = BigFloat::max_value(bits as usize);
                 largest.set_exponent(LARGEST_POWER);
