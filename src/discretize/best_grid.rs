@@ -9,11 +9,10 @@
 
 use super::box_grid::{BoxGrid, GridInformation, checked};
 use super::{DiscretizeError, regular_positions};
-use crate::numeric::maximum_by_derivatives;
+use crate::numeric::{maximum_by_derivatives, parallel_map};
 use nalgebra::{DMatrix, DVector};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use rayon::prelude::*;
 
 /// The best grid found.
 #[derive(Debug, Clone, PartialEq)]
@@ -98,8 +97,7 @@ impl BestGrid {
             });
         }
         let grid_of = |half: &[f64]| BoxGrid::mirrored(edges, half, cells, &1.0);
-        let climbed = starts.par_iter().map(|start| climb(&grid_of, start));
-        let ends: Vec<_> = climbed.collect();
+        let ends = parallel_map(starts.len(), &|start| climb(&grid_of, &starts[start]));
         let mut maxima: Vec<(BoxGrid, GridInformation, usize)> = Vec::new();
         let mut refusal = None;
         let mut lost = 0;

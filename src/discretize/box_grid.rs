@@ -30,8 +30,7 @@ use super::DiscretizeError;
 use super::cell_classes::Classes;
 use super::grid_axis::{Axis, Spacing};
 use crate::information::{divergence_error, pair_divergence};
-use crate::numeric::{CompensatedSum, Scalar, tolerance};
-use rayon::prelude::*;
+use crate::numeric::{CompensatedSum, Scalar, tolerance, try_parallel_map};
 use std::f64::consts::LN_2;
 
 /// The same relative lines on all edges of a box.
@@ -186,9 +185,10 @@ impl BoxGrid {
     pub fn information(&self) -> Result<GridInformation, DiscretizeError> {
         let classes = self.classes()?;
         let (total, unseen) = self.faces();
-        let row = |row| {
+        let rows = classes.rows();
+        let parts = try_parallel_map(rows.len(), &|row| {
             let (mut sum, mut error, mut count) = (CompensatedSum::default(), 0.0, 0);
-            for pair in classes.row(row) {
+            for pair in classes.row(&rows[row]) {
                 let product = pair.areas() / total;
                 let exchange = pair.exchange_area(product, ALLOWED)?;
                 sum.add(pair.count * pair_divergence(exchange.value, product, 1.0));
@@ -197,12 +197,11 @@ impl BoxGrid {
                 count += 1;
             }
             Ok::<_, DiscretizeError>((sum, error, count))
-        };
-        let rows: Result<Vec<_>, _> = classes.rows().par_iter().map(row).collect();
+        })?;
         let mut sum = CompensatedSum::default();
         sum.add(total * unseen);
         let (mut error, mut count) = (0.0, 0);
-        for (part, part_error, part_count) in rows? {
+        for (part, part_error, part_count) in parts {
             sum.add_sum(&part);
             error += part_error;
             count += part_count;

@@ -17,9 +17,8 @@ use super::cell_classes::{Classes, Row};
 use super::cell_pair::CellPair;
 use super::grid_axis::{Axis, Moves, Spacing};
 use super::{DiscretizeError, box_grid};
-use crate::numeric::Scalar;
+use crate::numeric::{Scalar, try_parallel_map};
 use nalgebra::{DMatrix, DVector};
-use rayon::prelude::*;
 use smallvec::SmallVec;
 use std::f64::consts::LN_2;
 
@@ -44,19 +43,19 @@ impl BoxGrid {
         let grid = self.with_free_lines()?;
         let (classes, free) = (grid.classes()?, grid.axes()[0].free());
         let (total, _) = grid.faces();
-        let chunk = |rows: &[Row]| {
+        let rows: Vec<&[Row]> = classes.rows().chunks(ROWS).collect();
+        let chunks = try_parallel_map(rows.len(), &|chunk| {
             let mut sums = Sums::new(free, &total, true);
-            for pair in rows.iter().flat_map(|row| classes.row(row)) {
+            for pair in rows[chunk].iter().flat_map(|row| classes.row(row)) {
                 let product = pair.areas() / total;
                 let exchange = pair.exchange_area(product, allowed)?;
                 let error = exchange.error_bound / exchange.value;
                 sums.add(&pair, &exchange.value, &product, error);
             }
             Ok::<_, DiscretizeError>(sums)
-        };
-        let chunks: Result<Vec<_>, _> = classes.rows().par_chunks(ROWS).map(chunk).collect();
+        })?;
         let mut sums = Sums::new(free, &total, true);
-        for chunk in chunks? {
+        for chunk in chunks {
             sums.merge(&chunk);
         }
         let unit = total * LN_2;

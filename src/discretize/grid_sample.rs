@@ -7,9 +7,8 @@
 
 use super::{BoxGrid, DiscretizeError};
 use crate::information::{LineSample, expected_bias, expected_deviation};
-use crate::numeric::compensated_sum;
+use crate::numeric::{compensated_sum, try_parallel_map};
 use crate::scene::GridLines;
-use rayon::prelude::*;
 
 /// Error of an exchange area beside itself and what independent cells would exchange: no bias is known better than to 1e-11.
 const ALLOWED: f64 = 1e-11;
@@ -60,14 +59,15 @@ impl BoxGrid {
 
     /// Something of the classes of each row: of the probabilities of a pair of cells, and if they were independent, with the
     /// number of pairs.
-    fn probabilities<T: Send>(
+    fn probabilities<T: Send + Sync>(
         &self,
         of_row: impl Fn(&[([f64; 2], f64)]) -> T + Sync,
     ) -> Result<Vec<T>, DiscretizeError> {
         let classes = self.classes()?;
         let (total, _) = self.faces();
-        let row = |row| {
-            let cells = classes.row(row).map(|pair| {
+        let rows = classes.rows();
+        try_parallel_map(rows.len(), &|row| {
+            let cells = classes.row(&rows[row]).map(|pair| {
                 let product = pair.areas() / total;
                 let exchange = pair.exchange_area(product, ALLOWED)?;
                 // a chord has no direction: both ordered pairs are one cell
@@ -76,7 +76,6 @@ impl BoxGrid {
             });
             let cells: Vec<_> = cells.collect::<Result<_, DiscretizeError>>()?;
             Ok(of_row(&cells))
-        };
-        classes.rows().par_iter().map(row).collect()
+        })
     }
 }

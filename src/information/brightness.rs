@@ -12,10 +12,9 @@ use super::measures::{pair_divergence, positional_entropy};
 use super::scene::divergence_error;
 use super::{ErrorGrade, SceneInformation};
 use crate::chain::{ChainError, brightness_chain};
-use crate::numeric::{compensated_sum, tolerance};
+use crate::numeric::{compensated_sum, parallel_map, tolerance};
 use crate::scene::{Closure, ExchangeAreas};
 use crate::transport::Brightness;
-use rayon::prelude::*;
 use std::f64::consts::LN_2;
 
 /// The information of the chain that this brightness makes of a scene; light that escapes has no state in it.
@@ -56,7 +55,7 @@ pub fn brightness_information(
             }
         })
         .collect();
-    let rows = (0..n).into_par_iter().map(|j| {
+    let rows = parallel_map(n, &|j| {
         let column = chain.joint().column(j);
         let probability = weights[j] / total;
         if probability <= 0.0 {
@@ -82,7 +81,6 @@ pub fn brightness_information(
             bounds.iter().map(|[_, moved]| moved).sum(),
         ]
     });
-    let rows: Vec<[f64; 3]> = rows.collect();
     let contributions: Vec<f64> = rows.iter().map(|row| row[0] / (total * LN_2)).collect();
     let mutual_information = compensated_sum(contributions.iter().copied());
     let [mass, moved] = [1, 2].map(|k| compensated_sum(rows.iter().map(|row| row[k])));

@@ -19,9 +19,8 @@ use super::ErrorGrade;
 use crate::chain::ChainError;
 use crate::form_factor::Logarithms;
 use crate::geometry::{GeometryError, Patch};
-use crate::numeric::{CompensatedSum, compensated_sum, tolerance};
+use crate::numeric::{CompensatedSum, compensated_sum, tolerance, try_parallel_map};
 use crate::scene::{Scene, SceneError};
-use rayon::prelude::*;
 use std::f64::consts::LN_2;
 
 /// What a pair of faces contributes to the continuous mutual information, in both directions together.
@@ -79,14 +78,14 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
     let places: Vec<[usize; 2]> = (0..faces.len())
         .flat_map(|second| (0..second).map(move |first| [first, second]))
         .collect();
-    let measured = places.par_iter().map(|[first, second]| {
-        Logarithms::of(&faces[*first], &faces[*second]).map_err(|source| SceneError::Pair {
-            first: first_patch(*first),
-            second: first_patch(*second),
+    let measured = try_parallel_map(places.len(), &|place| {
+        let [first, second] = places[place];
+        Logarithms::of(&faces[first], &faces[second]).map_err(|source| SceneError::Pair {
+            first: first_patch(first),
+            second: first_patch(second),
             source,
         })
-    });
-    let measured: Vec<Logarithms> = measured.collect::<Result<_, _>>()?;
+    })?;
     let mut rows = vec![[CompensatedSum::default(); 3]; faces.len()];
     for ([first, second], pair) in places.iter().zip(&measured) {
         for (face, cosine) in [(*first, pair.cosines[0]), (*second, pair.cosines[1])] {

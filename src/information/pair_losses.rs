@@ -14,9 +14,8 @@ use super::continuous::in_own_unit;
 use crate::chain::ChainError;
 use crate::form_factor::Logarithms;
 use crate::geometry::Patch;
-use crate::numeric::{compensated_sum, tolerance};
+use crate::numeric::{compensated_sum, tolerance, try_parallel_map};
 use crate::scene::{NamedPatch, Scene, SceneError};
-use rayon::prelude::*;
 use std::f64::consts::LN_2;
 
 /// What a pair of patches contributes, in both directions together; in bits.
@@ -72,24 +71,19 @@ pub fn pair_losses(scene: &Scene, done: impl Fn() + Sync) -> Result<Vec<PairLoss
     let shapes = scene.patches().iter().map(NamedPatch::shape);
     let shapes = in_own_unit(shapes).map_err(|(index, source)| scene.refused(index, source))?;
     let total = compensated_sum(shapes.iter().map(Patch::area));
-    let first_with_all = |first: usize| {
-        (first + 1..n)
-            .into_par_iter()
-            .map(move |second| [first, second])
-    };
-    let losses = (0..n)
-        .into_par_iter()
-        .flat_map(first_with_all)
-        .map(|[first, second]| {
-            let loss = if face_of[first] == face_of[second] {
-                Ok(None)
-            } else {
-                of_pair(&shapes, [first, second], total)
-            };
-            done();
-            loss
-        });
-    let losses: Vec<Option<PairLoss>> = losses.collect::<Result<_, _>>()?;
+    let pairs: Vec<[usize; 2]> = (0..n)
+        .flat_map(|first| (first + 1..n).map(move |second| [first, second]))
+        .collect();
+    let losses = try_parallel_map(pairs.len(), &|pair| {
+        let [first, second] = pairs[pair];
+        let loss = if face_of[first] == face_of[second] {
+            Ok(None)
+        } else {
+            of_pair(&shapes, [first, second], total)
+        };
+        done();
+        loss
+    })?;
     Ok(losses.into_iter().flatten().collect())
 }
 

@@ -30,13 +30,13 @@ pub struct Root {
 /// bisection alone exhausts the doubles between two ends in about 1100.
 const MAXIMUM_ITERATIONS: u64 = 1200;
 
-struct Guarded<'f, F> {
-    function: &'f F,
+struct Guarded<'f> {
+    function: &'f dyn Fn(f64) -> f64,
     scale: f64,
     evaluations: &'f Cell<u64>,
 }
 
-impl<F: Fn(f64) -> f64> CostFunction for Guarded<'_, F> {
+impl CostFunction for Guarded<'_> {
     type Param = f64;
     type Output = f64;
 
@@ -73,11 +73,16 @@ impl<F: Fn(f64) -> f64> CostFunction for Guarded<'_, F> {
 /// # Ok::<(), infoscene::numeric::NumericError>(())
 /// ```
 pub fn root(function: impl Fn(f64) -> f64, lower: f64, upper: f64) -> Result<Root, NumericError> {
+    root_of(&function, lower, upper)
+}
+
+/// The solver is compiled once, for all functions.
+fn root_of(function: &dyn Fn(f64) -> f64, lower: f64, upper: f64) -> Result<Root, NumericError> {
     if !(lower.is_finite() && upper.is_finite() && lower < upper) {
         return Err(NumericError::EmptyInterval { lower, upper });
     }
-    let at_lower = finite(&function, lower)?;
-    let at_upper = finite(&function, upper)?;
+    let at_lower = finite(function, lower)?;
+    let at_upper = finite(function, upper)?;
     for (position, value) in [(lower, at_lower), (upper, at_upper)] {
         if value.abs() <= 0.0 {
             return Ok(Root {
@@ -97,7 +102,7 @@ pub fn root(function: impl Fn(f64) -> f64, lower: f64, upper: f64) -> Result<Roo
     }
     let evaluations = Cell::new(2);
     let problem = Guarded {
-        function: &function,
+        function,
         scale: at_lower.abs().max(at_upper.abs()),
         evaluations: &evaluations,
     };

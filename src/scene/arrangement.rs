@@ -12,9 +12,8 @@
 
 use super::NamedPatch;
 use crate::geometry::{Outline, Plane};
-use crate::numeric::tolerance;
+use crate::numeric::{parallel_map, tolerance};
 use glam::DVec3;
-use rayon::prelude::*;
 use std::collections::HashMap;
 
 /// A plane and the heights between which the corners in it lie.
@@ -67,10 +66,9 @@ impl<'a> Arrangement<'a> {
             .fold(0.0, f64::max);
         // at most 2 after division; a patch has an area, so that something is not 0
         let unit = largest.log2().floor().exp2();
-        let own: Vec<SharedPlane> = surfaces
-            .par_iter()
-            .map(|surface| own_plane(surface, unit))
-            .collect();
+        let own = parallel_map(surfaces.len(), &|surface| {
+            own_plane(surfaces[surface], unit)
+        });
         let deviation = own.iter().map(|own| own.high).fold(0.0, f64::max);
         let noise =
             tolerance::TOUCHING * (largest / unit) + tolerance::DEPTH_PER_DEVIATION * deviation;
@@ -115,15 +113,15 @@ impl<'a> Arrangement<'a> {
             corners.sort_unstable_by_key(|corner| corner.to_array().map(f64::to_bits));
             corners.dedup();
         }
-        let between = |shared: &SharedPlane| {
+        parallel_map(self.planes.len(), &|plane| {
+            let shared = &self.planes[plane];
             let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY];
             corners.chunks(CORNERS_AT_ONCE).any(|corners| {
                 let [least, most] = shared.range(corners.iter().copied());
                 (low, high) = (low.min(least), high.max(most));
                 shared.is_crossed_by([low, high], self.noise)
             })
-        };
-        self.planes.par_iter().map(between).collect()
+        })
     }
 
     /// Gathers surfaces in planes: first roughly, by rounded normals and distances, then within noise. Surfaces that lie in

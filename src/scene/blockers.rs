@@ -22,6 +22,7 @@
 use super::arrangement::Arrangement;
 use super::{NamedPatch, Scene, SceneError};
 use crate::geometry::{Outline, Shaft};
+use crate::numeric::parallel_map;
 use rayon::prelude::*;
 use rstar::primitives::{GeomWithData, Rectangle as Box3};
 use rstar::{AABB, RTree};
@@ -112,7 +113,7 @@ impl<'a> Blockers<'a> {
             .filter(|surface| splits[arrangement.places[*surface].0])
             .collect();
         let outline = |surface: usize| arrangement.outline(surface);
-        let suspects: Vec<Outline> = suspected.par_iter().map(|s| outline(*s)).collect();
+        let suspects = parallel_map(suspected.len(), &|place| outline(suspected[place]));
         let boxed = suspected.iter().zip(&suspects).map(|(surface, outline)| {
             let [low, high] = outline.bounds().map(|corner| corner.to_array());
             GeomWithData::new(Box3::from_corners(low, high), *surface)
@@ -125,7 +126,7 @@ impl<'a> Blockers<'a> {
         let patches = if suspects.is_empty() {
             Vec::new()
         } else {
-            (0..patches.len()).into_par_iter().map(outline).collect()
+            parallel_map(patches.len(), &outline)
         };
         let planes = (0..splits.len()).filter(|plane| splits[*plane]).collect();
         Self {

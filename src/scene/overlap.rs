@@ -12,6 +12,7 @@
 use super::arrangement::Arrangement;
 use super::{Scene, SceneError};
 use crate::geometry::{Outline, Plane};
+use crate::numeric::parallel_map;
 use glam::DVec3;
 use rayon::prelude::*;
 use rstar::primitives::{GeomWithData, Rectangle as Box3};
@@ -31,10 +32,7 @@ impl Scene {
         let arrangement = Arrangement::new(&self.patches, &[]);
         let noise = arrangement.noise;
         let count = self.patches.len();
-        let outlines: Vec<Outline> = (0..count)
-            .into_par_iter()
-            .map(|patch| arrangement.outline(patch))
-            .collect();
+        let outlines = parallel_map(count, &|patch| arrangement.outline(patch));
         let boxed = outlines.iter().enumerate().map(|(patch, outline)| {
             let [low, high] = outline.bounds().map(|corner| corner.to_array());
             GeomWithData::new(Box3::from_corners(low, high), patch)

@@ -19,8 +19,7 @@ use super::shifts::Shifts;
 use super::tally::{PlanSummary, Tally, Unreached};
 use super::{NamedPatch, Scene, SceneError};
 use crate::form_factor::{Answer, Polygon, Route};
-use crate::numeric::compensated_sum;
-use rayon::prelude::*;
+use crate::numeric::{compensated_sum, try_parallel_map};
 
 /// A scene whose pairs are ready to be evaluated.
 #[derive(Debug, Clone)]
@@ -99,17 +98,16 @@ impl ScenePairs {
         } else {
             tolerance
         };
-        let share = |[first, second]: &[usize; 2]| {
-            let mut answer = pairs.compute(*first, *second, asked)?;
-            let [one, other] = [first, second].map(|index| shapes[*index].shape());
+        let representatives = pairs.plan.representatives();
+        pairs.shared = try_parallel_map(representatives.len(), &|class| {
+            let [first, second] = representatives[class];
+            let mut answer = pairs.compute(first, second, asked)?;
+            let [one, other] = [first, second].map(|index| shapes[index].shape());
             let apart = allowance(spread, one, other);
             let exchange = &mut answer.exchange;
             exchange.error_bound += apart;
-            Ok((apart <= 0.5 * tolerance * exchange.value).then_some(answer))
-        };
-        let shared: Vec<Result<_, SceneError>> =
-            pairs.plan.representatives().par_iter().map(share).collect();
-        pairs.shared = shared.into_iter().collect::<Result<_, _>>()?;
+            Ok::<_, SceneError>((apart <= 0.5 * tolerance * exchange.value).then_some(answer))
+        })?;
         Ok(pairs)
     }
 

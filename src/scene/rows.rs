@@ -2,7 +2,7 @@
 
 use super::{Account, SceneError, ScenePairs, Sight, Tally};
 use crate::form_factor::Answer;
-use rayon::prelude::*;
+use crate::numeric::try_parallel_map;
 use std::collections::BTreeSet;
 
 /// An ordered pair and what it exchanges.
@@ -33,13 +33,11 @@ impl ScenePairs {
         let mut tally = Tally::default();
         let mut row = Vec::with_capacity(n);
         for from in 0..n {
-            let runs: Vec<Result<_, SceneError>> = (0..n.div_ceil(RUN))
-                .into_par_iter()
-                .map(|run| self.run(from, run * RUN..n.min((run + 1) * RUN)))
-                .collect();
+            let runs = try_parallel_map(n.div_ceil(RUN), &|run| {
+                self.run(from, run * RUN..n.min((run + 1) * RUN))
+            })?;
             row.clear();
-            for run in runs {
-                let (answers, counts) = run?;
+            for (answers, counts) in runs {
                 row.extend(answers);
                 tally.merge(&counts);
             }

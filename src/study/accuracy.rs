@@ -13,8 +13,8 @@ use super::{StudyError, Truth, gauss_order};
 use crate::form_factor::sampling::{global_lines, local_lines, quasi_random_lines};
 use crate::form_factor::{Polygon, Route};
 use crate::geometry::Patch;
+use crate::numeric::try_parallel_map;
 use glam::DVec3;
-use rayon::prelude::*;
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
@@ -216,8 +216,8 @@ pub fn accuracy(is_quick: bool) -> Result<Vec<AccuracyRow>, StudyError> {
     let mut cases = known_cases()?;
     for family in Family::ALL {
         let name = family.name();
-        let pairs = (0..count).into_par_iter().map(|number| {
-            let patches = family.pair(number);
+        let pairs = try_parallel_map(count, &|number| {
+            let patches = family.pair(number as u64);
             let truth = if is_quick {
                 Truth::by_double_double(&patches)
             } else {
@@ -227,12 +227,12 @@ pub fn accuracy(is_quick: bool) -> Result<Vec<AccuracyRow>, StudyError> {
                 case: format!("{name} {number}"),
                 source,
             })?;
-            Ok(Pair::new(patches, truth))
-        });
+            Ok::<_, StudyError>(Pair::new(patches, truth))
+        })?;
         cases.push(Case {
             name: format!("{count} pairs: {name}"),
             family: name.to_owned(),
-            pairs: pairs.collect::<Result<_, StudyError>>()?,
+            pairs,
         });
     }
     let methods = Method::all(most_lines);

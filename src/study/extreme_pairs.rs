@@ -11,8 +11,8 @@ use super::polygon_pairs::facing;
 use super::{Row, StudyError, Truth};
 use crate::form_factor::{Answer, DEFAULT_TOLERANCE, Polygon, Route};
 use crate::geometry::{GeometryError, Patch};
+use crate::numeric::try_parallel_map;
 use glam::DVec3;
-use rayon::prelude::*;
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -89,8 +89,8 @@ pub fn route_stability(repetitions: u32, is_quick: bool) -> Result<Vec<Stability
     let mut rows = Vec::new();
     let mut cases = cases()?;
     cases.retain(|case| !is_quick || case.effort == Effort::Little);
-    let exact: Result<Vec<_>, StudyError> = cases.par_iter().map(Case::judged).collect();
-    for (case, (truth, input_error)) in cases.iter().zip(exact?) {
+    let exact = try_parallel_map(cases.len(), &|case| cases[case].judged())?;
+    for (case, (truth, input_error)) in cases.iter().zip(exact) {
         let [first, second] = case.pair.each_ref().map(Polygon::new);
         let mut add = |method: &str, form: &dyn Fn() -> Option<Answer>| {
             let answer = form();

@@ -10,8 +10,7 @@
 //!
 //! Compensated sums of n terms t are within `n² ε² Σ|t|` (Neumaier 1974) and what the terms themselves lose; one with 106 bits loses 8 ε².
 
-use crate::numeric::{DoubleDouble, vectorised};
-use rayon::prelude::*;
+use crate::numeric::{DoubleDouble, parallel_map, vectorised};
 use std::ops::Range;
 
 /// A symmetric matrix without its diagonal: entry (i, j), i < j, at `j(j − 1)/2 + i`.
@@ -104,31 +103,28 @@ impl Flows<'_> {
         add: impl Fn([f64; P], [f64; P]) -> [f64; P] + Sync,
         kernel: impl Fn(Lanes, [f64; Q], [Lanes; Q], &mut [Lanes; P], &mut [Lanes; P]) + Sync + Copy,
     ) -> [Vec<f64>; P] {
-        let runs: Vec<[Vec<f64>; P]> = (0..RUNS)
-            .into_par_iter()
-            .map(|run| {
-                let columns = self.columns(run);
-                let mut sums = [(); P].map(|()| vec![0.0; columns.end]);
-                for j in columns {
-                    let column = &self.values[start(j)..start(j + 1)];
-                    let mut own = [[0.0; LANES]; P];
-                    let (taken, others) = (&mut own, sums.each_mut().map(|sums| &mut sums[..j]));
-                    // what is moved in is local to the loop, which the compiler wants to see for vectors
-                    vectorised(
-                        #[inline(always)]
-                        move || *taken = along(column, x, others, kernel),
-                    );
-                    let mut sum = [0.0; P];
-                    for lane in 0..LANES {
-                        sum = add(sum, own.map(|own| own[lane]));
-                    }
-                    for (sums, sum) in sums.iter_mut().zip(sum) {
-                        sums[j] = sum;
-                    }
+        let runs = parallel_map(RUNS, &|run| {
+            let columns = self.columns(run);
+            let mut sums = [(); P].map(|()| vec![0.0; columns.end]);
+            for j in columns {
+                let column = &self.values[start(j)..start(j + 1)];
+                let mut own = [[0.0; LANES]; P];
+                let (taken, others) = (&mut own, sums.each_mut().map(|sums| &mut sums[..j]));
+                // what is moved in is local to the loop, which the compiler wants to see for vectors
+                vectorised(
+                    #[inline(always)]
+                    move || *taken = along(column, x, others, kernel),
+                );
+                let mut sum = [0.0; P];
+                for lane in 0..LANES {
+                    sum = add(sum, own.map(|own| own[lane]));
                 }
-                sums
-            })
-            .collect();
+                for (sums, sum) in sums.iter_mut().zip(sum) {
+                    sums[j] = sum;
+                }
+            }
+            sums
+        });
         let mut sums = [(); P].map(|()| vec![0.0; self.count]);
         for run in &runs {
             for i in 0..run[0].len() {
