@@ -183,21 +183,57 @@ fn replace_by(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>)
     } else {
         path.to_owned()
     };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".infoscene-");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt;
-        // as for any new file: what the process's mask leaves of it
-        builder.permissions(fs::Permissions::from_mode(0o666));
-    }
-    let mut file = builder.tempfile_in(folder_of(&path)?)?;
-    buffered(&mut file, write)?;
+    let mut unfinished = Unfinished::in_folder(folder_of(&path)?)?;
+    buffered(&mut unfinished.file, write)?;
     if let Some(old) = old {
-        file.as_file().set_permissions(old.permissions())?;
+        unfinished.file.set_permissions(old.permissions())?;
     }
-    file.persist(path)?;
-    Ok(())
+    unfinished.move_to(&path)
+}
+
+/// A new file of a name that nobody uses; it is removed unless it is moved to where it belongs.
+struct Unfinished {
+    file: fs::File,
+    path: PathBuf,
+    is_in_place: bool,
+}
+
+/// Names to try, before a folder is taken to be full of what killed processes left.
+const MOST_NAMES: u32 = 1000;
+
+impl Unfinished {
+    fn in_folder(folder: &Path) -> io::Result<Self> {
+        let process = std::process::id();
+        for number in 0..MOST_NAMES {
+            let path = folder.join(format!(".infoscene-{process}-{number}"));
+            match fs::File::create_new(&path) {
+                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+                created => {
+                    return Ok(Self {
+                        file: created?,
+                        path,
+                        is_in_place: false,
+                    });
+                }
+            }
+        }
+        Err(io::ErrorKind::AlreadyExists.into())
+    }
+
+    fn move_to(mut self, place: &Path) -> io::Result<()> {
+        fs::rename(&self.path, place)?;
+        self.is_in_place = true;
+        Ok(())
+    }
+}
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        if !self.is_in_place {
+            // what made the file unfinished is reported, not that it cannot be removed either
+            _ = fs::remove_file(&self.path);
+        }
+    }
 }
 
 fn buffered(
