@@ -46,15 +46,16 @@ impl FormFactor {
         if let Some(path) = &self.matrix {
             check_place(path)?;
         }
-        let all = self.matrix.is_some();
-        let asked = |index: Option<usize>| if all { None } else { index };
-        let scene = self.scene.scene(asked(self.from), asked(self.to))?;
+        // the matrix wants all rows
+        let asked = |index: Option<usize>| index.filter(|_| self.matrix.is_none());
+        let scene = self.scene.scene()?;
         let patches = scene.group_count();
         let is_part = self.from.is_some() || self.to.is_some();
         if !is_part && patches > MOST_HELD {
             return Err(TooMany { patches }.into());
         }
-        let pairs = self.scene.pairs(&scene)?;
+        let [from, to] = [self.from, self.to].map(asked);
+        let pairs = self.scene.pairs_between(&scene, from, to)?;
         let held = if patches <= MOST_HELD && (!is_part || self.matrix.is_some()) {
             Some(pairs.exchange_areas()?)
         } else {

@@ -8,10 +8,16 @@ use infoscene::information::{
     positional_entropy, scene_information,
 };
 use infoscene::numeric::{tolerance, x_log2_ratio};
-use infoscene::scene::{Congruence, NamedPatch, Scene, SceneError, ScenePairs};
+use infoscene::scene::{Congruence, NamedPatch, Occlusion, Scene, SceneError, ScenePairs};
 
 fn measured(scene: &Scene, surroundings: Surroundings) -> Result<SceneInformation, ChainError> {
-    let pairs = ScenePairs::try_new(scene, DEFAULT_TOLERANCE, Congruence::Shared).unwrap();
+    let pairs = ScenePairs::try_new(
+        scene,
+        DEFAULT_TOLERANCE,
+        Congruence::Shared,
+        Occlusion::Refuse,
+    )
+    .unwrap();
     scene_information(&pairs, surroundings)
 }
 
@@ -117,7 +123,9 @@ fn threads_do_not_change_a_bit() {
         let measure = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
             pool.build().unwrap().install(|| {
-                let pairs = ScenePairs::try_new(&opened(6, 17), 1e-6, congruence).unwrap();
+                let pairs =
+                    ScenePairs::try_new(&opened(6, 17), 1e-6, congruence, Occlusion::Refuse)
+                        .unwrap();
                 let held = pairs.exchange_areas().unwrap();
                 (
                     scene_information(&pairs, Surroundings::Outside).unwrap(),
@@ -134,7 +142,8 @@ fn threads_do_not_change_a_bit() {
 /// Negative control: the sum depends on the order of its terms, so that equal bits are not a matter of course.
 #[test]
 fn the_order_of_terms_matters() {
-    let pairs = ScenePairs::try_new(&cube(6), 1e-6, Congruence::Ignored).unwrap();
+    let pairs =
+        ScenePairs::try_new(&cube(6), 1e-6, Congruence::Ignored, Occlusion::Refuse).unwrap();
     let held = pairs.exchange_areas().unwrap();
     let forth = |i: usize| (0..216).map(|j| held.get(i, j).exchange.value).sum::<f64>();
     let back = |i: usize| {
