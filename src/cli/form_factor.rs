@@ -140,13 +140,13 @@ fn write_matrix(
         if let Some(held) = held {
             for (from, area) in pairs.areas().iter().enumerate() {
                 let row = (0..n).map(|to| held.get(from, to).exchange.value / area);
-                write_npy_row(&mut *file, row)?;
+                write_npy_row(&mut *file, from, row)?;
             }
         } else {
             let written = pairs.for_each_row(|from, row| -> Result<(), Box<dyn Error>> {
                 let area = pairs.areas()[from];
                 let row = row.iter().map(|answer| answer.exchange.value / area);
-                Ok(write_npy_row(&mut *file, row)?)
+                Ok(write_npy_row(&mut *file, from, row)?)
             });
             account = Some(written?);
         }
