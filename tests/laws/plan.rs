@@ -9,8 +9,9 @@ use infoscene::scene::{
 /// Reached by every route.
 const TOLERANCE: f64 = 1e-6;
 
+/// A plan is of planes and shapes, whatever stands in the way.
 fn pairs(scene: &Scene, congruence: Congruence) -> ScenePairs {
-    ScenePairs::try_new(scene, TOLERANCE, congruence, Occlusion::Refuse).unwrap()
+    ScenePairs::try_new(scene, TOLERANCE, congruence, Occlusion::Ignore).unwrap()
 }
 
 fn account(scene: &Scene, congruence: Congruence) -> Account {

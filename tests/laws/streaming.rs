@@ -10,15 +10,12 @@ use infoscene::information::{
 use infoscene::numeric::{tolerance, x_log2_ratio};
 use infoscene::scene::{Congruence, NamedPatch, Occlusion, Scene, SceneError, ScenePairs};
 
+fn pairs(scene: &Scene, occlusion: Occlusion) -> ScenePairs {
+    ScenePairs::try_new(scene, DEFAULT_TOLERANCE, Congruence::Shared, occlusion).unwrap()
+}
+
 fn measured(scene: &Scene, surroundings: Surroundings) -> Result<SceneInformation, ChainError> {
-    let pairs = ScenePairs::try_new(
-        scene,
-        DEFAULT_TOLERANCE,
-        Congruence::Shared,
-        Occlusion::Refuse,
-    )
-    .unwrap();
-    scene_information(&pairs, surroundings)
+    scene_information(&pairs(scene, Occlusion::Refuse), surroundings)
 }
 
 fn cube(cells: usize) -> Scene {
@@ -160,7 +157,8 @@ fn the_order_of_terms_matters() {
 fn a_row_above_one_is_refused() {
     let mut patches = cube(1).patches().to_vec();
     patches.extend(Scene::facing_squares(0.5).unwrap().patches()[1..].to_vec());
-    let refusal = measured(&Scene::try_new(patches).unwrap(), Surroundings::Outside).unwrap_err();
+    let pairs = pairs(&Scene::try_new(patches).unwrap(), Occlusion::Ignore);
+    let refusal = scene_information(&pairs, Surroundings::Outside).unwrap_err();
     assert!(
         matches!(
             refusal,
