@@ -57,8 +57,8 @@ impl ScenePairsOptions {
         self.pairs_under(scene, self.scene.occlusion())
     }
 
-    /// The pairs of a scene of which only those between these rows are asked for: elsewhere something
-    /// may stand.
+    /// The pairs of a scene of which only those between these rows are asked for: elsewhere
+    /// something may stand.
     pub(super) fn pairs_between(
         &self,
         scene: &Scene,

@@ -74,9 +74,9 @@ impl PatchSplit {
     /// As [`try_new`](Self::try_new), with a policy for what may stand between the patches.
     ///
     /// # Errors
-    /// [`DiscretizeError::Scene`] if a patch does not exist, has others lying in it, has no axes, if
-    /// what a pair exchanges leaves `f64`'s range, if patches of the scene overlap, or if something
-    /// may stand between the cut patch and one of the others;
+    /// [`DiscretizeError::Scene`] if a patch does not exist, has others lying in it, has no axes,
+    /// if what a pair exchanges leaves `f64`'s range, if patches of the scene overlap, or if
+    /// something may stand between the cut patch and one of the others;
     /// [`DiscretizeError::AgainstItself`]; [`DiscretizeError::NamedTwice`];
     /// [`DiscretizeError::NothingToGain`].
     pub fn with_occlusion(

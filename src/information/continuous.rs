@@ -60,8 +60,8 @@ pub struct ContinuousInformation {
 /// 1e8 times as high as wide, held by `boxes_agree_with_a_formula_of_their_own`; the error returned is an estimate.
 ///
 /// # Errors
-/// [`ChainError::Scene`] if the room is not convex inside or not closed, an obstruction stands in it
-/// (leave it out with [`Scene::with_obstructions`]), patches overlap, or a pair is refused.
+/// [`ChainError::Scene`] if the room is not convex inside or not closed, an obstruction stands in
+/// it (leave it out with [`Scene::with_obstructions`]), patches overlap, or a pair is refused.
 ///
 /// # Examples
 /// ```

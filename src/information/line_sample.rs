@@ -67,8 +67,9 @@ impl LineSample {
     ///
     /// # Errors
     /// [`ChainError::Scene`] with [`SceneError::Overlap`] if patches lie on each other; with
-    /// [`SceneError::LinesEscape`] if more than a millionth of the lines leave a front and meet none, and
-    /// with [`SceneError::LinesMiss`] if fewer than one in ten thousand global lines meet the scene at all.
+    /// [`SceneError::LinesEscape`] if more than a millionth of the lines leave a front and meet
+    /// none, and with [`SceneError::LinesMiss`] if fewer than one in ten thousand global lines meet
+    /// the scene at all.
     ///
     /// # Examples
     /// ```

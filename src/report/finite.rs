@@ -1,11 +1,11 @@
 //! The check that a record carries no NaN and no infinity.
 //!
 //! JSON has no word for them and writes null, which here means that a number is not known. So every
-//! record is walked once before it is written, and the first number that is not finite is named by its
-//! full key, `rows[3].relative_error`. An optional number that is absent stays null.
+//! record is walked once before it is written, and the first number that is not finite is named by
+//! its full key, `rows[3].relative_error`. An optional number that is absent stays null.
 //!
-//! The walk is a [`Serializer`] that writes nothing; keys are put together only where it fails, from
-//! the inside out.
+//! The walk is a [`Serializer`] that writes nothing; keys are put together only where it fails,
+//! from the inside out.
 
 use super::ReportError;
 use serde::ser::{self, Serialize, Serializer};

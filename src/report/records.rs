@@ -60,8 +60,8 @@ impl Report {
     /// An answer that is one record.
     ///
     /// # Errors
-    /// [`ReportError::Json`] if it is not a struct or map; [`ReportError::NotFinite`] with the key of
-    /// a number that is NaN or infinite.
+    /// [`ReportError::Json`] if it is not a struct or map; [`ReportError::NotFinite`] with the key
+    /// of a number that is NaN or infinite.
     pub fn one(table: Table, record: &impl serde::Serialize) -> Result<Self, ReportError> {
         Ok(Self {
             table,
@@ -176,7 +176,8 @@ impl Report {
 /// Any value as JSON text that ends in a newline.
 ///
 /// # Errors
-/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite; [`ReportError::Json`].
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite;
+/// [`ReportError::Json`].
 pub fn json_text(value: &impl serde::Serialize) -> Result<String, ReportError> {
     finite::check(value)?;
     Ok(serde_json::to_string_pretty(value)? + "\n")

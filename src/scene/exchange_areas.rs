@@ -183,8 +183,8 @@ impl Scene {
     /// As if nothing were in the way they come from [`ScenePairs`] with [`Occlusion::Ignore`].
     ///
     /// # Errors
-    /// [`SceneError::Overlap`]; [`SceneError::MayBeBlocked`]; [`SceneError::Pair`] if two patches are
-    /// refused.
+    /// [`SceneError::Overlap`]; [`SceneError::MayBeBlocked`]; [`SceneError::Pair`] if two patches
+    /// are refused.
     pub fn exchange_areas(&self) -> Result<ExchangeAreas, SceneError> {
         let (tolerance, occlusion) = (DEFAULT_TOLERANCE, Occlusion::Refuse);
         ScenePairs::try_new(self, tolerance, Congruence::Shared, occlusion)?.exchange_areas()

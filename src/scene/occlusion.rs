@@ -1,7 +1,8 @@
 //! The policy for scenes in which something stands between two patches.
 //!
-//! Exchange areas are computed as if nothing were in the way, so an occluded scene would get numbers
-//! that are too large. Every question about what patches exchange therefore checks the scene first:
+//! Exchange areas are computed as if nothing were in the way, so an occluded scene would get
+//! numbers that are too large. Every question about what patches exchange therefore checks the
+//! scene first:
 //!
 //! ```text
 //!   patches overlap                       refused always: what falls on one would count twice
@@ -69,8 +70,8 @@ impl Scene {
     /// without a row all pairs are checked, as [`check_unblocked`](Self::check_unblocked) does.
     ///
     /// It admits the part of an occluded scene that is not hidden: after it
-    /// [`ScenePairs::try_new`](super::ScenePairs::try_new) may be told to [`Occlusion::Ignore`], and
-    /// the values between these rows are right.
+    /// [`ScenePairs::try_new`](super::ScenePairs::try_new) may be told to [`Occlusion::Ignore`],
+    /// and the values between these rows are right.
     ///
     /// # Errors
     /// [`SceneError::NoSuchPatch`] if there is no such row; [`SceneError::MayBeBlocked`].
