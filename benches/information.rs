@@ -15,7 +15,7 @@ use infoscene::information::{
     Surroundings, divergence, entropy_rate, mutual_information, positional_entropy,
     scene_information,
 };
-use infoscene::scene::{Congruence, Scene, ScenePairs};
+use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs};
 use std::hint::black_box;
 
 fn measures(criterion: &mut Criterion) {
@@ -95,7 +95,13 @@ fn grids(criterion: &mut Criterion) {
     };
     // a quarter as fine, by other code
     let cube = Scene::built_in("cube:16").unwrap();
-    let pairs = ScenePairs::try_new(&cube, DEFAULT_TOLERANCE, Congruence::Shared).unwrap();
+    let pairs = ScenePairs::try_new(
+        &cube,
+        DEFAULT_TOLERANCE,
+        Congruence::Shared,
+        Occlusion::Refuse,
+    )
+    .unwrap();
     let exact = scene_information(&pairs, Surroundings::None).unwrap();
     let found = BoxGrid::regular(UNIT_CUBE, 16)
         .unwrap()

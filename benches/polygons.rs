@@ -14,7 +14,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use glam::{DMat3, DVec3};
 use infoscene::form_factor::{DEFAULT_TOLERANCE, Polygon, Route};
 use infoscene::geometry::Patch;
-use infoscene::scene::{Congruence, Scene, ScenePairs};
+use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::{PI, TAU};
@@ -257,7 +257,8 @@ fn scenes(criterion: &mut Criterion) {
         .unwrap();
     let scene = Scene::built_in("cube:10").unwrap();
     let matrix = |congruence| {
-        let pairs = ScenePairs::try_new(&scene, DEFAULT_TOLERANCE, congruence).unwrap();
+        let pairs =
+            ScenePairs::try_new(&scene, DEFAULT_TOLERANCE, congruence, Occlusion::Refuse).unwrap();
         pairs.exchange_areas().unwrap()
     };
     let mut group = criterion.benchmark_group("cube of 600 faces");

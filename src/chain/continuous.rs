@@ -11,12 +11,14 @@
 //! The paper's weight `∫ B (B − E)/R` is the row sum if B solves the radiosity equation; [`patch_integrals`] computes it as it
 //! is printed, to be compared.
 //!
-//! **Not covered**: jumps of β inside a patch, which leave an error of first order: cut the patch there.
+//! **Not covered**: jumps of β inside a patch, which leave an error of first order: cut the patch
+//! there; occlusion.
 
 use super::{ChainError, ReversibleChain};
+use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::geometry::Patch;
 use crate::numeric::compensated_sum;
-use crate::scene::{NamedPatch, Scene, SceneError};
+use crate::scene::{Congruence, NamedPatch, Occlusion, Scene, SceneError, ScenePairs};
 use glam::DVec3;
 use nalgebra::DMatrix;
 
@@ -41,7 +43,7 @@ const MOST_CELLS: usize = 8_000;
 ///
 /// # Errors
 /// [`ChainError::InvalidWeight`] if the brightness is negative or not finite somewhere; [`ChainError::NoMass`];
-/// [`ChainError::Scene`].
+/// [`ChainError::Scene`], also if patches overlap or something may stand between two of them.
 ///
 /// # Examples
 /// ```
@@ -60,6 +62,8 @@ pub fn continuous_chain(
     brightness: impl Fn(usize, DVec3) -> f64 + Sync,
     tolerance: f64,
 ) -> Result<ContinuousChain, ChainError> {
+    // cells hide no more of each other than their patches do
+    Occlusion::Refuse.check(scene)?;
     let mut last = joint(scene, &brightness, 0)?;
     let mut extrapolated: Option<DMatrix<f64>> = None;
     let mut times = 1;
@@ -138,7 +142,8 @@ fn joint(
         let (index, what) = (parents[index], "is summed with others");
         return Err(SceneError::NotAPatchOfItsOwn { index, what }.into());
     }
-    let exchange = fine.exchange_areas()?;
+    let pairs = ScenePairs::unchecked(&fine, DEFAULT_TOLERANCE, Congruence::Shared)?;
+    let exchange = pairs.exchange_areas()?;
     let n = scene.patches().len();
     let mut joint = DMatrix::zeros(n, n);
     for (second, to) in parents.iter().enumerate() {

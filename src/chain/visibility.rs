@@ -13,11 +13,13 @@ use nalgebra::DMatrix;
 /// The visibility chain of a closed scene.
 ///
 /// The weights are the row sums of the exchange areas, which for a closed scene are the areas
-/// within the error bounds of the form factors.
+/// within the error bounds of the form factors. As if nothing were in the way it is the
+/// [`brightness_chain`](super::brightness_chain) of unoccluded exchange areas with brightness 1.
 ///
 /// # Errors
-/// [`ChainError::Scene`] with the worst row if a row of form factors does not sum to one within
-/// its error bounds, or if a form factor is refused.
+/// [`ChainError::Scene`] if patches overlap or something may stand between two of them; with the
+/// worst row if a row of form factors does not sum to one within its error bounds; or if a form
+/// factor is refused.
 pub fn visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
     let exchange = scene.exchange_areas()?;
     Closure::of_held(&exchange).require_closed()?;
@@ -28,7 +30,8 @@ pub fn visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
 /// weight.
 ///
 /// # Errors
-/// [`ChainError::Scene`] if patches overlap or hide each other, or if a form factor is refused.
+/// [`ChainError::Scene`] if patches overlap, if something may stand between two of them, or if a
+/// form factor is refused.
 ///
 /// # Examples
 /// ```

@@ -6,7 +6,7 @@ use super::{ClaimError, Finding, Inputs};
 use crate::discretize::{BoxGrid, UNIT_CUBE};
 use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::information::{Surroundings, continuous_information, scene_information};
-use crate::scene::{Congruence, Scene, ScenePairs};
+use crate::scene::{Congruence, Occlusion, Scene, ScenePairs};
 
 pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
     ("discretizing_loses", discretizing_loses),
@@ -36,7 +36,12 @@ impl Gaps {
         let mut gaps = Vec::new();
         for times in 0..=times {
             let (parts, _) = whole.subdivided(times)?;
-            let pairs = ScenePairs::try_new(&parts, DEFAULT_TOLERANCE, Congruence::Shared)?;
+            let pairs = ScenePairs::try_new(
+                &parts,
+                DEFAULT_TOLERANCE,
+                Congruence::Shared,
+                Occlusion::Refuse,
+            )?;
             let discrete = scene_information(&pairs, Surroundings::None)?;
             error = larger(error, continuous.error + discrete.error);
             gaps.push(limit - discrete.mutual_information);

@@ -27,6 +27,7 @@ impl Convert {
             return Err(message.into());
         }
         let scene = self.scene.read()?;
+        scene.check_overlap()?;
         if is_view3d {
             write_file(&self.out, write_view3d(&scene)?.as_bytes())?;
             return Ok(Outcome::Done);

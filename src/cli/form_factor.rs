@@ -46,15 +46,16 @@ impl FormFactor {
         if let Some(path) = &self.matrix {
             check_place(path)?;
         }
-        let all = self.matrix.is_some();
-        let asked = |index: Option<usize>| if all { None } else { index };
-        let scene = self.scene.scene(asked(self.from), asked(self.to))?;
+        // the matrix wants all rows
+        let asked = |index: Option<usize>| index.filter(|_| self.matrix.is_none());
+        let scene = self.scene.scene()?;
         let patches = scene.group_count();
         let is_part = self.from.is_some() || self.to.is_some();
         if !is_part && patches > MOST_HELD {
             return Err(TooMany { patches }.into());
         }
-        let pairs = self.scene.pairs(&scene)?;
+        let [from, to] = [self.from, self.to].map(asked);
+        let pairs = self.scene.pairs_between(&scene, from, to)?;
         let held = if patches <= MOST_HELD && (!is_part || self.matrix.is_some()) {
             Some(pairs.exchange_areas()?)
         } else {
@@ -139,13 +140,13 @@ fn write_matrix(
         if let Some(held) = held {
             for (from, area) in pairs.areas().iter().enumerate() {
                 let row = (0..n).map(|to| held.get(from, to).exchange.value / area);
-                write_npy_row(&mut *file, row)?;
+                write_npy_row(&mut *file, from, row)?;
             }
         } else {
             let written = pairs.for_each_row(|from, row| -> Result<(), Box<dyn Error>> {
                 let area = pairs.areas()[from];
                 let row = row.iter().map(|answer| answer.exchange.value / area);
-                Ok(write_npy_row(&mut *file, row)?)
+                Ok(write_npy_row(&mut *file, from, row)?)
             });
             account = Some(written?);
         }

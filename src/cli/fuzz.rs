@@ -2,7 +2,7 @@
 
 use super::output::{Output, progress_bar};
 use super::{Answer, Outcome};
-use infoscene::report::fuzz_report;
+use infoscene::report::{fuzz_report, json_text};
 use infoscene::study::fuzz::{Campaign, Sabotage, run};
 use std::time::Instant;
 
@@ -54,7 +54,7 @@ impl Fuzz {
         if findings.counterexamples.is_empty() {
             return self.output.write(&report);
         }
-        let text = serde_json::to_string_pretty(&findings.counterexamples)? + "\n";
+        let text = json_text(&findings.counterexamples)?;
         let path = self.output.beside("counterexample.json", text.as_bytes())?;
         self.output.write(&report)?;
         eprintln!(

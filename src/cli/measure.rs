@@ -2,7 +2,7 @@
 
 use super::light::Light;
 use super::output::{Output, progress_bar};
-use super::scene_pairs::{ScenePairsOptions, outcome};
+use super::scene_pairs::{ScenePairsOptions, outcome, shown};
 use super::{Answer, Outcome};
 use infoscene::chain::ChainError;
 use infoscene::information::{
@@ -10,7 +10,7 @@ use infoscene::information::{
     expected_bias_of_scene, pair_losses, scene_information,
 };
 use infoscene::report::{measure_report, sample_report};
-use infoscene::scene::{NamedPatch, Scene, SceneError};
+use infoscene::scene::{NamedPatch, Scene, SceneError, ScenePairs};
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]
@@ -77,7 +77,7 @@ impl Measure {
         if let Some(lines) = self.sample {
             return self.sampled(lines);
         }
-        let scene = self.scene.scene(None, None)?;
+        let scene = self.scene.scene()?;
         let pairs = self.scene.pairs(&scene)?;
         let surroundings = if self.open {
             Surroundings::Outside
@@ -90,15 +90,19 @@ impl Measure {
             let exchange = pairs.exchange_areas()?;
             brightness_information(&exchange, &self.light.brightness(&scene, &exchange)?)?
         };
+        // without obstructions nothing is in the way in a room that is convex inside
+        let bare = self.scene.is_unoccluded().then(|| scene.clone());
+        let bare = bare.map(|scene| scene.with_obstructions(Vec::new()));
+        let room = bare.as_ref().unwrap_or(&scene);
         let continuous = if self.continuous {
-            Some(continuous_information(&scene)?)
+            Some(continuous_information(room)?)
         } else {
             None
         };
         let losses = if self.pairs {
             let all = scene.patches().len();
             let bar = progress_bar((all * (all - 1) / 2) as u64, "pairs")?;
-            let losses = pair_losses(&scene, || bar.inc(1))?;
+            let losses = pair_losses(room, || bar.inc(1))?;
             bar.finish_and_clear();
             Some(losses)
         } else {
@@ -127,8 +131,7 @@ impl Measure {
         }
         let scene = self.scene.occluded_scene()?;
         let sample = LineSample::draw(&scene, self.kind.into(), lines, self.seed)?;
-        let exact = if scene.group_count() <= MOST_ROWS && scene.check_unblocked().is_ok() {
-            let pairs = self.scene.pairs(&scene)?;
+        let exact = if let Some(pairs) = self.unblocked_pairs(&scene)? {
             let measured = scene_information(&pairs, Surroundings::None)?;
             let bias = expected_bias_of_scene(&pairs, sample.counts.samples())?;
             Some([measured.mutual_information, bias])
@@ -137,6 +140,17 @@ impl Measure {
         };
         let report = sample_report(&scene, &sample, exact, self.continuous, self.seed)?;
         self.output.write(&report)
+    }
+
+    /// The pairs of a scene that is small enough, and in which nothing is in the way.
+    fn unblocked_pairs(&self, scene: &Scene) -> Result<Option<ScenePairs>, Box<dyn Error>> {
+        if scene.group_count() > MOST_ROWS {
+            return Ok(None);
+        }
+        match self.scene.quiet_pairs(scene) {
+            Err(SceneError::MayBeBlocked { .. }) => Ok(None),
+            pairs => Ok(Some(shown(pairs?)?)),
+        }
     }
 }
 

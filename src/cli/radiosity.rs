@@ -24,7 +24,7 @@ pub(super) struct Radiosity {
 impl Radiosity {
     pub(super) fn answer(&self) -> Answer {
         self.output.check()?;
-        let scene = self.scene.scene(None, None)?;
+        let scene = self.scene.scene()?;
         let materials = self.materials.of(&scene)?;
         let direct = values(&self.importance, &scene)?;
         let pairs = self.scene.pairs(&scene)?;

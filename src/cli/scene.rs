@@ -1,7 +1,7 @@
 //! SCENE: the argument that all questions about a scene share.
 
 use infoscene::scene::files::{NonPlanarFaces, open};
-use infoscene::scene::{Scene, SceneError};
+use infoscene::scene::{Occlusion, Scene, SceneError};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct SceneArgument {
@@ -20,16 +20,7 @@ pub(super) struct SceneArgument {
 }
 
 impl SceneArgument {
-    /// The scene, whose pairs see each other fully, unless unoccluded values are asked for.
-    pub(super) fn unblocked(&self) -> Result<Scene, SceneError> {
-        let scene = self.read()?;
-        if !self.unoccluded {
-            scene.check_unblocked()?;
-        }
-        Ok(scene)
-    }
-
-    /// The scene, in which no patch lies on another; what its reader has to say goes to standard error.
+    /// The scene, whatever lies or stands in it; what its reader has to say goes to standard error.
     pub(super) fn read(&self) -> Result<Scene, SceneError> {
         let faces = if self.triangulate {
             NonPlanarFaces::Triangulate
@@ -40,15 +31,18 @@ impl SceneArgument {
         for note in &loaded.notes {
             eprintln!("infoscene: {note}");
         }
-        loaded.scene.check_overlap()?;
         if self.subdivide == 0 {
             return Ok(loaded.scene);
         }
         Ok(loaded.scene.subdivided(self.subdivide)?.0)
     }
 
-    /// Was it asked to leave out occlusion?
-    pub(super) const fn is_unoccluded(&self) -> bool {
-        self.unoccluded
+    /// What is asked for where something may stand between two patches.
+    pub(super) const fn occlusion(&self) -> Occlusion {
+        if self.unoccluded {
+            Occlusion::Ignore
+        } else {
+            Occlusion::Refuse
+        }
     }
 }

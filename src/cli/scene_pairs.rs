@@ -4,7 +4,7 @@ use super::Outcome;
 use super::output::progress_bar;
 use super::scene::SceneArgument;
 use infoscene::form_factor::DEFAULT_TOLERANCE;
-use infoscene::scene::{Account, Blockers, Congruence, Scene, SceneError, ScenePairs, Unreached};
+use infoscene::scene::{Account, Congruence, Occlusion, Scene, SceneError, ScenePairs, Unreached};
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]
@@ -29,7 +29,7 @@ fn relative(text: &str) -> Result<f64, String> {
 impl ScenePairsOptions {
     /// The scene, whatever stands in it, for lines that end at what they first meet.
     pub(super) fn occluded_scene(&self) -> Result<Scene, Box<dyn Error>> {
-        if self.scene.is_unoccluded() {
+        if self.is_unoccluded() {
             return Err(
                 "lines at random end at what they first meet: leave out --unoccluded".into(),
             );
@@ -37,63 +37,63 @@ impl ScenePairsOptions {
         Ok(self.scene.read()?)
     }
 
-    /// The scene, if nothing stands between the rows asked for.
-    pub(super) fn scene(
-        &self,
-        from: Option<usize>,
-        to: Option<usize>,
-    ) -> Result<Scene, SceneError> {
-        if self.scene.is_unoccluded() {
-            return self.scene.read();
-        }
-        let (one, other) = match (from, to) {
-            (None, None) => return self.scene.unblocked(),
-            (Some(one), other) => (one, other),
-            (None, Some(one)) => (one, None),
-        };
-        let scene = self.scene.read()?;
-        let last = scene.group_count() - 1;
-        for index in [from, to].into_iter().flatten() {
-            if index > last {
-                return Err(SceneError::NoSuchPatch { index, last });
-            }
-        }
-        let blockers = Blockers::of(&scene);
-        for first in scene.patches_of_group(one) {
-            let found = match other {
-                None => blockers.of_row(first),
-                Some(other) => scene
-                    .patches_of_group(other)
-                    .find_map(|second| blockers.of_pair(first, second)),
-            };
-            if let Some(found) = found {
-                return Err(found.into());
-            }
-        }
-        drop(blockers);
-        Ok(scene)
+    /// The scene, whatever lies or stands in it.
+    pub(super) fn scene(&self) -> Result<Scene, SceneError> {
+        self.scene.read()
+    }
+
+    /// Was it asked to leave out occlusion?
+    pub(super) fn is_unoccluded(&self) -> bool {
+        self.scene.occlusion() == Occlusion::Ignore
     }
 
     /// The pairs of a scene; the first pass over all of them shows its progress.
     pub(super) fn pairs(&self, scene: &Scene) -> Result<ScenePairs, Box<dyn Error>> {
+        shown(self.quiet_pairs(scene)?)
+    }
+
+    /// The pairs of a scene, without progress.
+    pub(super) fn quiet_pairs(&self, scene: &Scene) -> Result<ScenePairs, SceneError> {
+        self.pairs_under(scene, self.scene.occlusion())
+    }
+
+    /// The pairs of a scene of which only those between these rows are asked for: elsewhere
+    /// something may stand.
+    pub(super) fn pairs_between(
+        &self,
+        scene: &Scene,
+        from: Option<usize>,
+        to: Option<usize>,
+    ) -> Result<ScenePairs, Box<dyn Error>> {
+        if !self.is_unoccluded() {
+            scene.check_rows_unblocked(from, to)?;
+        }
+        shown(self.pairs_under(scene, Occlusion::Ignore)?)
+    }
+
+    fn pairs_under(&self, scene: &Scene, occlusion: Occlusion) -> Result<ScenePairs, SceneError> {
         let congruence = if self.every_pair {
             Congruence::Ignored
         } else {
             Congruence::Shared
         };
-        let pairs = ScenePairs::try_new(scene, self.tolerance, congruence)?;
-        let all = pairs.pairs() as u64;
-        let bar = progress_bar(all, "pairs")?;
-        if bar.is_hidden() {
-            return Ok(pairs);
-        }
-        Ok(pairs.with_progress(move |more| {
-            bar.inc(more as u64);
-            if bar.position() >= all {
-                bar.finish_and_clear();
-            }
-        }))
+        ScenePairs::try_new(scene, self.tolerance, congruence, occlusion)
     }
+}
+
+/// The pairs, the first pass over all of which shows its progress.
+pub(super) fn shown(pairs: ScenePairs) -> Result<ScenePairs, Box<dyn Error>> {
+    let all = pairs.pairs() as u64;
+    let bar = progress_bar(all, "pairs")?;
+    if bar.is_hidden() {
+        return Ok(pairs);
+    }
+    Ok(pairs.with_progress(move |more| {
+        bar.inc(more as u64);
+        if bar.position() >= all {
+            bar.finish_and_clear();
+        }
+    }))
 }
 
 /// The exit status of an answer; what misses the tolerance is named on standard error.

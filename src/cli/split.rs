@@ -5,11 +5,12 @@ use super::light::Light;
 use super::output::{MOST_DECIMALS, Output, between, precision};
 use super::scene::SceneArgument;
 use infoscene::discretize::{DiscretizeError, PatchSplit, regular_positions};
+use infoscene::form_factor::DEFAULT_TOLERANCE;
 use infoscene::geometry::SplitAxis;
 use infoscene::numeric::interval::DecimalBounds;
 use infoscene::numeric::{Interval, compensated_sum, tolerance};
 use infoscene::report::{Report, Table, certain_digits, scientific};
-use infoscene::scene::Scene;
+use infoscene::scene::{Congruence, Scene, ScenePairs};
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]
@@ -72,7 +73,7 @@ impl Split {
         if self.precision.is_some() && self.parts != 2 {
             return Err("--precision encloses one cut; leave out --parts".into());
         }
-        let scene = self.scene.unblocked()?;
+        let scene = self.scene.read()?;
         let others = (0..scene.patches().len()).filter(|index| *index != self.patch);
         let against = if self.against.is_empty() {
             others.collect()
@@ -150,7 +151,9 @@ impl Split {
 
     /// The brightness of each patch, and Σw.
     fn lit(&self, scene: &Scene) -> Result<(Vec<f64>, f64), Box<dyn Error>> {
-        let exchange = scene.exchange_areas()?;
+        let (tolerance, occlusion) = (DEFAULT_TOLERANCE, self.scene.occlusion());
+        let pairs = ScenePairs::try_new(scene, tolerance, Congruence::Shared, occlusion)?;
+        let exchange = pairs.exchange_areas()?;
         let found = self.light.brightness(scene, &exchange)?;
         let rows = found.values.iter().zip(&found.received);
         let weights = rows
@@ -170,7 +173,8 @@ impl Split {
         axis: SplitAxis,
         lit: Option<&(Vec<f64>, f64)>,
     ) -> Result<(Record, bool), DiscretizeError> {
-        let mut split = PatchSplit::try_new(scene, self.patch, against, axis)?;
+        let occlusion = self.scene.occlusion();
+        let mut split = PatchSplit::with_occlusion(scene, self.patch, against, axis, occlusion)?;
         if let Some((brightness, total)) = lit {
             split = split.under(self.patch, brightness, *total)?;
         }

@@ -14,14 +14,14 @@
 //! The patch is any polygon and so are the others, at any angle; lines run as [`CutLines`] says, in a
 //! parallelogram parallel to an edge. Enclosures and proofs are for rectangles with edges along common axes.
 //!
-//! **Not covered**: cuts in other directions; occlusion.
+//! **Not covered**: cuts in other directions; computing with occlusion.
 
 use super::cut_pair::CutPair;
 use super::{DiscretizeError, stationarity};
 use crate::geometry::{CutLines, Rectangle, SplitAxis};
 use crate::information::relative_entropy;
 use crate::numeric::{CertifiedMaximum, Dual, End, Interval, Objective, Scalar, certified_maximum};
-use crate::scene::{Scene, SceneError};
+use crate::scene::{Occlusion, Scene, SceneError};
 
 /// A patch of a scene, to be cut across one of its axes; over intervals its gains are enclosures.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,18 +58,33 @@ const SAME_KINK: f64 = 1e-12;
 
 impl PatchSplit {
     /// Patch `patch` of `scene`, cut across `axis`, judged by what it exchanges with the
-    /// patches `against`.
+    /// patches `against`; a scene in which something may stand between these is refused.
     ///
     /// # Errors
-    /// [`DiscretizeError::Scene`] if a patch does not exist, has others lying in it, has no axes, or if what a pair
-    /// exchanges leaves `f64`'s range;
-    /// [`DiscretizeError::AgainstItself`]; [`DiscretizeError::NamedTwice`];
-    /// [`DiscretizeError::NothingToGain`].
+    /// Those of [`with_occlusion`](Self::with_occlusion).
     pub fn try_new(
         scene: &Scene,
         patch: usize,
         against: &[usize],
         axis: SplitAxis,
+    ) -> Result<Self, DiscretizeError> {
+        Self::with_occlusion(scene, patch, against, axis, Occlusion::Refuse)
+    }
+
+    /// As [`try_new`](Self::try_new), with a policy for what may stand between the patches.
+    ///
+    /// # Errors
+    /// [`DiscretizeError::Scene`] if a patch does not exist, has others lying in it, has no axes,
+    /// if what a pair exchanges leaves `f64`'s range, if patches of the scene overlap, or if
+    /// something may stand between the cut patch and one of the others;
+    /// [`DiscretizeError::AgainstItself`]; [`DiscretizeError::NamedTwice`];
+    /// [`DiscretizeError::NothingToGain`].
+    pub fn with_occlusion(
+        scene: &Scene,
+        patch: usize,
+        against: &[usize],
+        axis: SplitAxis,
+        occlusion: Occlusion,
     ) -> Result<Self, DiscretizeError> {
         let surface = scene.whole_patch(patch)?.shape();
         let lines = CutLines::try_new(surface, axis);
@@ -97,6 +112,7 @@ impl PatchSplit {
                 kinks.extend(lines.in_plane(shape.corners()[0], shape.normal()));
             }
         }
+        occlusion.check_pairs(scene, patch, against)?;
         if pairs.is_empty() {
             return Err(DiscretizeError::NothingToGain { patch });
         }

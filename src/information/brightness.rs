@@ -25,10 +25,11 @@ use std::f64::consts::LN_2;
 /// # Examples
 /// ```
 /// use infoscene::information::{Surroundings, brightness_information, scene_information};
-/// use infoscene::scene::{Congruence, Material, Scene, ScenePairs};
+/// use infoscene::scene::{Congruence, Material, Occlusion, Scene, ScenePairs};
 /// use infoscene::transport::Interreflection;
 /// // with E = k (1 − R) everywhere the radiosity chain is the visibility chain (§3.4)
-/// let pairs = ScenePairs::try_new(&Scene::built_in("cube:2")?, 1e-12, Congruence::Shared)?;
+/// let cube = Scene::built_in("cube:2")?;
+/// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
 /// let exchange = pairs.exchange_areas()?;
 /// let room = Interreflection::of(&exchange, &[Material::try_new(0.5, 0.0)?; 24])?;
 /// let radiosity = brightness_information(&exchange, &room.radiosity(&[0.5; 24])?)?;

@@ -20,7 +20,7 @@ use crate::chain::ChainError;
 use crate::form_factor::Logarithms;
 use crate::geometry::{GeometryError, Patch};
 use crate::numeric::{CompensatedSum, compensated_sum, tolerance, try_parallel_map};
-use crate::scene::{Scene, SceneError};
+use crate::scene::{Occlusion, Scene, SceneError};
 use std::f64::consts::LN_2;
 
 /// What a pair of faces contributes to the continuous mutual information, in both directions together.
@@ -59,7 +59,8 @@ pub struct ContinuousInformation {
 /// 1e8 times as high as wide, held by `boxes_agree_with_a_formula_of_their_own`; the error returned is an estimate.
 ///
 /// # Errors
-/// [`ChainError::Scene`] if the room is not convex inside or not closed, or a pair is refused.
+/// [`ChainError::Scene`] if the room is not convex inside or not closed, an obstruction stands in
+/// it (leave it out with [`Scene::with_obstructions`]), patches overlap, or a pair is refused.
 ///
 /// # Examples
 /// ```
@@ -71,6 +72,7 @@ pub struct ContinuousInformation {
 /// ```
 pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, ChainError> {
     let (faces, face_of) = scene.convex_room()?;
+    Occlusion::Refuse.check(scene)?;
     let first_patch = |face: usize| face_of.iter().position(|of| *of == face).unwrap_or(0);
     let faces = in_own_unit(faces.iter())
         .map_err(|(face, source)| scene.refused(first_patch(face), source))?;

@@ -66,8 +66,10 @@ impl LineSample {
     /// **Arguments** `lines`: how many that meet a front, at least 2; fewer count as 2. `seed`: the same one gives the same sample.
     ///
     /// # Errors
-    /// [`ChainError::Scene`] with [`SceneError::LinesEscape`] if more than a millionth of the lines leave a front and meet none, and
-    /// with [`SceneError::LinesMiss`] if fewer than one in ten thousand global lines meet the scene at all.
+    /// [`ChainError::Scene`] with [`SceneError::Overlap`] if patches lie on each other; with
+    /// [`SceneError::LinesEscape`] if more than a millionth of the lines leave a front and meet
+    /// none, and with [`SceneError::LinesMiss`] if fewer than one in ten thousand global lines meet
+    /// the scene at all.
     ///
     /// # Examples
     /// ```
@@ -78,6 +80,7 @@ impl LineSample {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn draw(scene: &Scene, kind: LineKind, lines: u32, seed: u64) -> Result<Self, ChainError> {
+        scene.check_overlap()?;
         let ready = SceneLines::of(scene);
         Self::of(
             kind,

@@ -15,7 +15,7 @@ use crate::chain::ChainError;
 use crate::form_factor::Logarithms;
 use crate::geometry::Patch;
 use crate::numeric::{compensated_sum, tolerance, try_parallel_map};
-use crate::scene::{NamedPatch, Scene, SceneError};
+use crate::scene::{NamedPatch, Occlusion, Scene, SceneError};
 use std::f64::consts::LN_2;
 
 /// What a pair of patches contributes, in both directions together; in bits.
@@ -48,7 +48,8 @@ impl PairLoss {
 /// **Returns** the pairs in order of their indices, the same for any number of threads.
 ///
 /// # Errors
-/// [`ChainError::Scene`] if the room is not convex inside, a patch lies in another or is summed with others, or a pair is refused.
+/// [`ChainError::Scene`] if the room is not convex inside, an obstruction stands in it, patches
+/// overlap, a patch lies in another or is summed with others, or a pair is refused.
 ///
 /// # Examples
 /// ```
@@ -60,6 +61,7 @@ impl PairLoss {
 /// ```
 pub fn pair_losses(scene: &Scene, done: impl Fn() + Sync) -> Result<Vec<PairLoss>, ChainError> {
     let (_, face_of) = scene.convex_room()?;
+    Occlusion::Refuse.check(scene)?;
     let n = scene.patches().len();
     for index in 0..n {
         scene.whole_patch(index)?;

@@ -98,8 +98,9 @@ const DIVERGENCE_ERROR: usize = 3;
 /// # Examples
 /// ```
 /// use infoscene::information::{Surroundings, scene_information};
-/// use infoscene::scene::{Congruence, Scene, ScenePairs};
-/// let pairs = ScenePairs::try_new(&Scene::built_in("cube:1")?, 1e-12, Congruence::Shared)?;
+/// use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs};
+/// let cube = Scene::built_in("cube:1")?;
+/// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
 /// let cube = scene_information(&pairs, Surroundings::None)?;
 /// // one patch per face, from a 50-digit evaluation
 /// assert!((cube.mutual_information - 0.263_034_544_099_120_5).abs() < 1e-15);

@@ -6,17 +6,12 @@ use crate::study::Row;
 /// The rows of a study, under `rows` in JSON.
 ///
 /// # Errors
-/// [`ReportError::NotFinite`] if an error is not a number.
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
 pub fn study_report(
     study: &'static str,
     error: &'static str,
     rows: &[Row],
 ) -> Result<Report, ReportError> {
-    if let Some(row) = rows.iter().find(|row| !row.relative_error.is_finite()) {
-        return Err(ReportError::NotFinite {
-            key: format!("{}, {}", row.case, row.method),
-        });
-    }
     let line = |row: &Row| {
         vec![
             row.case.clone(),
@@ -46,7 +41,9 @@ mod fuzzing {
     struct Record<'f> {
         cases: u64,
         seed: u64,
-        minimum_gain: f64,
+        /// The smallest gain; null where no case was run to its end.
+        minimum_gain: Option<f64>,
+        /// The smallest gain above 0; null where no case gains anything.
         minimum_positive_gain: Option<f64>,
         worst_margin: f64,
         recomputed: u64,
@@ -58,26 +55,26 @@ mod fuzzing {
     /// What a campaign found in `seconds`.
     ///
     /// # Errors
-    /// [`ReportError`] if a number is not finite.
+    /// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
     pub fn fuzz_report(
         campaign: Campaign,
         findings: &Findings,
         seconds: f64,
     ) -> Result<Report, ReportError> {
-        let finite = |value: f64| value.is_finite().then_some(value);
         #[allow(clippy::cast_precision_loss, reason = "fewer than 2^53 cases")]
         let cases = findings.cases as f64;
         let record = Record {
             cases: findings.cases,
             seed: campaign.seed,
-            minimum_gain: finite(findings.minimum_gain).unwrap_or(0.0),
-            minimum_positive_gain: finite(findings.minimum_positive_gain),
+            minimum_gain: findings.minimum_gain,
+            minimum_positive_gain: findings.minimum_positive_gain,
             worst_margin: findings.worst_margin,
             recomputed: findings.recomputed,
             counterexamples: &findings.counterexamples,
             cases_per_second: (cases / seconds).round(),
             histograms: &findings.histograms,
         };
+        let gain = |gain: Option<f64>| gain.map_or_else(|| "none".to_owned(), scientific);
         let mut rows = vec![
             vec!["cases".to_owned(), findings.cases.to_string()],
             vec![
@@ -88,15 +85,10 @@ mod fuzzing {
                 "counterexamples".to_owned(),
                 findings.counterexamples.len().to_string(),
             ],
-            vec![
-                "smallest gain, bits".to_owned(),
-                scientific(record.minimum_gain),
-            ],
+            vec!["smallest gain, bits".to_owned(), gain(record.minimum_gain)],
             vec![
                 "smallest gain above 0, bits".to_owned(),
-                record
-                    .minimum_positive_gain
-                    .map_or_else(|| "none".to_owned(), scientific),
+                gain(record.minimum_positive_gain),
             ],
             vec![
                 "largest error over promised error".to_owned(),

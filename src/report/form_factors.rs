@@ -1,9 +1,9 @@
 //! Form factors as records, written as they are made into text: there may be very many of them.
 
-use super::{Format, ReportError, Table, certain_digits, plan_notes, scientific};
+use super::{Format, ReportError, Table, certain_digits, finite, plan_notes, scientific};
 use crate::form_factor::Answer;
 use crate::scene::PlanSummary;
-use serde::ser::Error as _;
+use serde::ser::{Error as _, SerializeSeq};
 use serde::{Serialize, Serializer};
 use std::cell::RefCell;
 use std::io::Write;
@@ -59,21 +59,36 @@ struct Document<'p, R> {
     plan: &'p PlanSummary,
 }
 
-/// Records that are made one after the other.
-struct Records<I>(RefCell<Option<I>>);
+/// Records that are made and checked one after the other.
+struct Records<'e, I> {
+    records: RefCell<Option<I>>,
+    /// Why a record was refused.
+    refusal: &'e RefCell<Option<ReportError>>,
+}
 
-impl<I: Iterator<Item = FormFactorRecord>> Serialize for Records<I> {
+impl<I: Iterator<Item = Result<FormFactorRecord, ReportError>>> Serialize for Records<'_, I> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let records = self.0.borrow_mut().take();
+        let records = self.records.borrow_mut().take();
         let records = records.ok_or_else(|| S::Error::custom("records are made once"))?;
-        serializer.collect_seq(records)
+        let mut list = serializer.serialize_seq(None)?;
+        for record in records {
+            let record = record.map_err(|error| {
+                let message = S::Error::custom(&error);
+                *self.refusal.borrow_mut() = Some(error);
+                message
+            })?;
+            list.serialize_element(&record)?;
+        }
+        list.end()
     }
 }
 
 /// Writes form factors in any format.
 ///
 /// # Errors
-/// [`ReportError`] if a number is not finite or the text cannot be written.
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite: what was written
+/// before it is no answer. [`ReportError::Write`], [`ReportError::Csv`] or [`ReportError::Json`] if
+/// the text cannot be written.
 pub fn write_form_factors(
     patches: &[PatchRecord<'_>],
     records: impl Iterator<Item = FormFactorRecord>,
@@ -81,31 +96,43 @@ pub fn write_form_factors(
     format: Format,
     mut text: impl Write,
 ) -> Result<(), ReportError> {
+    for (index, patch) in patches.iter().enumerate() {
+        finite::check_entry("patches", index, patch)?;
+    }
+    let records = records.enumerate().map(|(index, record)| {
+        finite::check_entry("form_factors", index, &record)?;
+        Ok(record)
+    });
     match format {
         Format::Json => {
+            let refusal = RefCell::new(None);
             let document = Document {
                 patches,
-                form_factors: Records(RefCell::new(Some(records))),
+                form_factors: Records {
+                    records: RefCell::new(Some(records)),
+                    refusal: &refusal,
+                },
                 plan,
             };
-            serde_json::to_writer_pretty(&mut text, &document)?;
-            writeln!(text).map_err(csv::Error::from)?;
+            let written = serde_json::to_writer_pretty(&mut text, &document);
+            written.map_err(|error| refusal.take().unwrap_or(ReportError::Json(error)))?;
+            writeln!(text)?;
         }
         Format::Csv => {
             let mut writer = csv::Writer::from_writer(text);
             for record in records {
-                writer.serialize(record)?;
+                writer.serialize(record?)?;
             }
-            writer.flush().map_err(csv::Error::from)?;
+            writer.flush()?;
         }
         Format::Table | Format::Markdown | Format::Latex => {
-            let table = table(patches, records, plan);
+            let table = table(patches, records, plan)?;
             let lines = match format {
                 Format::Markdown => table.to_markdown(),
                 Format::Latex => table.to_latex(),
                 _ => table.to_terminal(),
             };
-            text.write_all(lines.as_bytes()).map_err(csv::Error::from)?;
+            text.write_all(lines.as_bytes())?;
         }
     }
     Ok(())
@@ -113,9 +140,9 @@ pub fn write_form_factors(
 
 fn table(
     patches: &[PatchRecord<'_>],
-    mut records: impl Iterator<Item = FormFactorRecord>,
+    mut records: impl Iterator<Item = Result<FormFactorRecord, ReportError>>,
     plan: &PlanSummary,
-) -> Table {
+) -> Result<Table, ReportError> {
     let line = |record: FormFactorRecord| {
         let name = |index: usize| format!("{index} ({})", patches[index].name);
         vec![
@@ -126,17 +153,19 @@ fn table(
             record.route.to_owned(),
         ]
     };
-    let rows: Vec<_> = records.by_ref().take(MOST_ROWS).map(line).collect();
-    let more = records.count();
+    let shown = records.by_ref().take(MOST_ROWS);
+    let rows = shown.map(|record| record.map(line));
+    let rows = rows.collect::<Result<Vec<_>, _>>()?;
+    let more = records.try_fold(0, |more: usize, record| record.map(|_| more + 1))?;
     let mut notes = plan_notes(plan);
     if more > 0 {
         let note = format!("{more}: --format csv or json lists all, --from and --to choose");
         notes.insert(0, ("pairs not shown".to_owned(), note));
     }
-    Table {
+    Ok(Table {
         columns: vec!["from", "to", "form factor", "±", "route"],
         rows,
         notes,
         ..Table::default()
-    }
+    })
 }

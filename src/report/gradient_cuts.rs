@@ -77,7 +77,7 @@ impl From<&CutComparison> for Record {
 /// The cuts of one patch: a line each, and their bounds if they were enclosed.
 ///
 /// # Errors
-/// [`ReportError`] if a number is not finite.
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
 pub fn cut_report(cuts: &CutComparison) -> Result<Report, ReportError> {
     let row = |name: &str, cut: &Cut, gain: f64, error: f64| {
         vec![
@@ -127,7 +127,7 @@ pub fn cut_report(cuts: &CutComparison) -> Result<Report, ReportError> {
 /// The cuts of many patches: a line each, records under `cuts` in JSON.
 ///
 /// # Errors
-/// [`ReportError`] if a number is not finite.
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
 pub fn cuts_report(all: &[CutComparison]) -> Result<Report, ReportError> {
     let row = |cuts: &CutComparison| {
         let positions = match &cuts.certified {

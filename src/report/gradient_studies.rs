@@ -37,7 +37,7 @@ const fn name(cut: GradientLimit) -> &'static str {
 /// The three cuts at growing exponents, `n (1 − l)`, and the limits.
 ///
 /// # Errors
-/// [`ReportError`] if a number is not finite.
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
 pub fn limits_report(rows: &[LimitRow]) -> Result<Report, ReportError> {
     let of = |cut| rows.iter().filter(move |row| row.cut == cut);
     let columns = GradientLimit::ALL.map(|cut| of(cut).collect::<Vec<_>>());
@@ -125,7 +125,7 @@ struct ProfileRecord<'r> {
 /// Both cuts of every profile, side by side.
 ///
 /// # Errors
-/// [`ReportError`] if a number is not finite.
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
 pub fn profiles_report(rows: &[ProfileRow]) -> Result<Report, ReportError> {
     let line = |row: &ProfileRow| {
         let twin = |text: String| {
@@ -235,7 +235,7 @@ struct DirectionRecord {
 /// The best gain at each angle, a column for each patch.
 ///
 /// # Errors
-/// [`ReportError`] if a number is not finite.
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
 pub fn directions_report(rows: &[DirectionRow]) -> Result<Report, ReportError> {
     let patches: Vec<&[DirectionRow]> = rows.chunk_by(|a, b| a.patch == b.patch).collect();
     let mut lines = Vec::new();

@@ -90,7 +90,7 @@ impl Enclosures {
 /// What a grid says.
 ///
 /// # Errors
-/// [`ReportError`] if a number is not finite.
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
 pub fn grid_report(answer: &GridAnswer<'_>) -> Result<Report, ReportError> {
     let GridAnswer {
         grid,

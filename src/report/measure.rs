@@ -171,7 +171,7 @@ fn continuous_rows(
 /// if it was asked for, whose faces have the names of patches, and what pairs of these lose against it.
 ///
 /// # Errors
-/// [`ReportError`] if a number is not finite.
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
 pub fn measure_report(
     names: &[&str],
     measured: &SceneInformation,

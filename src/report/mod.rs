@@ -2,11 +2,14 @@
 //!
 //! A [`Report`] carries both: a table with the digits that are certain, and records with every digit. It is
 //! rendered as terminal table, Markdown, LaTeX, CSV or JSON. A [`Figure`] is lines, drawn in SVG.
+//! A record with a number that is NaN or infinite is refused in every format, and the number is
+//! named ([`ReportError::NotFinite`]).
 //!
 //! **Not here**: computing; the numbers come finished.
 
 mod campaign;
 mod figure;
+mod finite;
 mod form_factors;
 mod gradient_cuts;
 mod gradient_studies;
@@ -37,7 +40,7 @@ pub use measure::{measure_report, plan_notes};
 pub use npy::{write_npy_head, write_npy_row};
 pub use number::{certain_digits, enclosed_digits, power_of_ten, scientific};
 pub use radiosity::radiosity_report;
-pub use records::{Format, Report, ReportError};
+pub use records::{Format, Report, ReportError, json_text};
 pub use refinements::{refinements_figure, refinements_report};
 pub use reproduction::{curve_figure, curve_report, reproduction_report};
 pub use sampled::sample_report;

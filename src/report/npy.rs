@@ -9,6 +9,7 @@
 //!
 //! Reference: NumPy Enhancement Proposal 1, *A simple file format for NumPy arrays*.
 
+use super::ReportError;
 use std::io::{self, Write};
 
 /// Writes the head of a file with a matrix of this many rows and columns.
@@ -21,9 +22,9 @@ use std::io::{self, Write};
 /// use infoscene::report::{write_npy_head, write_npy_row};
 /// let mut file = Vec::new();
 /// write_npy_head(&mut file, 1, 2)?;
-/// write_npy_row(&mut file, [0.5, 0.25])?;
+/// write_npy_row(&mut file, 0, [0.5, 0.25])?;
 /// assert_eq!(file.len(), 128 + 2 * 8);
-/// # Ok::<(), std::io::Error>(())
+/// # Ok::<(), infoscene::report::ReportError>(())
 /// ```
 pub fn write_npy_head(mut file: impl Write, rows: usize, columns: usize) -> io::Result<()> {
     const BEFORE: usize = 10;
@@ -37,11 +38,21 @@ pub fn write_npy_head(mut file: impl Write, rows: usize, columns: usize) -> io::
     file.write_all(format!("{header:<width$}\n", width = length - 1).as_bytes())
 }
 
-/// Writes a row.
+/// Writes the row with this index, which is for messages only.
 ///
 /// # Errors
-/// If it cannot be written.
-pub fn write_npy_row(mut file: impl Write, row: impl IntoIterator<Item = f64>) -> io::Result<()> {
-    row.into_iter()
-        .try_for_each(|entry| file.write_all(&entry.to_le_bytes()))
+/// [`ReportError::NotFinite`] with the entry's place, `matrix[2][5]`; [`ReportError::Write`].
+pub fn write_npy_row(
+    mut file: impl Write,
+    index: usize,
+    row: impl IntoIterator<Item = f64>,
+) -> Result<(), ReportError> {
+    for (column, entry) in row.into_iter().enumerate() {
+        if !entry.is_finite() {
+            let key = format!("matrix[{index}][{column}]");
+            return Err(ReportError::NotFinite { key });
+        }
+        file.write_all(&entry.to_le_bytes())?;
+    }
+    Ok(())
 }

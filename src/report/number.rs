@@ -31,7 +31,8 @@ pub fn certain_digits(value: f64, error: f64) -> String {
         reason = "decimal exponents of doubles fit"
     )]
     let exponent = |x: f64| x.log10().floor() as i32;
-    let by_digits = MOST_DIGITS - 1 - exponent(value.abs());
+    // what is not finite has no digits either, and is refused where its record is made
+    let by_digits = (MOST_DIGITS - 1).saturating_sub(exponent(value.abs()));
     let by_error = if error > 0.0 {
         -exponent(2.0 * error) - 1
     } else {

@@ -58,7 +58,7 @@ impl Power {
 /// What was found of a scene whose rows have these names.
 ///
 /// # Errors
-/// [`ReportError`] if a number is not finite.
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
 pub fn radiosity_report(
     names: &[&str],
     materials: &[Material],
@@ -79,21 +79,6 @@ pub fn radiosity_report(
             form_factor_error: form_factor_error(index),
         })
         .collect();
-    for patch in &patches {
-        let numbers = [
-            Some(patch.radiosity),
-            Some(patch.irradiance),
-            patch.importance,
-        ];
-        if !numbers.into_iter().flatten().all(f64::is_finite) {
-            let key = format!("patch {} ({})", patch.index, patch.name);
-            return Err(ReportError::NotFinite { key });
-        }
-    }
-    if !(radiosity.relative_error.is_finite() && radiosity.residual.is_finite()) {
-        let key = "the error of the solution".to_owned();
-        return Err(ReportError::NotFinite { key });
-    }
     let closure = Closure::of_held(exchange);
     let summary = Summary {
         residual: radiosity.residual,

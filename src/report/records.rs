@@ -1,6 +1,6 @@
 //! A finished answer in any format.
 
-use super::Table;
+use super::{Table, finite};
 use serde_json::{Map, Value};
 
 /// How an answer is written.
@@ -29,6 +29,9 @@ pub enum ReportError {
     /// A value cannot be written as JSON.
     #[error("a record cannot be written as JSON: {0}")]
     Json(#[from] serde_json::Error),
+    /// The text cannot be written where it goes.
+    #[error("the answer cannot be written: {0}")]
+    Write(#[from] std::io::Error),
     /// A figure cannot be drawn.
     #[error("the figure cannot be drawn: {reason}")]
     Figure {
@@ -36,9 +39,9 @@ pub enum ReportError {
         reason: String,
     },
     /// A number is NaN or infinite.
-    #[error("{key} is not finite: nothing is written")]
+    #[error("{key} is not finite")]
     NotFinite {
-        /// Name of the record's entry.
+        /// Full key of the record's entry, such as `rows[3].relative_error`.
         key: String,
     },
 }
@@ -57,11 +60,12 @@ impl Report {
     /// An answer that is one record.
     ///
     /// # Errors
-    /// [`ReportError::Json`] if it is not a struct or map; [`ReportError::NotFinite`].
+    /// [`ReportError::Json`] if it is not a struct or map; [`ReportError::NotFinite`] with the key
+    /// of a number that is NaN or infinite.
     pub fn one(table: Table, record: &impl serde::Serialize) -> Result<Self, ReportError> {
         Ok(Self {
             table,
-            records: vec![flat(record)?],
+            records: vec![flat(record, finite::check(record))?],
             list_key: None,
             title: None,
             summary: Map::new(),
@@ -77,7 +81,11 @@ impl Report {
         key: &'static str,
         records: &[R],
     ) -> Result<Self, ReportError> {
-        let records = records.iter().map(flat).collect::<Result<_, _>>()?;
+        let records = records
+            .iter()
+            .enumerate()
+            .map(|(index, record)| flat(record, finite::check_entry(key, index, record)));
+        let records = records.collect::<Result<_, _>>()?;
         Ok(Self {
             table,
             records,
@@ -99,7 +107,7 @@ impl Report {
     /// # Errors
     /// As [`one`](Self::one).
     pub fn summarised(mut self, summary: &impl serde::Serialize) -> Result<Self, ReportError> {
-        self.summary = flat(summary)?;
+        self.summary = flat(summary, finite::check(summary))?;
         Ok(self)
     }
 
@@ -125,7 +133,7 @@ impl Report {
                         Value::Object(head.chain(self.summary.clone()).collect())
                     }
                 };
-                serde_json::to_string_pretty(&value)? + "\n"
+                json_text(&value)?
             }
         })
     }
@@ -165,8 +173,22 @@ impl Report {
     }
 }
 
-/// A record as a map, without NaN: JSON would write it as null.
-fn flat(record: &impl serde::Serialize) -> Result<Map<String, Value>, ReportError> {
+/// Any value as JSON text that ends in a newline.
+///
+/// # Errors
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite;
+/// [`ReportError::Json`].
+pub fn json_text(value: &impl serde::Serialize) -> Result<String, ReportError> {
+    finite::check(value)?;
+    Ok(serde_json::to_string_pretty(value)? + "\n")
+}
+
+/// A record that was checked, as a map.
+fn flat(
+    record: &impl serde::Serialize,
+    checked: Result<(), ReportError>,
+) -> Result<Map<String, Value>, ReportError> {
+    checked?;
     match serde_json::to_value(record)? {
         Value::Object(map) => Ok(map),
         other => {

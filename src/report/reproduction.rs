@@ -62,17 +62,9 @@ impl<'j> From<&'j Judgement> for Record<'j> {
 /// confirmed nor supported, and a count.
 ///
 /// # Errors
-/// [`ReportError`] if a number is not finite.
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
 pub fn reproduction_report(judgements: &[Judgement]) -> Result<Report, ReportError> {
     let records: Vec<Record<'_>> = judgements.iter().map(Record::from).collect();
-    if let Some(record) = records
-        .iter()
-        .find(|r| r.computed.is_some_and(|x| !x.is_finite()))
-    {
-        return Err(ReportError::NotFinite {
-            key: record.id.to_owned(),
-        });
-    }
     let table = Table {
         columns: vec![
             "id",
@@ -170,17 +162,9 @@ struct Point {
 /// The points of a claim's curve.
 ///
 /// # Errors
-/// [`ReportError::NotFinite`] if a number is not finite.
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
 pub fn curve_report(curve: &[[f64; 2]]) -> Result<Report, ReportError> {
     let points: Vec<Point> = curve.iter().map(|[x, y]| Point { x: *x, y: *y }).collect();
-    if points
-        .iter()
-        .any(|point| !(point.x.is_finite() && point.y.is_finite()))
-    {
-        return Err(ReportError::NotFinite {
-            key: "a point".to_owned(),
-        });
-    }
     let row = |point: &Point| {
         vec![
             format!("{}", point.x),

@@ -117,7 +117,7 @@ pub(super) struct SampledRecord {
 /// estimate, where they are known, and the continuous mutual information, if it is asked for.
 ///
 /// # Errors
-/// [`ReportError`] if a number is not finite.
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
 pub fn sample_report(
     scene: &Scene,
     sample: &LineSample,

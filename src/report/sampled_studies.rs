@@ -7,7 +7,7 @@ use crate::study::sampling::{SamplingRow, slope};
 /// Errors by number of lines, a line for each way to an estimate; records have all.
 ///
 /// # Errors
-/// [`ReportError::NotFinite`] if a number is none.
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
 pub fn sampling_report(rows: &[SamplingRow]) -> Result<Report, ReportError> {
     let mut numbers: Vec<u32> = rows.iter().filter_map(|row| row.lines).collect();
     numbers.sort_unstable();
@@ -16,10 +16,6 @@ pub fn sampling_report(rows: &[SamplingRow]) -> Result<Report, ReportError> {
     for case in rows.chunk_by(|a, b| a.case == b.case) {
         let mut ways: Vec<(&str, Option<&str>)> = Vec::new();
         for row in case {
-            if !row.error.is_finite() {
-                let key = format!("{}, {}", row.case, row.method);
-                return Err(ReportError::NotFinite { key });
-            }
             if !ways.contains(&(row.method, row.kind)) {
                 ways.push((row.method, row.kind));
             }
@@ -79,7 +75,7 @@ pub fn sampling_report(rows: &[SamplingRow]) -> Result<Report, ReportError> {
 /// Printed, expected and sampled values of the grids of fig. 5.
 ///
 /// # Errors
-/// [`ReportError::NotFinite`] if a number is none.
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
 pub fn figure_5_report(rows: &[Figure5Row]) -> Result<Report, ReportError> {
     let line = |row: &Figure5Row| {
         let runs = f64::from(u32::try_from(row.runs).unwrap_or(u32::MAX)).sqrt();

@@ -4,7 +4,7 @@
 
 use super::planes::Sight;
 use super::row_pairs::nothing;
-use super::{Account, Congruence, Scene, SceneError, ScenePairs, Tally};
+use super::{Account, Congruence, Occlusion, Scene, SceneError, ScenePairs, Tally};
 use crate::form_factor::{Answer, DEFAULT_TOLERANCE, ExchangeArea, Route};
 use nalgebra::DMatrix;
 use rayon::prelude::*;
@@ -178,11 +178,15 @@ impl ScenePairs {
 }
 
 impl Scene {
-    /// The unoccluded exchange areas of all pairs, to [`DEFAULT_TOLERANCE`] where a route reaches it.
+    /// The exchange areas of all pairs, to [`DEFAULT_TOLERANCE`] where a route reaches it.
+    ///
+    /// As if nothing were in the way they come from [`ScenePairs`] with [`Occlusion::Ignore`].
     ///
     /// # Errors
-    /// [`SceneError::Pair`] if two patches are refused.
+    /// [`SceneError::Overlap`]; [`SceneError::MayBeBlocked`]; [`SceneError::Pair`] if two patches
+    /// are refused.
     pub fn exchange_areas(&self) -> Result<ExchangeAreas, SceneError> {
-        ScenePairs::try_new(self, DEFAULT_TOLERANCE, Congruence::Shared)?.exchange_areas()
+        let (tolerance, occlusion) = (DEFAULT_TOLERANCE, Occlusion::Refuse);
+        ScenePairs::try_new(self, tolerance, Congruence::Shared, occlusion)?.exchange_areas()
     }
 }

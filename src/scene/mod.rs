@@ -4,8 +4,9 @@
 //! A scene also says what only obstructs, which patches lie in another one, and which are summed into one row
 //! ([`Scene::base_of`], [`Scene::group_of`]).
 //!
-//! **Not covered**: occlusion. What may stand between two patches is found ([`Scene::blocker`]), and such a scene is refused
-//! unless unoccluded values are asked for.
+//! **Not covered**: computing with occlusion. What may stand between two patches is found
+//! ([`Scene::blocker`]), and such a scene is refused unless unoccluded values are asked for
+//! ([`Occlusion`]).
 
 mod arrangement;
 mod aspects;
@@ -22,6 +23,7 @@ mod lattice;
 mod lines;
 mod material;
 mod members;
+mod occlusion;
 mod overlap;
 mod pairs;
 mod parts;
@@ -43,6 +45,7 @@ pub use exchange_areas::ExchangeAreas;
 pub use gridded::GridLines;
 pub use lines::{Chord, Passage, SceneLines};
 pub use material::{Material, MaterialError};
+pub use occlusion::Occlusion;
 pub use pairs::{Account, ScenePairs};
 pub use plan::Congruence;
 pub use rows::Entry;

@@ -7,7 +7,7 @@
 //! **Memory** O(n) and the distinct values; the ways to all pairs are in [`row_sums`](ScenePairs::row_sums) (nothing held),
 //! [`for_each_row`](ScenePairs::for_each_row) (a row at a time) and [`ExchangeAreas`](super::ExchangeAreas) (all of them).
 //!
-//! **Not covered**: occlusion.
+//! **Not covered**: computing with occlusion; an occluded scene is refused ([`Occlusion`]).
 
 use super::aspects::Aspects;
 use super::congruence::allowance;
@@ -17,7 +17,7 @@ use super::planes::Sight;
 use super::progress::Progress;
 use super::shifts::Shifts;
 use super::tally::{PlanSummary, Tally, Unreached};
-use super::{NamedPatch, Scene, SceneError};
+use super::{NamedPatch, Occlusion, Scene, SceneError};
 use crate::form_factor::{Answer, Polygon, Route};
 use crate::numeric::{compensated_sum, try_parallel_map};
 
@@ -50,24 +50,37 @@ pub struct Account {
 }
 
 impl ScenePairs {
-    /// Makes the plan, and computes what congruent pairs share.
+    /// Checks the scene, makes the plan, and computes what congruent pairs share.
     ///
-    /// **Arguments** `tolerance`: the relative error asked for, > 0.
+    /// **Arguments** `tolerance`: the relative error asked for, > 0; `occlusion`: the policy for
+    /// scenes in which something may stand between two patches.
     ///
     /// # Errors
+    /// [`SceneError::Overlap`]; [`SceneError::MayBeBlocked`] unless occlusion is ignored;
     /// [`SceneError::Pair`] if two patches are refused.
     ///
     /// # Examples
     /// ```
     /// use infoscene::form_factor::DEFAULT_TOLERANCE;
-    /// use infoscene::scene::{Congruence, Scene, ScenePairs};
-    /// let cube = Scene::built_in("cube:4")?;
-    /// let pairs = ScenePairs::try_new(&cube, DEFAULT_TOLERANCE, Congruence::Shared)?;
+    /// use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs};
+    /// let (tolerance, cube) = (DEFAULT_TOLERANCE, Scene::built_in("cube:4")?);
+    /// let pairs = ScenePairs::try_new(&cube, tolerance, Congruence::Shared, Occlusion::Refuse)?;
     /// // one value per pair: reciprocity is exact
     /// assert_eq!(pairs.pair(0, 20)?, pairs.pair(20, 0)?);
     /// # Ok::<(), infoscene::scene::SceneError>(())
     /// ```
     pub fn try_new(
+        scene: &Scene,
+        tolerance: f64,
+        congruence: Congruence,
+        occlusion: Occlusion,
+    ) -> Result<Self, SceneError> {
+        occlusion.check(scene)?;
+        Self::unchecked(scene, tolerance, congruence)
+    }
+
+    /// The pairs of a scene that was checked before, or that nothing in it can overlap or hide.
+    pub(crate) fn unchecked(
         scene: &Scene,
         tolerance: f64,
         congruence: Congruence,

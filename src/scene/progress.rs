@@ -29,12 +29,13 @@ impl ScenePairs {
     ///
     /// # Examples
     /// ```
-    /// use infoscene::scene::{Congruence, Scene, ScenePairs};
+    /// use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs};
     /// use std::sync::Arc;
     /// use std::sync::atomic::{AtomicUsize, Ordering};
     /// let done = Arc::new(AtomicUsize::new(0));
     /// let so_far = Arc::clone(&done);
-    /// let pairs = ScenePairs::try_new(&Scene::built_in("cube:2")?, 1e-12, Congruence::Shared)?;
+    /// let cube = Scene::built_in("cube:2")?;
+    /// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
     /// let pairs = pairs.with_progress(move |more| {
     ///     so_far.fetch_add(more, Ordering::Relaxed);
     /// });

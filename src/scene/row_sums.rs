@@ -45,9 +45,9 @@ impl ScenePairs {
     ///
     /// # Examples
     /// ```
-    /// use infoscene::scene::{Congruence, Scene, ScenePairs};
+    /// use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs};
     /// let cube = Scene::built_in("cube:2")?;
-    /// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared)?;
+    /// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
     /// let (sums, _) = pairs.row_sums(|_, _, exchange| [exchange.value])?;
     /// // the form factors of a closed scene sum to one
     /// assert!((sums[0][0] / pairs.areas()[0] - 1.0).abs() < 1e-13);

@@ -74,10 +74,10 @@ pub struct Counterexample {
 pub struct Findings {
     /// Cases run.
     pub cases: u64,
-    /// The smallest gain, in bits.
-    pub minimum_gain: f64,
-    /// The smallest gain above 0, in bits.
-    pub minimum_positive_gain: f64,
+    /// The smallest gain, in bits; none without a case.
+    pub minimum_gain: Option<f64>,
+    /// The smallest gain above 0, in bits; none if no case gains anything.
+    pub minimum_positive_gain: Option<f64>,
     /// The largest error of a sampled gain, in units of what is promised: below 1 the promise holds.
     pub worst_margin: f64,
     /// Gains recomputed at 256 bits.
@@ -122,7 +122,7 @@ pub fn run(campaign: Campaign, progress: &(impl Fn(u64) + Sync)) -> Findings {
         .into_iter()
         .take(upto.saturating_add(1))
         .flatten()
-        .fold(Findings::empty(), Findings::and)
+        .fold(Findings::default(), Findings::and)
 }
 
 fn run_block(campaign: Campaign, block: u32, cases: u32) -> Findings {
@@ -136,14 +136,14 @@ fn run_block(campaign: Campaign, block: u32, cases: u32) -> Findings {
         ..Config::default()
     };
     let source = TestRng::from_seed(RngAlgorithm::ChaCha, &seed);
-    let findings = RefCell::new(Findings::empty());
+    let findings = RefCell::new(Findings::default());
     let has_failed = Cell::new(false);
     let outcome = TestRunner::new_with_rng(config, source).run(
         &strategies::recipe(campaign.states),
         |recipe| {
             let mut findings = findings.borrow_mut();
             // what follows a failure is shrinking: it does not count, and leaves nothing unchecked
-            let mut shrinking = Findings::empty();
+            let mut shrinking = Findings::default();
             let (own, sampling) = if has_failed.get() {
                 (&mut shrinking, 1)
             } else {
@@ -330,21 +330,11 @@ fn rows(chain: &ReversibleChain) -> Vec<Vec<f64>> {
 }
 
 impl Findings {
-    fn empty() -> Self {
-        let infinite = f64::INFINITY;
-        Self {
-            minimum_gain: infinite,
-            minimum_positive_gain: infinite,
-            ..Self::default()
-        }
-    }
-
     fn count(&mut self, recipe: &Recipe, refinement: &Refinement, gain: f64) {
         self.cases += 1;
-        self.minimum_gain = self.minimum_gain.min(gain);
-        if gain > 0.0 {
-            self.minimum_positive_gain = self.minimum_positive_gain.min(gain);
-        }
+        self.minimum_gain = least(self.minimum_gain, Some(gain));
+        let positive = Some(gain).filter(|gain| *gain > 0.0);
+        self.minimum_positive_gain = least(self.minimum_positive_gain, positive);
         let joint = refinement.refined().joint();
         let zeros = joint.iter().filter(|entry| **entry <= 0.0).count();
         let histograms = &mut self.histograms;
@@ -363,8 +353,9 @@ impl Findings {
 
     fn and(mut self, other: Self) -> Self {
         self.cases += other.cases;
-        self.minimum_gain = self.minimum_gain.min(other.minimum_gain);
-        self.minimum_positive_gain = self.minimum_positive_gain.min(other.minimum_positive_gain);
+        self.minimum_gain = least(self.minimum_gain, other.minimum_gain);
+        let positive = other.minimum_positive_gain;
+        self.minimum_positive_gain = least(self.minimum_positive_gain, positive);
         self.worst_margin = self.worst_margin.max(other.worst_margin);
         self.recomputed += other.recomputed;
         let (own, others) = (&mut self.histograms, other.histograms);
@@ -383,6 +374,11 @@ impl Findings {
         self.counterexamples.extend(other.counterexamples);
         self
     }
+}
+
+/// The smaller of two numbers, or the only one.
+fn least(one: Option<f64>, other: Option<f64>) -> Option<f64> {
+    one.into_iter().chain(other).reduce(f64::min)
 }
 
 fn increment(counts: &mut Vec<u64>, index: usize) {

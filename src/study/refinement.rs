@@ -24,7 +24,7 @@
 use super::StudyError;
 use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::information::{Surroundings, continuous_information, scene_information};
-use crate::scene::{Congruence, Scene, ScenePairs};
+use crate::scene::{Congruence, Occlusion, Scene, ScenePairs};
 use std::time::Instant;
 
 /// One refinement of one scene.
@@ -106,7 +106,12 @@ pub fn refinements(quick: bool) -> Result<Vec<RefinementRow>, StudyError> {
                 break;
             }
             let start = Instant::now();
-            let pairs = ScenePairs::try_new(&scene, DEFAULT_TOLERANCE, Congruence::Shared)?;
+            let pairs = ScenePairs::try_new(
+                &scene,
+                DEFAULT_TOLERANCE,
+                Congruence::Shared,
+                Occlusion::Refuse,
+            )?;
             let discrete = scene_information(&pairs, Surroundings::None)?;
             let seconds = start.elapsed().as_secs_f64();
             let information = discrete.mutual_information;

@@ -14,7 +14,7 @@ use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::information::{
     LineKind, LineSample, Surroundings, expected_bias_of_scene, scene_information,
 };
-use crate::scene::{Congruence, Scene, ScenePairs};
+use crate::scene::{Congruence, Occlusion, Scene, ScenePairs};
 use std::time::Instant;
 
 /// How an estimate is made of a sample.
@@ -89,7 +89,12 @@ pub fn sampling(quick: bool) -> Result<Vec<SamplingRow>, StudyError> {
     for (name, times) in scenes {
         let (scene, _) = Scene::built_in(name)?.subdivided(*times)?;
         let start = Instant::now();
-        let pairs = ScenePairs::try_new(&scene, DEFAULT_TOLERANCE, Congruence::Shared)?;
+        let pairs = ScenePairs::try_new(
+            &scene,
+            DEFAULT_TOLERANCE,
+            Congruence::Shared,
+            Occlusion::Refuse,
+        )?;
         let closed = scene_information(&pairs, Surroundings::None)?;
         let value = closed.mutual_information;
         let plain = SamplingRow {

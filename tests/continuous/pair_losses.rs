@@ -4,14 +4,14 @@ use crate::information;
 use crate::support::rooms::{L, mapped, prism};
 use infoscene::chain::ChainError;
 use infoscene::information::{PairLoss, Surroundings, pair_losses, scene_information};
-use infoscene::scene::{Congruence, Scene, SceneError, ScenePairs};
+use infoscene::scene::{Congruence, Occlusion, Scene, SceneError, ScenePairs};
 
 fn losses(scene: &Scene) -> Vec<PairLoss> {
     pair_losses(scene, || ()).unwrap()
 }
 
 fn discrete(scene: &Scene) -> f64 {
-    let pairs = ScenePairs::try_new(scene, 1e-12, Congruence::Shared).unwrap();
+    let pairs = ScenePairs::try_new(scene, 1e-12, Congruence::Shared, Occlusion::Refuse).unwrap();
     scene_information(&pairs, Surroundings::None)
         .unwrap()
         .mutual_information

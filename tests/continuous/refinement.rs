@@ -2,7 +2,7 @@
 
 use crate::support::rooms::tiled_box;
 use infoscene::information::{Surroundings, continuous_information, scene_information};
-use infoscene::scene::{Congruence, ScenePairs};
+use infoscene::scene::{Congruence, Occlusion, ScenePairs};
 use infoscene::study::refinement::{patch_sizes_per_edge, refinements};
 
 /// From below, each above the one before, by gaps that tend to halve as patches do: `I^c − I = c h + o(h)`, so that
@@ -31,7 +31,8 @@ fn rate_depends_on_the_edges_alone() {
         let continuous = continuous.mutual_information;
         let values = [2.0, 4.0, 8.0].map(|cells| {
             let room = tiled_box(size, cells);
-            let pairs = ScenePairs::try_new(&room, 1e-12, Congruence::Shared).unwrap();
+            let pairs =
+                ScenePairs::try_new(&room, 1e-12, Congruence::Shared, Occlusion::Refuse).unwrap();
             let discrete = scene_information(&pairs, Surroundings::None).unwrap();
             (continuous - discrete.mutual_information) * patch_sizes_per_edge(&room).unwrap()
         });

@@ -28,6 +28,7 @@ mod overlap;
 mod plan;
 mod polygon_cuts;
 mod profile_cuts;
+mod promises;
 mod reciprocity;
 mod refinement;
 mod refusals;

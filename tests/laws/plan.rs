@@ -2,13 +2,16 @@
 
 use glam::DVec3;
 use infoscene::geometry::Patch;
-use infoscene::scene::{Account, Congruence, NamedPatch, PlanSummary, Scene, ScenePairs};
+use infoscene::scene::{
+    Account, Congruence, NamedPatch, Occlusion, PlanSummary, Scene, ScenePairs,
+};
 
 /// Reached by every route.
 const TOLERANCE: f64 = 1e-6;
 
+/// A plan is of planes and shapes, whatever stands in the way.
 fn pairs(scene: &Scene, congruence: Congruence) -> ScenePairs {
-    ScenePairs::try_new(scene, TOLERANCE, congruence).unwrap()
+    ScenePairs::try_new(scene, TOLERANCE, congruence, Occlusion::Ignore).unwrap()
 }
 
 fn account(scene: &Scene, congruence: Congruence) -> Account {
@@ -77,7 +80,8 @@ fn the_plan_of_a_cube_is_known_by_counting() {
 fn rounded_lines_share_within_the_tolerance() {
     let scene = cube(3);
     let computed = |tolerance: f64| {
-        let pairs = ScenePairs::try_new(&scene, tolerance, Congruence::Shared).unwrap();
+        let pairs =
+            ScenePairs::try_new(&scene, tolerance, Congruence::Shared, Occlusion::Refuse).unwrap();
         pairs.exchange_areas().unwrap().account().plan.computed
     };
     assert_eq!(computed(1e-6), 6 + 3 * 6);
@@ -138,7 +142,7 @@ fn congruence_changes_no_value_beyond_its_bound() {
     ];
     for (index, scene) in scenes.iter().enumerate() {
         let exchange = |congruence| {
-            let pairs = ScenePairs::try_new(scene, 1e-9, congruence).unwrap();
+            let pairs = ScenePairs::try_new(scene, 1e-9, congruence, Occlusion::Refuse).unwrap();
             pairs.exchange_areas().unwrap()
         };
         let (shared, apart) = (exchange(Congruence::Shared), exchange(Congruence::Ignored));

@@ -8,11 +8,14 @@ use infoscene::information::{
     positional_entropy, scene_information,
 };
 use infoscene::numeric::{tolerance, x_log2_ratio};
-use infoscene::scene::{Congruence, NamedPatch, Scene, SceneError, ScenePairs};
+use infoscene::scene::{Congruence, NamedPatch, Occlusion, Scene, SceneError, ScenePairs};
+
+fn pairs(scene: &Scene, occlusion: Occlusion) -> ScenePairs {
+    ScenePairs::try_new(scene, DEFAULT_TOLERANCE, Congruence::Shared, occlusion).unwrap()
+}
 
 fn measured(scene: &Scene, surroundings: Surroundings) -> Result<SceneInformation, ChainError> {
-    let pairs = ScenePairs::try_new(scene, DEFAULT_TOLERANCE, Congruence::Shared).unwrap();
-    scene_information(&pairs, surroundings)
+    scene_information(&pairs(scene, Occlusion::Refuse), surroundings)
 }
 
 fn cube(cells: usize) -> Scene {
@@ -117,7 +120,9 @@ fn threads_do_not_change_a_bit() {
         let measure = |threads: usize| {
             let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
             pool.build().unwrap().install(|| {
-                let pairs = ScenePairs::try_new(&opened(6, 17), 1e-6, congruence).unwrap();
+                let pairs =
+                    ScenePairs::try_new(&opened(6, 17), 1e-6, congruence, Occlusion::Refuse)
+                        .unwrap();
                 let held = pairs.exchange_areas().unwrap();
                 (
                     scene_information(&pairs, Surroundings::Outside).unwrap(),
@@ -134,7 +139,8 @@ fn threads_do_not_change_a_bit() {
 /// Negative control: the sum depends on the order of its terms, so that equal bits are not a matter of course.
 #[test]
 fn the_order_of_terms_matters() {
-    let pairs = ScenePairs::try_new(&cube(6), 1e-6, Congruence::Ignored).unwrap();
+    let pairs =
+        ScenePairs::try_new(&cube(6), 1e-6, Congruence::Ignored, Occlusion::Refuse).unwrap();
     let held = pairs.exchange_areas().unwrap();
     let forth = |i: usize| (0..216).map(|j| held.get(i, j).exchange.value).sum::<f64>();
     let back = |i: usize| {
@@ -151,7 +157,8 @@ fn the_order_of_terms_matters() {
 fn a_row_above_one_is_refused() {
     let mut patches = cube(1).patches().to_vec();
     patches.extend(Scene::facing_squares(0.5).unwrap().patches()[1..].to_vec());
-    let refusal = measured(&Scene::try_new(patches).unwrap(), Surroundings::Outside).unwrap_err();
+    let pairs = pairs(&Scene::try_new(patches).unwrap(), Occlusion::Ignore);
+    let refusal = scene_information(&pairs, Surroundings::Outside).unwrap_err();
     assert!(
         matches!(
             refusal,

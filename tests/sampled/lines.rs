@@ -3,7 +3,9 @@
 use crate::support::rooms::{L, polygon, prism};
 use crate::{exact, pairs, scene, slabs};
 use infoscene::information::{LineKind, LineSample, PairCounts};
-use infoscene::scene::{Congruence, GridLines, NamedPatch, Scene, SceneLines, ScenePairs};
+use infoscene::scene::{
+    Congruence, GridLines, NamedPatch, Occlusion, Scene, SceneLines, ScenePairs,
+};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeMap;
@@ -35,7 +37,7 @@ fn cells(scene: &Scene, kind: LineKind, lines: u32) -> BTreeMap<[usize; 2], f64>
 /// where p = 0 nothing is met.
 fn assert_counts(scene: &Scene, counts: &BTreeMap<[usize; 2], f64>, kind: &str) {
     let total: f64 = counts.values().sum();
-    let exchange = ScenePairs::try_new(scene, 1e-9, Congruence::Shared).unwrap();
+    let exchange = ScenePairs::try_new(scene, 1e-9, Congruence::Shared, Occlusion::Refuse).unwrap();
     let area: f64 = exchange.areas().iter().sum();
     let (mut pearson, mut possible) = (0.0, 0.0);
     for i in 0..exchange.patches() {

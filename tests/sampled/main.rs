@@ -18,7 +18,7 @@ mod threads;
 mod support;
 
 use infoscene::information::{Surroundings, scene_information};
-use infoscene::scene::{Congruence, Scene, ScenePairs};
+use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs};
 
 /// A built-in scene, quartered so many times.
 fn scene(name: &str, times: u32) -> Scene {
@@ -26,7 +26,7 @@ fn scene(name: &str, times: u32) -> Scene {
 }
 
 fn pairs(scene: &Scene) -> ScenePairs {
-    ScenePairs::try_new(scene, 1e-12, Congruence::Shared).unwrap()
+    ScenePairs::try_new(scene, 1e-12, Congruence::Shared, Occlusion::Refuse).unwrap()
 }
 
 /// The mutual information by closed forms.

@@ -7,7 +7,8 @@ use infoscene::geometry::Patch;
 use infoscene::information::{Surroundings, mutual_information, scene_information};
 use infoscene::numeric::tolerance;
 use infoscene::scene::{
-    Closure, Congruence, ExchangeAreas, Material, NamedPatch, Scene, SceneError, ScenePairs,
+    Closure, Congruence, ExchangeAreas, Material, NamedPatch, Occlusion, Scene, SceneError,
+    ScenePairs,
 };
 use nalgebra::DMatrix;
 use std::sync::Arc;
@@ -22,7 +23,7 @@ fn opposite() -> f64 {
 }
 
 fn pairs(scene: &Scene) -> ScenePairs {
-    ScenePairs::try_new(scene, TOLERANCE, Congruence::Shared).unwrap()
+    ScenePairs::try_new(scene, TOLERANCE, Congruence::Shared, Occlusion::Refuse).unwrap()
 }
 
 pub fn held(scene: &Scene) -> ExchangeAreas {

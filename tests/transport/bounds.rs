@@ -1,7 +1,7 @@
 //! The bounds that travel with a solution are never below its errors.
 
 use super::{closed_scenes, uneven};
-use infoscene::scene::{Congruence, Material, Scene, ScenePairs};
+use infoscene::scene::{Congruence, Material, Occlusion, Scene, ScenePairs};
 use infoscene::transport::Interreflection;
 
 /// Form factors asked for 1e-3 … 1e-9 only: their errors move the radiosities by no more than the bound says, in closed
@@ -25,7 +25,9 @@ fn form_factor_errors_stay_within_their_bound() {
             .collect();
         let emittances: Vec<f64> = (0..n).map(|patch| uneven(patch, 8)).collect();
         let solved = |tolerance: f64| {
-            let pairs = ScenePairs::try_new(&scene, tolerance, Congruence::Ignored).unwrap();
+            let pairs =
+                ScenePairs::try_new(&scene, tolerance, Congruence::Ignored, Occlusion::Refuse)
+                    .unwrap();
             let exchange = pairs.exchange_areas().unwrap();
             let room = Interreflection::of(&exchange, &materials).unwrap();
             room.radiosity(&emittances).unwrap()
@@ -62,7 +64,8 @@ fn bounds_follow_the_form_factors() {
         .collect();
     let emittances: Vec<f64> = materials.iter().map(Material::emittance).collect();
     let largest = |tolerance: f64| {
-        let pairs = ScenePairs::try_new(&scene, tolerance, Congruence::Shared).unwrap();
+        let pairs =
+            ScenePairs::try_new(&scene, tolerance, Congruence::Shared, Occlusion::Refuse).unwrap();
         let exchange = pairs.exchange_areas().unwrap();
         let room = Interreflection::of(&exchange, &materials).unwrap();
         let errors = room
@@ -87,7 +90,7 @@ fn bounds_follow_the_form_factors() {
 #[test]
 fn the_bound_is_no_lower_than_what_one_error_does() {
     let scene = Scene::built_in("two-squares").unwrap();
-    let pairs = ScenePairs::try_new(&scene, 1e-12, Congruence::Shared).unwrap();
+    let pairs = ScenePairs::try_new(&scene, 1e-12, Congruence::Shared, Occlusion::Refuse).unwrap();
     let exchange = pairs.exchange_areas().unwrap();
     let half = Material::try_new(0.5, 0.0).unwrap();
     let room = Interreflection::of(&exchange, &[half; 2]).unwrap();
