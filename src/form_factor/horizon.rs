@@ -20,7 +20,7 @@
 
 use super::Polygon;
 use super::shape::Shape;
-use crate::geometry::Vector;
+use crate::geometry::{ClippedCorner, Vector, clip, clipped};
 use crate::numeric::{DoubleDouble, vectorised};
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -143,7 +143,7 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon, heights: &mut Heights)
         (false, true) => return (Side::Behind, off),
         (false, false) => {}
     }
-    let (corners, clipped_heights, moved) = clipped(shape, plane, heights);
+    let (corners, clipped_heights, moved) = outline_in_front(shape, plane, heights);
     // a coordinate of a new corner, no farther out than the old ones, is rounded once: half an ε of each of three
     off.place = 0.87 * f64::EPSILON * reach;
     off.ribbon = off.place * moved;
@@ -173,25 +173,22 @@ fn strips(shape: &Shape, heights: &[f64], near: [f64; 2]) -> [f64; 2] {
 /// Corners, their heights, and half the lengths of edges that meet in new ones.
 type Outline = (SmallVec<[DVec3; 8]>, SmallVec<[f64; 8]>, f64);
 
-/// Corners in front, and where edges cross the plane.
-fn clipped(shape: &Shape, plane: &Polygon, heights: &[f64]) -> Outline {
-    let n = shape.corners.len();
+/// The outline of what lies in front of the plane, with new corners where edges cross it.
+fn outline_in_front(shape: &Shape, plane: &Polygon, heights: &[f64]) -> Outline {
     let (mut corners, mut kept, mut moved) = Outline::default();
     let mut new: SmallVec<[usize; 8]> = SmallVec::new();
-    for i in 0..n {
-        let j = (i + 1) % n;
-        let (from, to) = (heights[i], heights[j]);
-        if from >= 0.0 {
+    clip(heights, |corner| match corner {
+        ClippedCorner::Kept(i) => {
             corners.push(shape.corners[i]);
-            kept.push(from);
+            kept.push(heights[i]);
         }
-        if (from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0) {
-            let ends = [i, j].map(|k| shape.corners[k]);
+        ClippedCorner::Crossing { edge, .. } => {
+            let ends = edge.map(|k| shape.corners[k]);
             new.push(corners.len());
             corners.push(crossing(ends, plane));
             kept.push(0.0);
         }
-    }
+    });
     let count = corners.len();
     for i in new {
         let [before, after] = [corners[(i + count - 1) % count], corners[(i + 1) % count]];
@@ -234,20 +231,9 @@ pub(super) fn precise_outline(polygon: &Polygon, plane: &Polygon) -> Vec<Vector<
         }
     };
     let heights: Vec<DoubleDouble> = corners.iter().map(height).collect();
-    let n = corners.len();
-    let mut outline = Vec::with_capacity(n + 2);
-    for i in 0..n {
-        let j = (i + 1) % n;
-        let (from, to) = (heights[i], heights[j]);
-        if from >= zero {
-            outline.push(lifted[i]);
-        }
-        if (from > zero && to < zero) || (from < zero && to > zero) {
-            let along = lifted[j].minus(lifted[i]);
-            outline.push(lifted[i].plus(along, from / (from - to)));
-        }
-    }
-    outline
+    clipped(&lifted, &heights, |from, to, share| {
+        from.plus(to.minus(from), share)
+    })
 }
 
 /// The heights of a shape's corners, which are some of `corners`.

@@ -25,7 +25,7 @@ use super::edge::Edge;
 use super::gauss_points::{Block, fill};
 use super::view::{View, widening};
 use super::{ExchangeArea, FormFactorError};
-use crate::geometry::{Patch, Vector};
+use crate::geometry::{ClippedCorner, Patch, Vector, clip};
 use crate::numeric::elementary::{angle, angle_over_sine};
 use crate::numeric::{LANES, Lanes, across, vectorised};
 use glam::DVec3;
@@ -301,18 +301,16 @@ pub fn point_form_factor(
         return Ok(0.0);
     }
     let heights: Vec<f64> = corners.iter().map(|c| (*c - point).dot(normal)).collect();
-    let n = corners.len();
-    let mut visible = Vec::with_capacity(n + 2);
-    for i in 0..n {
-        let (from, to) = (heights[i], heights[(i + 1) % n]);
-        if from >= 0.0 {
-            visible.push(corners[i] - point);
-        }
-        if (from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0) {
-            let along = corners[(i + 1) % n] - corners[i];
-            visible.push(corners[i] - point + along * (from / (from - to)));
-        }
-    }
+    let mut visible = Vec::with_capacity(corners.len() + 2);
+    clip(&heights, |corner| {
+        visible.push(match corner {
+            ClippedCorner::Kept(i) => corners[i] - point,
+            ClippedCorner::Crossing { edge, share } => {
+                let [from, to] = edge.map(|k| corners[k]);
+                from - point + (to - from) * share
+            }
+        });
+    });
     visible.dedup();
     if visible.len() < 3 {
         return Ok(0.0);

@@ -20,7 +20,7 @@ use super::Polygon;
 use super::edge::Edge;
 use super::gauss_points::Block;
 use super::point_to_polygon::integral;
-use crate::geometry::Vector;
+use crate::geometry::{Vector, clipped};
 use crate::numeric::{GaussLegendre, LANES};
 use glam::DVec3;
 
@@ -87,19 +87,10 @@ impl Polygon {
     /// The corners of what of `other` lies in front of this plane.
     fn in_front(&self, other: &Self) -> Vec<DVec3> {
         let corners = &other.shape.corners;
-        let n = corners.len();
         let heights: Vec<f64> = corners.iter().map(|corner| self.height(*corner)).collect();
-        let mut visible = Vec::with_capacity(n + 2);
-        for i in 0..n {
-            let (from, to) = (heights[i], heights[(i + 1) % n]);
-            if from >= 0.0 {
-                visible.push(corners[i]);
-            }
-            if (from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0) {
-                let along = corners[(i + 1) % n] - corners[i];
-                visible.push(corners[i] + along * (from / (from - to)));
-            }
-        }
+        let mut visible = clipped(corners, &heights, |from, to, share| {
+            from + (to - from) * share
+        });
         visible.dedup();
         if visible.len() > 1 && visible.first() == visible.last() {
             visible.pop();

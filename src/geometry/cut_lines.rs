@@ -9,6 +9,7 @@
 //!
 //! **Not covered**: curved cuts; lines at another angle; a polygon whose corner v0 is straight.
 
+use super::clip::clipped;
 use super::{GeometryError, Patch, SplitAxis, triangulated};
 use glam::DVec3;
 
@@ -133,8 +134,8 @@ impl CutLines {
         let mut nothing = None;
         for piece in &self.pieces {
             let outline = piece.iter().map(|i| (self.corners[*i], self.positions[*i]));
-            let above = clipped(&outline.collect::<Vec<_>>(), |t| t - from);
-            let between = clipped(&above, |t| to - t);
+            let above = part_where(|t| t - from, &outline.collect::<Vec<_>>());
+            let between = part_where(|t| to - t, &above);
             if between.len() < 3 {
                 continue;
             }
@@ -226,22 +227,11 @@ impl CutLines {
     }
 }
 
-/// What of a convex outline has a height ≥ 0; each corner comes with its position.
-fn clipped(outline: &[(DVec3, f64)], height: impl Fn(f64) -> f64) -> Vec<(DVec3, f64)> {
-    let mut kept = Vec::with_capacity(outline.len() + 2);
-    for (i, (corner, position)) in outline.iter().enumerate() {
-        let (next, next_position) = outline[(i + 1) % outline.len()];
-        let (here, there) = (height(*position), height(next_position));
-        if here >= 0.0 {
-            kept.push((*corner, *position));
-        }
-        if (here > 0.0 && there < 0.0) || (here < 0.0 && there > 0.0) {
-            let share = here / (here - there);
-            kept.push((
-                *corner + (next - *corner) * share,
-                position + (next_position - position) * share,
-            ));
-        }
-    }
-    kept
+/// The part of a convex outline where `height`, a function of the position, is ≥ 0; each corner comes with its
+/// position.
+fn part_where(height: impl Fn(f64) -> f64, outline: &[(DVec3, f64)]) -> Vec<(DVec3, f64)> {
+    let heights: Vec<f64> = outline.iter().map(|(_, t)| height(*t)).collect();
+    clipped(outline, &heights, |(corner, t), (next, next_t), share| {
+        (corner + (next - corner) * share, t + (next_t - t) * share)
+    })
 }

@@ -36,6 +36,7 @@
 //! obstacles", *IEEE Journal of Robotics and Automation* 1 (1985), 21–30, for the difference body.
 
 use super::Patch;
+use super::clip::clipped;
 use super::convex_pieces::convex_pieces;
 use glam::DVec3;
 
@@ -207,18 +208,7 @@ fn above(piece: &[DVec3], plane: &Plane, noise: f64) -> Option<Vec<DVec3>> {
     if !heights.iter().any(|height| *height < -noise) {
         return Some(piece.to_vec());
     }
-    let n = piece.len();
-    let mut part = Vec::with_capacity(n + 1);
-    for i in 0..n {
-        let (from, to) = (heights[i], heights[(i + 1) % n]);
-        if from >= 0.0 {
-            part.push(piece[i]);
-        }
-        if (from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0) {
-            part.push(piece[i].lerp(piece[(i + 1) % n], from / (from - to)));
-        }
-    }
-    Some(part)
+    Some(clipped(piece, &heights, DVec3::lerp))
 }
 
 fn edges(polygon: &[DVec3]) -> impl Iterator<Item = DVec3> + Clone {
