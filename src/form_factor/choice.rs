@@ -19,12 +19,15 @@ use super::precise_contour::precise_contour;
 use super::view::{View, seen};
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
 use crate::numeric::elementary::rough_ln;
-use crate::numeric::{LANES, SQUARED_EPSILON};
+use crate::numeric::{LANES, SQUARED_EPSILON, power_of_two_below};
 use smallvec::SmallVec;
 use std::cell::RefCell;
 
 /// Relative error that is asked for unless something else is.
 pub const DEFAULT_TOLERANCE: f64 = 1e-12;
+
+/// 2⁻¹⁰⁰⁰: sizes of pairs range from here to the inverse.
+const SMALLEST_UNIT: f64 = f64::from_bits((1023 - 1000) << 52);
 
 thread_local! {
     static WORK: RefCell<Work> = RefCell::default();
@@ -123,11 +126,11 @@ impl Polygon {
         if (1e-60..1e60).contains(&reach) {
             return answer(self, other);
         }
-        let power = reach.log2().floor();
-        if !power.is_finite() || power.abs() > 1000.0 {
+        let unit = power_of_two_below(reach);
+        if !(SMALLEST_UNIT..=1.0 / SMALLEST_UNIT).contains(&unit) {
             return Err(FormFactorError::OutOfRange { value: reach });
         }
-        let scale = |polygon: &Self| polygon.scaled((-power).exp2());
+        let scale = |polygon: &Self| polygon.scaled(1.0 / unit);
         // one so small beside the other that nothing is left of it
         let (Some(first), Some(second)) = (scale(self), scale(other)) else {
             return Err(FormFactorError::OutOfRange { value: 0.0 });
@@ -135,7 +138,7 @@ impl Polygon {
         let mut answer = answer(&first, &second)?;
         let exact = answer.exchange.value <= 0.0;
         for number in [&mut answer.exchange.value, &mut answer.exchange.error_bound] {
-            *number = *number * power.exp2() * power.exp2();
+            *number = *number * unit * unit;
         }
         let value = answer.exchange.value;
         if exact || (value.is_normal() && answer.exchange.error_bound.is_finite()) {

@@ -16,11 +16,6 @@
 //! Lines that miss each other by δ count as meeting if δ is lost in rounding: with true and computed r² apart by δ² at
 //! most, `∫ ½ ln(1 + δ²/t²) dt = π δ` bounds what each potential is off by.
 
-#![allow(
-    clippy::inline_always,
-    reason = "the machine code is made where it is called"
-)]
-
 use super::edge::{Edge, PairIntegral, Precision};
 use super::potential::log_distance;
 use crate::geometry::Vector;

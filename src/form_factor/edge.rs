@@ -1,10 +1,5 @@
 //! Edges, and how well what is computed of them is known.
 
-#![allow(
-    clippy::inline_always,
-    reason = "the machine code is made where it is called"
-)]
-
 use super::potential::{log_distance, potential};
 use crate::geometry::Vector;
 use crate::numeric::elementary::{ROUGH_LN_ERROR, rough_ln};

@@ -20,11 +20,6 @@
 //! ratio; an angle or a root passes on at most what its argument has, or half of it. A sum over corners takes 8: three levels within
 //! a corner, three across the eight, and the quotient by 2π.
 
-#![allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
-
 use super::FormFactorError;
 use crate::numeric::{Scalar, tolerance};
 use std::array::from_fn;

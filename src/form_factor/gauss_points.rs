@@ -110,10 +110,6 @@ impl Rules {
 ///
 /// **Arguments** `out`: as many [blocks](Rules::blocks) as they take.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub(super) fn fill(
     out: &mut [Block],
     rules: Rules,

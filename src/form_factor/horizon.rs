@@ -21,7 +21,7 @@
 use super::Polygon;
 use super::shape::Shape;
 use crate::geometry::{ClippedCorner, Vector, clip, clipped};
-use crate::numeric::{DoubleDouble, vectorised};
+use crate::numeric::{DoubleDouble, vector_value};
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -199,19 +199,13 @@ fn outline_in_front(shape: &Shape, plane: &Polygon, heights: &[f64]) -> Outline 
 
 /// Where an edge crosses a plane, to 106 bits before the last rounding.
 fn crossing(ends: [DVec3; 2], plane: &Polygon) -> DVec3 {
-    let mut crossing = DVec3::ZERO;
-    let out = &mut crossing;
-    vectorised(
-        #[inline(always)]
-        move || {
-            // one by one: a closure over both would not have the vector code's fused products
-            let (from, to) = (plane.precise_height(ends[0]), plane.precise_height(ends[1]));
-            let (start, end) = (Vector::lifted(ends[0], from), Vector::lifted(ends[1], from));
-            let along = end.minus(start);
-            *out = start.plus(along, from / (from - to)).to_doubles();
-        },
-    );
-    crossing
+    vector_value!(DVec3::ZERO, {
+        // one by one: a closure over both would not have the vector code's fused products
+        let (from, to) = (plane.precise_height(ends[0]), plane.precise_height(ends[1]));
+        let (start, end) = (Vector::lifted(ends[0], from), Vector::lifted(ends[1], from));
+        let along = end.minus(start);
+        start.plus(along, from / (from - to)).to_doubles()
+    })
 }
 
 /// The corners of a polygon in front of another one's plane, to 106 bits.

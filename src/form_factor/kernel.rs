@@ -11,7 +11,7 @@ use super::choice::Work;
 use super::gauss_points::{Block, fill};
 use super::horizon::Heights;
 use super::view::View;
-use crate::numeric::{LANES, Lanes, across, vectorised};
+use crate::numeric::{LANES, Lanes, across, vector_value};
 use std::f64::consts::PI;
 
 impl View<'_> {
@@ -29,17 +29,12 @@ impl View<'_> {
         first.resize(first_blocks, Block::default());
         second.resize(second_blocks, Block::default());
         let [first, second] = [first.as_mut_slice(), second.as_mut_slice()];
-        let (unit, mut sums) = (self.reach, [0.0; LANES]);
-        let out = &mut sums;
-        let shapes = self.shapes;
-        vectorised(
-            #[inline(always)]
-            move || {
-                fill(first, first_rules, shapes[0], first_heights, origin);
-                fill(second, second_rules, shapes[1], second_heights, origin);
-                *out = sum(first, second, unit);
-            },
-        );
+        let (unit, shapes) = (self.reach, self.shapes);
+        let sums = vector_value!([0.0; LANES], {
+            fill(first, first_rules, shapes[0], first_heights, origin);
+            fill(second, second_rules, shapes[1], second_heights, origin);
+            sum(first, second, unit)
+        });
         let value = across(sums) / (unit * unit * unit * unit * PI);
         let truncation: f64 = (0..2)
             .map(|k| self.truncation(k, points[k], self.largest))
@@ -78,10 +73,6 @@ const HEIGHT_ERROR: f64 = 48.0 * f64::EPSILON;
 /// Four points of the first rule share one division: `f1/q1 + f2/q2 = (f1 q2 + f2 q1)/(q1 q2)`, twice over, with q = r⁴ in
 /// units in which four of them stay in range.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn sum(first: &[Block], second: &[Block], unit: f64) -> Lanes {
     let inverse_square = 1.0 / (unit * unit);
     let mut total = [0.0; LANES];

@@ -8,11 +8,6 @@
 //! lines' points h² = miss² + sin²θ (t − t*)² vanishes, `t* ± i miss/sin θ`. On an ellipse inside all of them its terms are bounded
 //! by 60 times the largest distance, in units of it.
 
-#![allow(
-    clippy::inline_always,
-    reason = "the machine code is made where it is called"
-)]
-
 use super::edge::{Edge, half_axes};
 use crate::geometry::Vector;
 use crate::numeric::elementary::{ROUGH_EXP2_ERROR, ROUGH_LN_ERROR, rough_exp2, rough_ln};

@@ -65,10 +65,6 @@ pub fn exchange_area<S: Scalar>(
 
 /// [`exchange_area`], to be called where vector code is made.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub(super) fn form<S: Scalar>(
     first: &[Span<S>; 2],
     second: &[Span<S>; 2],
@@ -156,10 +152,6 @@ pub fn strip_exchange<S: Scalar>(
 }
 
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn positive_distance<S: Scalar>(distance: &S) -> Result<(), FormFactorError> {
     let value = distance.to_f64();
     if value.is_finite() && *distance > distance.zero() {
@@ -184,10 +176,6 @@ pub(super) fn second_difference<S: Scalar>(offsets: &Offsets<S>) -> [(&S, Sign);
 
 /// `G(u, v1) − G(u, v0)`, Δ apart, each term to its own relative precision.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn difference_in_v<S: Scalar>(u: &S, delta: &S, [v0, v1]: [&S; 2], z: &S) -> Exchange<S> {
     let (u2, z2) = (u.square(), z.square());
     let (v2_0, v2_1) = (v0.square(), v1.square());

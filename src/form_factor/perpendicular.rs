@@ -107,10 +107,6 @@ pub fn exchange_area<S: Scalar>(first: &Plate<S>, second: &Plate<S>) -> Exchange
 
 /// [`exchange_area`], to be called where vector code is made.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub(super) fn form<S: Scalar>(first: &Plate<S>, second: &Plate<S>) -> Exchange<S> {
     let widths = Offsets::between(&first.width, &second.width);
     form_at([&first.depth, &second.depth], &widths)
@@ -126,10 +122,6 @@ pub fn exchange_area_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -
 }
 
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn form_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -> Exchange<S> {
     let lengths = [
         depths[0].length(),
@@ -285,20 +277,12 @@ fn ends<S: Scalar>(span: &Span<S>) -> [(&S, Sign); 2] {
 /// What the rounding of `coefficient · ln r²` is relative to: near r² = 1 the logarithm is small
 /// but its error is not.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn log_size<S: Scalar>(term: &S, coefficient: &S) -> S {
     term.abs() + &coefficient.abs()
 }
 
 /// `G(x1, z, v) − G(x0, z, v)`, each term to its own relative precision; where x0, z and v are 0, r0² ln r0² is.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn difference_in_depth<S: Scalar>([x0, x1, delta]: [&S; 3], z: &S, v: &S) -> Exchange<S> {
     let quarter = v.constant(0.25);
     let (z2, v2) = (z.square(), v.square());
@@ -342,10 +326,6 @@ fn difference_in_depth<S: Scalar>([x0, x1, delta]: [&S; 3], z: &S, v: &S) -> Exc
 
 /// `G(x, z, y1 − η) − G(x, z, y0 − η)`, each term to its own relative precision; where s and one v are 0, its r² ln r² is.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn difference_in_width<S: Scalar>(x: &S, z: &S, delta: &S, [v0, v1]: [&S; 2]) -> Exchange<S> {
     let quarter = x.constant(0.25);
     let s2 = x.square() + &z.square();

@@ -27,7 +27,7 @@ use super::view::{View, widening};
 use super::{ExchangeArea, FormFactorError};
 use crate::geometry::{ClippedCorner, Patch, Vector, clip};
 use crate::numeric::elementary::{angle, angle_over_sine};
-use crate::numeric::{LANES, Lanes, across, vectorised};
+use crate::numeric::{LANES, Lanes, across, vector_value};
 use glam::DVec3;
 use smallvec::SmallVec;
 use std::f64::consts::{PI, TAU};
@@ -58,15 +58,10 @@ impl View<'_> {
         );
         let (sides, subtended) = (sides.as_slice(), self.subtended(k));
         let additions = blocks.len() as f64;
-        let mut sums = [[0.0; LANES]; 2];
-        let out = &mut sums;
-        vectorised(
-            #[inline(always)]
-            move || {
-                fill(blocks, rules, over, heights, origin);
-                *out = sum(blocks, Vector(normal.to_array()), sides, subtended);
-            },
-        );
+        let sums = vector_value!([[0.0; LANES]; 2], {
+            fill(blocks, rules, over, heights, origin);
+            sum(blocks, Vector(normal.to_array()), sides, subtended)
+        });
         let (value, size) = (-across(sums[0]) / TAU, across(sums[1]) / TAU);
         let truncation = self.truncation(k, points, self.largest);
         // the points themselves are off
@@ -179,11 +174,9 @@ pub(super) fn integral(blocks: &[Block], normal: DVec3, edges: &[Edge<f64>], ori
         .map(|edge| Side::new(edge, normal, origin))
         .collect();
     let (sides, normal) = (sides.as_slice(), Vector(normal.to_array()));
-    let mut sums = [[0.0; LANES]; 2];
-    let out = &mut sums;
-    vectorised(
-        #[inline(always)]
-        move || *out = sum(blocks, normal, sides, Subtended::Wide),
+    let sums = vector_value!(
+        [[0.0; LANES]; 2],
+        sum(blocks, normal, sides, Subtended::Wide)
     );
     -across(sums[0]) / TAU
 }
@@ -191,10 +184,6 @@ pub(super) fn integral(blocks: &[Block], normal: DVec3, edges: &[Edge<f64>], ori
 /// `−2π Σ_i w_i F_i`, and of narrow terms the sum of their magnitudes, lane by lane: vectors summed up here would be taken apart all
 /// along.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn sum(blocks: &[Block], normal: Vector<f64>, sides: &[Side], subtended: Subtended) -> [Lanes; 2] {
     let (mut total, mut size) = ([0.0; LANES], [0.0; LANES]);
     for block in blocks {
@@ -214,10 +203,6 @@ fn sum(blocks: &[Block], normal: Vector<f64>, sides: &[Side], subtended: Subtend
 
 /// `Σ_b (θ/sin θ) n·(a×c)/(|a| |c|)`, and the terms' magnitudes; each edge starts where the one before ends.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn narrow([x, y, z]: [Lanes; 3], sides: &[Side]) -> (Lanes, Lanes) {
     let (mut sums, mut sizes, mut before) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     if let Some(side) = sides.first() {
@@ -245,10 +230,6 @@ fn narrow([x, y, z]: [Lanes; 3], sides: &[Side]) -> (Lanes, Lanes) {
 
 /// `Σ_b θ n·(a×u)/h`.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn wide([x, y, z]: [Lanes; 3], normal: Vector<f64>, sides: &[Side]) -> Lanes {
     let mut sums = [0.0; LANES];
     for side in sides {

@@ -2,7 +2,7 @@
 
 use super::shape::Shape;
 use crate::geometry::{AlignedRectangle, Patch, Rectangle, Vector};
-use crate::numeric::{DoubleDouble, Scalar, vectorised};
+use crate::numeric::{DoubleDouble, Scalar, power_of_two_below, vector_value};
 use glam::DVec3;
 
 /// A planar simple polygon, with its normal to 106 bits and all that does not depend on another polygon.
@@ -36,7 +36,7 @@ impl Polygon {
         let size = corners
             .iter()
             .map(|c| (*c - corners[0]).abs().max_element());
-        let inverse_unit = (-size.fold(0.0, f64::max).log2().floor()).exp2();
+        let inverse_unit = 1.0 / power_of_two_below(size.fold(0.0, f64::max));
         let along = |i: usize| {
             points[i]
                 .minus(points[0])
@@ -87,10 +87,6 @@ impl Polygon {
 
     /// The height of a point above the plane, to 106 bits; to be called where vector code is made, which has fused products.
     #[inline(always)]
-    #[allow(
-        clippy::inline_always,
-        reason = "the machine code is made where it is called"
-    )]
     pub(super) fn precise_height(&self, point: DVec3) -> DoubleDouble {
         let zero = DoubleDouble::from(0.0);
         let origin = Vector::lifted(self.shape.corners[0], zero);
@@ -101,12 +97,6 @@ impl Polygon {
 
     /// The same, rounded.
     pub(super) fn height(&self, point: DVec3) -> f64 {
-        let mut height = 0.0;
-        let out = &mut height;
-        vectorised(
-            #[inline(always)]
-            move || *out = self.precise_height(point).to_f64(),
-        );
-        height
+        vector_value!(0.0, self.precise_height(point).to_f64())
     }
 }

@@ -18,15 +18,13 @@
 use super::edge::Edge;
 use crate::geometry::Vector;
 use crate::numeric::elementary::{angles, logarithms};
-use crate::numeric::{GaussLegendre, LANES, Lanes, MOST_POINTS, Scalar, across, vectorised};
+use crate::numeric::{
+    GaussLegendre, LANES, Lanes, MOST_POINTS, Scalar, across, vector_value, vectorised,
+};
 
 /// The potential of an edge at a point, from the vectors `a`, `c` to its ends, its direction and length, `ln|a|` and `ln|c|`,
 /// and h and θ.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub(super) fn potential<S: Scalar + Copy>(
     [a, c]: [Vector<S>; 2],
     direction: Vector<S>,
@@ -39,10 +37,6 @@ pub(super) fn potential<S: Scalar + Copy>(
 
 /// `ln(|a|/unit)` from `1/unit²`, kept finite where `a` is 0.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub(super) fn log_distance<S: Scalar + Copy>(a: Vector<S>, inverse_square: S) -> S {
     let square = scaled_square(a, inverse_square);
     let [log] = S::logarithms([&square]);
@@ -51,10 +45,6 @@ pub(super) fn log_distance<S: Scalar + Copy>(a: Vector<S>, inverse_square: S) ->
 
 /// `|a|²/unit²`, kept above 0.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn scaled_square<S: Scalar + Copy>(a: Vector<S>, inverse_square: S) -> S {
     a.dot(a) * inverse_square + inverse_square.constant(f64::MIN_POSITIVE)
 }
@@ -145,26 +135,22 @@ impl Nodes {
             self.points[k][rest.clone()].copy_from_slice(&[first; LANES]);
             self.weights[k][rest].copy_from_slice(&[0.0; LANES]);
         }
-        let mut total = [[0.0; LANES]; 3];
-        let (points, weights, out) = (&self.points, &self.weights, &mut total);
-        vectorised(
-            #[inline(always)]
-            move || {
-                let mut sums = [[0.0; LANES]; 3];
-                for pair in 0..blocks / 2 {
-                    let at = 2 * pair * LANES;
-                    let x = [lanes(points, at), lanes(points, at + LANES)];
-                    let w = [lanes(weights, at), lanes(weights, at + LANES)];
-                    add_blocks(&mut sums, x, w, edges, inverse_square);
-                }
-                if blocks % 2 == 1 {
-                    let at = (blocks - 1) * LANES;
-                    let (x, w) = ([lanes(points, at)], [lanes(weights, at)]);
-                    add_blocks(&mut sums, x, w, edges, inverse_square);
-                }
-                *out = sums;
-            },
-        );
+        let (points, weights) = (&self.points, &self.weights);
+        let total = vector_value!([[0.0; LANES]; 3], {
+            let mut sums = [[0.0; LANES]; 3];
+            for pair in 0..blocks / 2 {
+                let at = 2 * pair * LANES;
+                let x = [lanes(points, at), lanes(points, at + LANES)];
+                let w = [lanes(weights, at), lanes(weights, at + LANES)];
+                add_blocks(&mut sums, x, w, edges, inverse_square);
+            }
+            if blocks % 2 == 1 {
+                let at = (blocks - 1) * LANES;
+                let (x, w) = ([lanes(points, at)], [lanes(weights, at)]);
+                add_blocks(&mut sums, x, w, edges, inverse_square);
+            }
+            sums
+        });
         let [value, size, error] = total.map(across);
         sums.value += value;
         sums.size += size;
@@ -176,10 +162,6 @@ impl Nodes {
 }
 
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn lanes([x, y, z]: &[[f64; ROOM]; 3], at: usize) -> [Lanes; 3] {
     let mut lanes = [[0.0; LANES]; 3];
     lanes[0].copy_from_slice(&x[at..at + LANES]);
@@ -190,10 +172,9 @@ fn lanes([x, y, z]: &[[f64; ROOM]; 3], at: usize) -> [Lanes; 3] {
 
 /// Some blocks together, so that none waits for another.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
+#[expect(
     clippy::needless_range_loop,
-    reason = "vector code is made where it is called, of loops over lanes"
+    reason = "vector code is made of loops over lanes"
 )]
 fn add_blocks<const N: usize>(
     [values, sizes, errors]: &mut [Lanes; 3],

@@ -1,10 +1,5 @@
 //! The double contour integral in double-double arithmetic, for what cancels in `f64`.
 
-#![allow(
-    clippy::inline_always,
-    reason = "the machine code is made where it is called"
-)]
-
 use super::ExchangeArea;
 use super::coplanar_edges::{Relation, Rounding, coplanar, relation};
 use super::edge::{Edge, PairIntegral, Precision};

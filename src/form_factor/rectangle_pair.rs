@@ -5,11 +5,6 @@
 //!
 //! **Not covered**: rectangles turned against each other; occlusion.
 
-#![allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
-
 use super::parallel::{self, strip_exchange};
 use super::perpendicular::{self, Plate, strip_exchange_at_depth, strip_exchange_at_width};
 use super::rectangle_kernel::{self, Sides};

@@ -151,10 +151,6 @@ fn turns_once(corners: &[DVec3], normal: Vector<DoubleDouble>) -> bool {
 
 /// `J0, Js, Jt`: the corners' Jacobians are products of the sides that meet there.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "the machine code is made where it is called"
-)]
 fn jacobian([a, b, c, d]: [DVec3; 4], normal: Vector<DoubleDouble>) -> [f64; 3] {
     let (like, is_triangle) = (DoubleDouble::from(0.0), c == d);
     let (a, b) = (Vector::lifted(a, like), Vector::lifted(b, like));

@@ -2,7 +2,7 @@
 //!
 //! A [`Patch`] is a planar simple polygon; a [`Rectangle`] is recognised from one, cut into
 //! parts, and placed beside another by [`Placement`]; on one axis [`Span`]s lie to each other by
-//! [`Offsets`]. What lies between two patches is their [`Shaft`]; [`side_of_plane`] is exact. Lengths are in any one unit.
+//! [`Offsets`]. What lies between two patches is their [`Shaft`]. Lengths are in any one unit.
 //!
 //! **Not here**: anything radiometric.
 
@@ -17,7 +17,6 @@ mod placement;
 mod quarters;
 mod rectangle;
 mod shaft;
-mod side;
 mod span;
 mod triangulation;
 mod uniform_line;
@@ -33,7 +32,6 @@ pub use placement::{Extent, Placement};
 pub use quarters::quartered;
 pub use rectangle::{Rectangle, SplitAxis};
 pub use shaft::{Outline, Plane, Shaft};
-pub use side::{Side, side_of_plane};
 pub use span::Span;
 pub use triangulation::triangulated;
 pub(crate) use uniform_line::line_through_sphere;

@@ -27,10 +27,6 @@ impl<S: Scalar> Offsets<S> {
     /// Those of two spans on one axis.
     #[inline(always)]
     #[must_use]
-    #[allow(
-        clippy::inline_always,
-        reason = "vector code is made where it is called"
-    )]
     pub fn between(first: &Span<S>, second: &Span<S>) -> Self {
         let difference = |a: &S, b: &S| a.clone() - b;
         let row = |end| {
@@ -66,10 +62,6 @@ impl<S: Scalar> Offsets<S> {
     /// The same, or with first and second exchanged.
     #[inline(always)]
     #[must_use]
-    #[allow(
-        clippy::inline_always,
-        reason = "vector code is made where it is called"
-    )]
     pub fn swapped_unless(&self, stays: bool) -> Self {
         let [[a, b], [c, d]] = &self.differences;
         let [first, second] = &self.lengths;

@@ -8,7 +8,7 @@
 //! overflow nor underflow; [`Placement::unit`] undoes it exactly.
 
 use super::{AlignedRectangle, GeometryError, Rectangle, Span, SplitAxis};
-use crate::numeric::tolerance;
+use crate::numeric::{power_of_two_below, power_of_two_near, tolerance};
 
 /// The extent of a rectangle along one axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -112,7 +112,7 @@ impl Placement {
             .flat_map(|(lower, upper)| [lower.abs(), upper.abs()])
             .chain(lengths)
             .fold(0.0, f64::max);
-        let unit = extent.log2().round().exp2();
+        let unit = power_of_two_near(extent);
         let second = [0, 1, 2].map(|k| {
             let (lower, upper) = ranges[k];
             if k == flat {
@@ -141,10 +141,6 @@ impl Placement {
     /// # Errors
     /// [`GeometryError::EmptySpan`] if the sizes differ by more than `f64` can hold.
     #[inline(always)]
-    #[allow(
-        clippy::inline_always,
-        reason = "its parts go on to the next step in registers"
-    )]
     pub fn along_axes(
         first: &AlignedRectangle,
         second: &AlignedRectangle,
@@ -161,8 +157,8 @@ impl Placement {
         for (start, side) in places {
             extent = extent.max(start.abs()).max((start + side).abs());
         }
-        // the power of two at or below it, and its inverse: a product with that is as exact as a quotient
-        let unit = f64::from_bits(extent.to_bits() & 0x7ff0_0000_0000_0000);
+        // a unit and its inverse: a product with that is as exact as a quotient
+        let unit = power_of_two_below(extent);
         let inverse = 1.0 / unit;
         let extent_along = |k: usize| {
             let (start, side) = places[k];

@@ -27,10 +27,6 @@ impl Span {
     }
 }
 
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 impl<S: Scalar> Span<S> {
     /// The span between two points in increasing order.
     ///

@@ -16,11 +16,7 @@
 //! Reference: Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
 //! arithmetic", *ACM Trans. Math. Softw.* 44 (2017), 15.
 
-#![allow(
-    clippy::inline_always,
-    reason = "the machine code is made where it is called"
-)]
-
+use super::expansion::two_sum;
 use super::{Interval, Scalar};
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -41,9 +37,7 @@ impl DoubleDouble {
     #[must_use]
     #[inline(always)]
     pub fn sum(a: f64, b: f64) -> Self {
-        let high = a + b;
-        let other = high - a;
-        let low = (a - (high - other)) + (b - other);
+        let (high, low) = two_sum(a, b);
         Self { high, low }
     }
 

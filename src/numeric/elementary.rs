@@ -88,10 +88,6 @@ const ANGLE_OVER_SINE: [f64; 15] = [
 /// **Accuracy** within [`LN_ERROR`].
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn ln(x: f64) -> f64 {
     log_of(x, 0.0)
 }
@@ -105,10 +101,6 @@ pub const ROUGH_LN_ERROR: f64 = 1e-4;
 /// `±2 q^n/n T_n(t)`, q = 3 − √8; those from the fifth on are left out, 2 Σ q^n/n = 7.2e-5.
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn rough_ln(x: f64) -> f64 {
     let bits = x.to_bits();
     let k = f64::from_bits(0x4330_0000_0000_0000 | bits >> 52) - (4_503_599_627_370_496.0 + 1023.0);
@@ -124,10 +116,6 @@ pub fn rough_ln(x: f64) -> f64 {
 /// **Accuracy** within [`LN_ERROR`].
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn logarithms<const N: usize>(x: [f64; N]) -> [f64; N] {
     let mut splits = [Split::default(); N];
     for i in 0..N {
@@ -144,10 +132,6 @@ pub const ROUGH_EXP2_ERROR: f64 = 1.1e-4;
 /// A cubic through four Chebyshev nodes on `[−½, ½]`.
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn rough_exp2(x: f64) -> f64 {
     // rounds to an integer, which is in its low bits
     const ROUND: f64 = 6_755_399_441_055_744.0;
@@ -159,10 +143,6 @@ pub fn rough_exp2(x: f64) -> f64 {
 
 /// `ln x` plus something small.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn log_of(x: f64, small: f64) -> f64 {
     const TWO_TO_54: f64 = 18_014_398_509_481_984.0;
     let subnormal = x < f64::MIN_POSITIVE;
@@ -183,10 +163,6 @@ struct Split {
 }
 
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn split(x: f64) -> Split {
     // the bits of √½ taken off, so that the exponent turns over there and not at 1
     const SQRT_HALF: u64 = 0x3fe6_a09e_667f_3bcd;
@@ -201,10 +177,6 @@ fn split(x: f64) -> Split {
 
 /// The logarithms, each plus something small.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn logarithms_of<const N: usize>(splits: [Split; N], small: [f64; N]) -> [f64; N] {
     let (mut s, mut z, mut w) = ([0.0; N], [0.0; N], [0.0; N]);
     for i in 0..N {
@@ -238,10 +210,6 @@ fn logarithms_of<const N: usize>(splits: [Split; N], small: [f64; N]) -> [f64; N
 /// **Accuracy** within [`LN_ERROR`]: what `1 + x` loses is added to its logarithm.
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn ln_1p(x: f64) -> f64 {
     let sum = 1.0 + x;
     let lost = if x < 1.0 {
@@ -267,10 +235,6 @@ pub fn ln_1p(x: f64) -> f64 {
 /// **Accuracy** within [`LN_RATIO_ERROR`].
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn ln_ratio(difference: f64, from: f64, to: f64) -> f64 {
     const C: [f64; 10] = ATANH;
     const SIGNIFICAND: u64 = 0x000f_ffff_ffff_ffff;
@@ -299,10 +263,6 @@ pub fn ln_ratio(difference: f64, from: f64, to: f64) -> f64 {
 /// **Accuracy** within [`ANGLE_ERROR`]; 1e-12 where both are subnormal, which [`Scalar::atan2`](super::Scalar::atan2) scales first.
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn angle(y: f64, x: f64) -> f64 {
     let [angle] = angles([[y, x]]);
     angle
@@ -311,10 +271,6 @@ pub fn angle(y: f64, x: f64) -> f64 {
 /// The same of several points `[y, x]`, step by step for all of them, so that none waits for another.
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn angles<const N: usize>(points: [[f64; 2]; N]) -> [f64; N] {
     use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
     const TAN_PI_8: f64 = 0.414_213_562_373_095_03;
@@ -365,10 +321,6 @@ pub fn angles<const N: usize>(points: [[f64; 2]; N]) -> [f64; N] {
 /// **Accuracy** within [`ANGLE_OVER_SINE_ERROR`]; an argument off by δ changes it by 0.44 δ at most.
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn angle_over_sine(cosine: f64) -> f64 {
     const C: [f64; 15] = ANGLE_OVER_SINE;
     let z = 1.0 - cosine;

@@ -111,8 +111,9 @@ impl Mul for &Expansion {
     }
 }
 
-/// `a + b` rounded, and what the rounding lost, exactly.
-pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+/// The rounded sum `a + b`, and the rounding error, exactly (Knuth).
+#[inline(always)]
+pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let from_b = sum - a;
     (sum, (a - (sum - from_b)) + (b - from_b))

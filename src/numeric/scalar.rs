@@ -65,10 +65,6 @@ pub trait Scalar:
     /// Logarithms of numbers that are positive, finite and normal: as [`ln`](Self::ln), but faster together.
     #[inline(always)]
     #[must_use]
-    #[allow(
-        clippy::inline_always,
-        reason = "vector code is made where it is called"
-    )]
     fn logarithms<const N: usize>(numbers: [&Self; N]) -> [Self; N] {
         // a loop: what a closure does is not compiled for the processor at hand
         let mut logarithms = numbers.map(Clone::clone);
@@ -81,10 +77,6 @@ pub trait Scalar:
     /// faster together.
     #[inline(always)]
     #[must_use]
-    #[allow(
-        clippy::inline_always,
-        reason = "vector code is made where it is called"
-    )]
     fn angles<const N: usize>(points: [[&Self; 2]; N]) -> [Self; N] {
         let mut angles = points.map(|[y, _]| y.clone());
         for (angle, [_, x]) in angles.iter_mut().zip(points) {
@@ -104,10 +96,6 @@ pub trait Scalar:
 
     /// Does some work; if numbers of this type fit a processor's vectors, compiled for those that it has.
     #[inline(always)]
-    #[allow(
-        clippy::inline_always,
-        reason = "vector code is made where it is called"
-    )]
     fn vectorised<T>(work: impl FnOnce() -> T) -> T {
         work()
     }

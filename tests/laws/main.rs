@@ -33,7 +33,6 @@ mod refinement;
 mod refusals;
 mod sampling;
 mod shafts;
-mod sides;
 mod soundness;
 mod straight_cuts;
 mod streaming;

@@ -18,6 +18,7 @@ mod strips;
 
 use super::FormFactorError;
 use crate::geometry::Patch;
+use crate::numeric::power_of_two_near;
 use crate::numeric::wide::Wide;
 use glam::DVec3;
 use panels::Fineness;
@@ -185,7 +186,7 @@ fn scale(corners: Vec<DVec3>) -> f64 {
         .iter()
         .map(|c| (*c - origin).abs().max_element())
         .fold(0.0, f64::max);
-    size.log2().round().exp2()
+    power_of_two_near(size)
 }
 
 /// The value to a factor of three or so, from above.
