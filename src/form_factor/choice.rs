@@ -11,35 +11,23 @@
 //! Before any of them: polygons that face away or lie in one plane exchange nothing, and what lies behind the other's
 //! plane is clipped.
 
-use super::contour::{Scratch, contour};
-use super::gauss_points::{Block, MOST};
+use super::contour::contour;
+use super::gauss_points::MOST;
 use super::horizon::{Off, precise_outline};
-use super::point_to_polygon::{LambertRounding, Side};
+use super::point_to_polygon::LambertRounding;
 use super::precise_contour::precise_contour;
 use super::view::{View, seen};
+use super::workspace::Workspace;
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
 use crate::numeric::elementary::rough_ln;
 use crate::numeric::{LANES, SQUARED_EPSILON, power_of_two_below};
 use smallvec::SmallVec;
-use std::cell::RefCell;
 
 /// Relative error that is asked for unless something else is.
 pub const DEFAULT_TOLERANCE: f64 = 1e-12;
 
 /// 2⁻¹⁰⁰⁰: sizes of pairs range from here to the inverse.
 const SMALLEST_UNIT: f64 = f64::from_bits((1023 - 1000) << 52);
-
-thread_local! {
-    static WORK: RefCell<Work> = RefCell::default();
-}
-
-/// Room for the work on a pair, kept from one to the next.
-#[derive(Debug, Default)]
-pub(super) struct Work {
-    pub scratch: Scratch,
-    pub blocks: [Vec<Block>; 2],
-    pub sides: Vec<Side>,
-}
 
 impl Polygon {
     /// What the two exchange, by the cheapest route whose error bound is within `tolerance` of the value; if none is,
@@ -73,7 +61,7 @@ impl Polygon {
             return Ok(answer);
         }
         let answer = self.in_units(other, |first, second| {
-            WORK.with_borrow_mut(|work| seen([first, second], tolerance, |view| view.answer(work)))
+            Workspace::with(|work| seen([first, second], tolerance, |view| view.answer(work)))
         });
         match answer {
             Ok(found) if found.exchange.error_bound > tolerance * found.exchange.value => {
@@ -108,7 +96,7 @@ impl Polygon {
             return Ok(answer);
         }
         self.in_units(other, |first, second| {
-            WORK.with_borrow_mut(|work| {
+            Workspace::with(|work| {
                 let by_route = |view: &View| view.answer_by(route, work).ok_or(not_served);
                 seen([first, second], tolerance.max(0.0), by_route)
             })
@@ -150,7 +138,7 @@ impl Polygon {
 }
 
 impl View<'_> {
-    fn answer(&self, work: &mut Work) -> Result<Answer, FormFactorError> {
+    fn answer(&self, work: &mut Workspace) -> Result<Answer, FormFactorError> {
         let mut best: Option<Answer> = None;
         let mut left = Plans::new();
         self.plans(&mut left);
@@ -188,7 +176,7 @@ impl View<'_> {
     }
 
     /// By one route alone.
-    fn answer_by(&self, route: Route, work: &mut Work) -> Option<Answer> {
+    fn answer_by(&self, route: Route, work: &mut Workspace) -> Option<Answer> {
         let exchange = match route {
             Route::Contour => self.follow(Plan::Contour, work),
             Route::DoubleDouble => self.follow(Plan::Precise, work),
@@ -289,7 +277,7 @@ impl View<'_> {
         150.0 + corners * 240.0 / digits.max(1.5)
     }
 
-    fn follow(&self, plan: Plan, work: &mut Work) -> Option<ExchangeArea> {
+    fn follow(&self, plan: Plan, work: &mut Workspace) -> Option<ExchangeArea> {
         match plan {
             Plan::Contour => {
                 let range = [self.gap, self.reach];
@@ -301,9 +289,12 @@ impl View<'_> {
                 over,
                 points,
                 rounding,
-            } => Some(self.point_to_polygon(over, points, rounding, work)),
+            } => {
+                let (blocks, sides) = (&mut work.blocks[0], &mut work.sides);
+                Some(self.point_to_polygon(over, points, rounding, (blocks, sides)))
+            }
             Plan::Precise => self.precise_contour(),
-            Plan::Kernel { points } => Some(self.kernel(points, work)),
+            Plan::Kernel { points } => Some(self.kernel(points, &mut work.blocks)),
         }
     }
 

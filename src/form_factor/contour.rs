@@ -26,7 +26,7 @@ use super::ExchangeArea;
 use super::coplanar_edges::{Coplanar, Relation, Rounding, coplanar, relation};
 use super::edge::{Columns, Edge, Precision};
 use super::panels::{ellipse, gauss_error, panels, points_for};
-use super::potential::{Batch, Nodes, Seen, Sums};
+use super::potential::{Batch, EdgeWithError, Nodes, Sums};
 use super::shape::Shape;
 use super::view::widening;
 use crate::geometry::Vector;
@@ -113,7 +113,7 @@ pub(super) fn contour(
     let precision = Precision::new(gap, reach, 1.0, f64::EPSILON);
     let per_length = wanted * TAU / (outer.perimeter * inner.perimeter);
     let middle = Vector((outer.centre - origin).to_array());
-    let mut seen: SmallVec<[Seen; 8]> = SmallVec::with_capacity(b_edges.len());
+    let mut seen: SmallVec<[EdgeWithError; 8]> = SmallVec::with_capacity(b_edges.len());
     for b in &b_edges {
         let [start, end] = b.ends.map(|end| end.minus(middle).dot(b.direction).abs());
         let projected = start.max(end) + outer.radius;
@@ -270,7 +270,7 @@ impl EdgeSum {
         [length, cosine]: [f64; 2],
         sum: f64,
         nodes: &mut Nodes,
-        seen: &[Seen],
+        seen: &[EdgeWithError],
     ) {
         let rho = ellipse(sum);
         let points = points_for(self.log_per_length + LN_2, rho);
@@ -290,7 +290,7 @@ impl EdgeSum {
         [a, b]: [&Edge<f64>; 2],
         cosine: f64,
         nodes: &mut Nodes,
-        only: &[Seen],
+        only: &[EdgeWithError],
     ) -> Option<()> {
         let displaced = cosine * self.displaced(a);
         panels(a, b, self.per_length, f64::EPSILON, APART, |panel| {
@@ -308,7 +308,7 @@ impl EdgeSum {
         part: [f64; 2],
         points: usize,
         nodes: &mut Nodes,
-        seen: &[Seen],
+        seen: &[EdgeWithError],
     ) {
         let rule = GaussLegendre::with(points);
         if !nodes.has_room_for(rule) {

@@ -1,6 +1,5 @@
 //! Edges, and how well what is computed of them is known.
 
-use super::potential::{log_distance, potential};
 use crate::geometry::Vector;
 use crate::numeric::elementary::{ROUGH_LN_ERROR, rough_ln};
 use crate::numeric::{LANES, Lanes, Scalar, vectorised};
@@ -29,20 +28,6 @@ impl<S: Scalar + Copy> Edge<S> {
     #[inline(always)]
     pub(super) fn at(&self, t: S) -> Vector<S> {
         self.ends[0].plus(self.direction, t * self.length)
-    }
-
-    /// Its potential at a point.
-    #[inline(always)]
-    pub(super) fn potential(&self, point: Vector<S>, inverse_square: S) -> S {
-        let (a, c) = (self.ends[0].minus(point), self.ends[1].minus(point));
-        let logs = [
-            log_distance(a, inverse_square),
-            log_distance(c, inverse_square),
-        ];
-        let height = a.cross(self.direction).length();
-        let [angle] = S::angles([[&(height * self.length), &a.dot(c)]]);
-        let turn = [height, angle];
-        potential([a, c], self.direction, self.length, logs, turn)
     }
 
     /// A lower bound on the squared distance of a point.

@@ -20,7 +20,7 @@
 //! ratio; an angle or a root passes on at most what its argument has, or half of it. A sum over corners takes 8: three levels within
 //! a corner, three across the eight, and the quotient by 2π.
 
-use super::FormFactorError;
+use super::{ExchangeArea, FormFactorError};
 use crate::numeric::{Scalar, tolerance};
 use std::array::from_fn;
 
@@ -108,25 +108,6 @@ impl<S: Scalar> Exchange<S> {
             magnitude: self.magnitude / &two_pi,
         }
     }
-}
-
-/// An exchange area with a bound on its error.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ExchangeArea {
-    /// `A_1 F_12 = A_2 F_21`, in squared units of length, ≥ 0.
-    pub value: f64,
-    /// Bound on the absolute error, in the same unit: for corners as given ([`Polygon`](super::Polygon)), or for rectangles as
-    /// placed in the frame of the first ([`RectanglePair`](super::RectanglePair)). It rests on the error bounds of
-    /// [`elementary`](crate::numeric::elementary).
-    pub error_bound: f64,
-}
-
-impl ExchangeArea {
-    /// Of two that see nothing of each other.
-    pub(super) const NOTHING: Self = Self {
-        value: 0.0,
-        error_bound: 0.0,
-    };
 }
 
 impl Exchange<f64> {

@@ -7,7 +7,6 @@
 //! All terms are positive, and heights are interpolated between the corners', so nothing cancels.
 
 use super::ExchangeArea;
-use super::choice::Work;
 use super::gauss_points::{Block, fill};
 use super::horizon::Heights;
 use super::view::View;
@@ -17,7 +16,7 @@ use std::f64::consts::PI;
 impl View<'_> {
     /// Gauss rules with `points` each way over both shapes.
     #[allow(clippy::cast_precision_loss, reason = "some points")]
-    pub(super) fn kernel(&self, points: [usize; 2], work: &mut Work) -> ExchangeArea {
+    pub(super) fn kernel(&self, points: [usize; 2], blocks: &mut [Vec<Block>; 2]) -> ExchangeArea {
         let origin = self.shapes[0].centre;
         let [(first_rules, first_blocks), (second_rules, second_blocks)] =
             [0, 1].map(|k| self.rules(k, points[k]));
@@ -25,7 +24,7 @@ impl View<'_> {
         let [for_first, for_second] = &mut precise;
         let first_heights = self.precise_heights(0, for_first);
         let second_heights = self.precise_heights(1, for_second);
-        let [first, second] = &mut work.blocks;
+        let [first, second] = blocks;
         first.resize(first_blocks, Block::default());
         second.resize(second_blocks, Block::default());
         let [first, second] = [first.as_mut_slice(), second.as_mut_slice()];

@@ -20,7 +20,6 @@
 //!
 //! Reference: Lambert, *Photometria*, 1760; Baum, Rushmeier and Winget, SIGGRAPH 1989.
 
-use super::choice::Work;
 use super::edge::Edge;
 use super::gauss_points::{Block, fill};
 use super::view::{View, widening};
@@ -40,16 +39,14 @@ impl View<'_> {
         k: usize,
         points: usize,
         rounding: LambertRounding,
-        work: &mut Work,
+        (blocks, sides): (&mut Vec<Block>, &mut Vec<Side>),
     ) -> ExchangeArea {
         let (over, seen) = (self.shapes[k], self.shapes[1 - k]);
         let origin = over.centre;
         let (rules, count) = self.rules(k, points);
-        let blocks = &mut work.blocks[0];
         blocks.resize(count, Block::default());
         let blocks = blocks.as_mut_slice();
         let (heights, normal) = (self.heights[k], self.polygons[k].normal);
-        let sides = &mut work.sides;
         sides.clear();
         sides.extend(
             seen.edges

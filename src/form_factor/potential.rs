@@ -35,6 +35,22 @@ pub(super) fn potential<S: Scalar + Copy>(
     c.dot(direction) * logs[1] - a.dot(direction) * logs[0] + height * angle - length
 }
 
+impl<S: Scalar + Copy> Edge<S> {
+    /// The edge's potential at a point.
+    #[inline(always)]
+    pub(super) fn potential(&self, point: Vector<S>, inverse_square: S) -> S {
+        let (a, c) = (self.ends[0].minus(point), self.ends[1].minus(point));
+        let logs = [
+            log_distance(a, inverse_square),
+            log_distance(c, inverse_square),
+        ];
+        let height = a.cross(self.direction).length();
+        let [angle] = S::angles([[&(height * self.length), &a.dot(c)]]);
+        let turn = [height, angle];
+        potential([a, c], self.direction, self.length, logs, turn)
+    }
+}
+
 /// `ln(|a|/unit)` from `1/unit²`, kept finite where `a` is 0.
 #[inline(always)]
 pub(super) fn log_distance<S: Scalar + Copy>(a: Vector<S>, inverse_square: S) -> S {
@@ -85,7 +101,7 @@ pub(super) struct Sums {
 }
 
 /// An edge, and a bound on the error of its potential.
-pub(super) type Seen = (Edge<f64>, f64);
+pub(super) type EdgeWithError = (Edge<f64>, f64);
 
 impl Nodes {
     pub(super) const fn clear(&mut self) {
@@ -123,7 +139,7 @@ impl Nodes {
 
     /// Sums over all nodes and a chain of edges, each of which starts where the one before ends; afterwards there are no
     /// nodes.
-    pub(super) fn sum(&mut self, edges: &[Seen], inverse_square: f64, sums: &mut Sums) {
+    pub(super) fn sum(&mut self, edges: &[EdgeWithError], inverse_square: f64, sums: &mut Sums) {
         if self.len == 0 {
             return;
         }
@@ -180,7 +196,7 @@ fn add_blocks<const N: usize>(
     [values, sizes, errors]: &mut [Lanes; 3],
     x: [[Lanes; 3]; N],
     w: [[Lanes; 3]; N],
-    edges: &[Seen],
+    edges: &[EdgeWithError],
     inverse_square: f64,
 ) {
     let vector = |[x, y, z]: &[Lanes; 3], l: usize| Vector([x[l], y[l], z[l]]);

@@ -42,7 +42,6 @@ pub use dual::Dual;
 pub use entropy_kernel::{divergence_kernel, x_ln_x, x_log2_ratio, x_log2_x};
 pub use error::NumericError;
 pub use expansion::Expansion;
-pub(crate) use expansion::two_sum;
 pub use gauss_legendre::{GaussLegendre, MOST_POINTS};
 pub use interval::{Interval, Precise};
 pub use maximum::{Maximum, maximum, maximum_by_derivatives, maximum_of_many};
