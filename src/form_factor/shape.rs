@@ -6,7 +6,7 @@
 //! ```
 
 use super::edge::Edge;
-use crate::geometry::{Vector, triangulated};
+use crate::geometry::{Vector, is_convex, triangulated};
 use crate::numeric::{DoubleDouble, Scalar, vectorised};
 use glam::DVec3;
 use smallvec::SmallVec;
@@ -52,7 +52,7 @@ impl Shape {
         if n < 3 {
             return None;
         }
-        let cells: SmallVec<[Cell; 1]> = if is_convex(&corners, normal) {
+        let cells: SmallVec<[Cell; 1]> = if goes_round_convexly(&corners, normal.to_doubles()) {
             (1..n - 1)
                 .step_by(2)
                 .map(|i| [0, i, i + 1, (i + 2).min(n - 1)])
@@ -128,18 +128,14 @@ fn half_length(corners: &[DVec3], cells: &[Cell]) -> f64 {
     0.5 * cells.iter().map(longest).fold(0.0, f64::max).sqrt()
 }
 
-fn is_convex(corners: &[DVec3], normal: Vector<DoubleDouble>) -> bool {
-    let n = corners.len();
-    n == 3
-        || (0..n).all(|i| {
-            let [a, b, c] = [0, 1, 2].map(|k| corners[(i + k) % n]);
-            (b - a).cross(c - b).dot(normal.to_doubles()) >= 0.0
-        }) && turns_once(corners, normal)
+/// Is a polygon convex, and does it go round once only?
+fn goes_round_convexly(corners: &[DVec3], normal: DVec3) -> bool {
+    corners.len() == 3 || is_convex(corners, normal, 0.0) && turns_once(corners, normal)
 }
 
 /// Does a polygon that never turns right go round once only? (A star goes round more often.)
-fn turns_once(corners: &[DVec3], normal: Vector<DoubleDouble>) -> bool {
-    let (n, normal) = (corners.len(), normal.to_doubles());
+fn turns_once(corners: &[DVec3], normal: DVec3) -> bool {
+    let n = corners.len();
     n == 4
         || (1..n - 1).all(|i| {
             (corners[i] - corners[0])

@@ -10,6 +10,7 @@
 //! **Not covered**: curved cuts; lines at another angle; a polygon whose corner v0 is straight.
 
 use super::clip::clipped;
+use super::convexity::is_convex;
 use super::{GeometryError, Patch, SplitAxis, triangulated};
 use glam::DVec3;
 
@@ -78,12 +79,7 @@ impl CutLines {
             let same = known.find(|known| (position - **known).abs() <= SAME_LINE);
             positions.push(same.copied().unwrap_or(position));
         }
-        let turn = |i: usize| {
-            let [a, b, c] = [i, i + 1, i + 2].map(|k| corners[k % n]);
-            let (e, f) = (b - a, c - b);
-            e.cross(f).dot(normal) >= -PARALLEL * e.length() * f.length()
-        };
-        let pieces = if (0..n).all(turn) {
+        let pieces = if is_convex(&corners, normal, PARALLEL) {
             vec![(0..n).collect()]
         } else {
             let triangles = triangulated(&corners, normal);

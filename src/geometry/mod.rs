@@ -9,7 +9,9 @@
 mod aligned_rectangle;
 mod clip;
 mod convex_pieces;
+mod convexity;
 mod cut_lines;
+mod ears;
 mod error;
 mod offsets;
 mod patch;
@@ -24,7 +26,10 @@ mod vector;
 
 pub use aligned_rectangle::AlignedRectangle;
 pub(crate) use clip::{ClippedCorner, clip, clipped};
+pub use convexity::convex_hull;
+pub(crate) use convexity::is_convex;
 pub use cut_lines::CutLines;
+pub(crate) use ears::EarClipper;
 pub use error::GeometryError;
 pub use offsets::Offsets;
 pub use patch::Patch;
