@@ -59,26 +59,26 @@ pub fn exchange_area<S: Scalar>(
 ) -> Result<Exchange<S>, FormFactorError> {
     S::vectorised(
         #[inline(always)]
-        || form(first, second, distance),
+        || form(first.each_ref(), second.each_ref(), distance),
     )
 }
 
 /// [`exchange_area`], to be called where vector code is made.
 #[inline(always)]
 pub(super) fn form<S: Scalar>(
-    first: &[Span<S>; 2],
-    second: &[Span<S>; 2],
+    first: [&Span<S>; 2],
+    second: [&Span<S>; 2],
     distance: &S,
 ) -> Result<Exchange<S>, FormFactorError> {
     positive_distance(distance)?;
     // The four sides trade places by symmetry (x ↔ y; first ↔ second mirrors u and v):
     // the shortest becomes `y` of the first.
-    let sides = [&first[0], &first[1], &second[0], &second[1]].map(Span::length);
+    let sides = [first[0], first[1], second[0], second[1]].map(Span::length);
     let shortest = (0..4).fold(1, |best, k| if sides[k] < sides[best] { k } else { best });
     let (is_first, is_y) = (shortest < 2, shortest % 2 == 1);
     let along = |k: usize| {
-        let one = Span::either(is_first, &first[k], &second[k]);
-        [one, Span::either(is_first, &second[k], &first[k])]
+        let one = Span::either(is_first, first[k], second[k]);
+        [one, Span::either(is_first, second[k], first[k])]
     };
     let ([a, b], [c, d]) = (along(0), along(1));
     let (x, xi) = (Span::either(is_y, &a, &c), Span::either(is_y, &b, &d));

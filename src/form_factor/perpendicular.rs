@@ -105,24 +105,18 @@ pub fn exchange_area<S: Scalar>(first: &Plate<S>, second: &Plate<S>) -> Exchange
     exchange_area_at([&first.depth, &second.depth], &widths)
 }
 
-/// [`exchange_area`], to be called where vector code is made.
-#[inline(always)]
-pub(super) fn form<S: Scalar>(first: &Plate<S>, second: &Plate<S>) -> Exchange<S> {
-    let widths = Offsets::between(&first.width, &second.width);
-    form_at([&first.depth, &second.depth], &widths)
-}
-
 /// [`exchange_area`] of plates at these depths, whose widths lie to each other by `widths`.
 #[must_use]
 pub fn exchange_area_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -> Exchange<S> {
     S::vectorised(
         #[inline(always)]
-        || form_at(depths, widths),
+        || form(depths, widths),
     )
 }
 
+/// [`exchange_area_at`], to be called where vector code is made.
 #[inline(always)]
-fn form_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -> Exchange<S> {
+pub(super) fn form<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -> Exchange<S> {
     let lengths = [
         depths[0].length(),
         depths[1].length(),
