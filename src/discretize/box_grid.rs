@@ -30,7 +30,7 @@ use super::DiscretizeError;
 use super::cell_classes::Classes;
 use super::grid_axis::{Axis, Spacing};
 use crate::information::{divergence_error, pair_divergence};
-use crate::numeric::{CompensatedSum, Scalar, tolerance};
+use crate::numeric::{CompensatedSum, Scalar, power_of_two_below, tolerance};
 use rayon::prelude::*;
 use std::f64::consts::LN_2;
 
@@ -95,8 +95,7 @@ fn scaled(edges: [f64; 3]) -> Result<[f64; 3], DiscretizeError> {
         let condition = "at least a millionth of the longest";
         return Err(refused("the shortest edge of the box", shortest, condition));
     }
-    // the exponent alone
-    let unit = f64::from_bits(longest.to_bits() & 0x7ff0_0000_0000_0000);
+    let unit = power_of_two_below(longest);
     Ok(edges.map(|edge| edge / unit))
 }
 

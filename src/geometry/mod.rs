@@ -24,7 +24,7 @@ mod triangulation;
 mod uniform_line;
 mod vector;
 
-pub use aligned_rectangle::AlignedRectangle;
+pub use aligned_rectangle::{AlignedRectangle, FlatBox};
 pub(crate) use clip::{ClippedCorner, clip, clipped};
 pub use convexity::convex_hull;
 pub(crate) use convexity::is_convex;
