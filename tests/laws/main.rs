@@ -17,6 +17,7 @@ mod divergence;
 mod dual_numbers;
 mod elementary;
 mod error_bounds;
+mod flat_boxes;
 mod gradient_limits;
 mod independent_roads;
 mod interval_ends;
@@ -38,4 +39,5 @@ mod straight_cuts;
 mod streaming;
 #[path = "../support/mod.rs"]
 mod support;
+mod units;
 mod wide_numbers;
