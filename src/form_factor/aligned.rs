@@ -1,14 +1,16 @@
-//! Ladders for rectangles with edges along common axes: the cheapest rung whose bound is good enough.
+//! Ladders for rectangles with edges along common axes: the cheapest rung whose bound is good
+//! enough.
 //!
 //! ```text
 //!   polygons of a scene    rules if far → closed form → (other routes) → closed form in intervals
 //!   cells of a grid        rules if far → closed form → closed form in double-double
 //! ```
 //!
-//! Closed forms lose the fourth power of the distance in sizes, so that far rectangles take rules. Polygons count as far by
-//! their centres, before they are placed beside each other; cells by the gap between them, whose places are known. Extreme
-//! rectangles, thousands of millions of times longer than wide or apart, cancel by more than 106 bits hold: an enclosure
-//! of the closed form answers, in half a millisecond. For cells of a grid double-double is the last rung.
+//! Closed forms lose the fourth power of the distance in sizes, so that far rectangles take rules.
+//! Polygons count as far by their centres, before they are placed beside each other; cells by the
+//! gap between them, whose places are known. Extreme rectangles, thousands of millions of times
+//! longer than wide or apart, cancel by more than 106 bits hold: an enclosure of the closed form
+//! answers, in half a millisecond. For cells of a grid double-double is the last rung.
 
 use super::rectangle_kernel::exchange_by_rules;
 use super::shape::Shape;
@@ -24,8 +26,9 @@ use std::f64::consts::PI;
 const ENCLOSED: u32 = 256;
 
 impl Polygon {
-    /// Aligned rectangles, with what the rounding of their places adds to the bound: closed forms, or rules along the sides
-    /// where they meet the tolerance; `None` for other polygons, and where nothing is exchanged.
+    /// Aligned rectangles, with what the rounding of their places adds to the bound: closed forms,
+    /// or rules along the sides where they meet the tolerance; `None` for other polygons, and where
+    /// nothing is exchanged.
     pub(super) fn rectangles(&self, other: &Self, tolerance: f64) -> Option<Answer> {
         let (first, second) = (self.rectangle.as_ref()?, other.rectangle.as_ref()?);
         let by_rules = if self.is_far_from(other) {
@@ -36,7 +39,8 @@ impl Polygon {
         if by_rules.is_some() {
             return by_rules;
         }
-        // from the places to the bound in vector code: numbers pass from one step to the next in registers
+        // from the places to the bound in vector code: numbers pass from one step to the next in
+        // registers
         let exchange = vectorised(
             #[inline(always)]
             || {
@@ -70,7 +74,8 @@ impl Polygon {
         Some(Answer { exchange, route })
     }
 
-    /// The closed form of aligned rectangles in intervals: for extreme ones, whose terms cancel by more than 106 bits hold.
+    /// The closed form of aligned rectangles in intervals: for extreme ones, whose terms cancel by
+    /// more than 106 bits hold.
     pub(super) fn enclosed_rectangles(&self, other: &Self) -> Option<Answer> {
         let (first, second) = (self.rectangle.as_ref()?, other.rectangle.as_ref()?);
         let pair = RectanglePair::along_axes(first, second).ok()?;
@@ -85,8 +90,8 @@ impl Polygon {
         })
     }
 
-    /// What it may change that the second one's coordinates in the frame of the first are rounded once, unless they are exact
-    /// there.
+    /// What it may change that the second one's coordinates in the frame of the first are rounded
+    /// once, unless they are exact there.
     fn misplacement(&self, other: &Self) -> f64 {
         let (Some(first), Some(second)) = (&self.rectangle, &other.rectangle) else {
             return 0.0;
@@ -103,7 +108,8 @@ impl Polygon {
         f64::EPSILON * (distance + radii) * ribbons
     }
 
-    /// So many sizes apart that closed forms of rectangles lose more than rules do: the fourth power of that.
+    /// So many sizes apart that closed forms of rectangles lose more than rules do: the fourth
+    /// power of that.
     fn is_far_from(&self, other: &Self) -> bool {
         let (first, second) = (&self.shape, &other.shape);
         let size = first.longest_edge.max(second.longest_edge);
@@ -120,7 +126,8 @@ const fn route_of(first: &AlignedRectangle, second: &AlignedRectangle) -> Route 
     }
 }
 
-/// The factor of ε² in the bound of a closed form in double-double: each term takes some twenty operations within 64 ε².
+/// The factor of ε² in the bound of a closed form in double-double: each term takes some twenty
+/// operations within 64 ε².
 const DOUBLE_DOUBLE_TERMS: f64 = 64.0 * tolerance::RECTANGLE_TERMS;
 
 impl Layout<'_, f64> {
@@ -148,7 +155,8 @@ impl Layout<'_, f64> {
         })
     }
 
-    /// Are the rectangles farther apart than long? Nearer ones would take rules with too many points.
+    /// Are the rectangles farther apart than long? Nearer ones would take rules with too many
+    /// points.
     fn is_far(&self) -> bool {
         let gap = |[a, b]: &[&Span; 2]| {
             let gap = (b.lower() - a.upper()).max(a.lower() - b.upper()).max(0.0);
@@ -169,12 +177,13 @@ impl Layout<'_, f64> {
         square > longest * longest
     }
 
-    /// The exchange area by the first rung whose bound is within `allowed` of it and of `product`, a value to compare it
-    /// with; else by the one with the least bound. The rungs are rules along the sides of far rectangles, the closed
-    /// form, and the same in double-double.
+    /// The exchange area by the first rung whose bound is within `allowed` of it and of `product`,
+    /// a value to compare it with; else by the one with the least bound. The rungs are rules along
+    /// the sides of far rectangles, the closed form, and the same in double-double.
     ///
     /// # Errors
-    /// As for [`closed_form`](Self::closed_form); [`FormFactorError::OutOfRange`] if the value leaves the range of `f64`.
+    /// As for [`closed_form`](Self::closed_form); [`FormFactorError::OutOfRange`] if the value
+    /// leaves the range of `f64`.
     pub(crate) fn exchange_area(
         &self,
         product: f64,

@@ -1,4 +1,5 @@
-//! The chooser: the cheapest route whose bound meets the tolerance, and the next one where it does not.
+//! The chooser: the cheapest route whose bound meets the tolerance, and the next one where it does
+//! not.
 //!
 //! ```text
 //!   aligned rectangles    closed form
@@ -8,8 +9,8 @@
 //!   what cancels there    closed form of aligned rectangles, in intervals of 256 bits
 //! ```
 //!
-//! Before any of them: polygons that face away or lie in one plane exchange nothing, and what lies behind the other's
-//! plane is clipped.
+//! Before any of them: polygons that face away or lie in one plane exchange nothing, and what lies
+//! behind the other's plane is clipped.
 
 use super::contour::contour;
 use super::gauss_points::MOST;
@@ -30,8 +31,9 @@ pub const DEFAULT_TOLERANCE: f64 = 1e-12;
 const SMALLEST_UNIT: f64 = f64::from_bits((1023 - 1000) << 52);
 
 impl Polygon {
-    /// What the two exchange, by the cheapest route whose error bound is within `tolerance` of the value; if none is,
-    /// the value with the smallest bound, which may be larger than the value where the corners' own rounding is.
+    /// What the two exchange, by the cheapest route whose error bound is within `tolerance` of the
+    /// value; if none is, the value with the smallest bound, which may be larger than the value
+    /// where the corners' own rounding is.
     ///
     /// **Arguments** `tolerance`: relative, 0 or more; anything else counts as 0.
     ///
@@ -74,11 +76,13 @@ impl Polygon {
         }
     }
 
-    /// The same by one route, whether its bound meets the tolerance or not: for studies of the routes.
+    /// The same by one route, whether its bound meets the tolerance or not: for studies of the
+    /// routes.
     ///
     /// # Errors
     /// [`FormFactorError::NotResolved`] if the route does not serve this pair, or leaves no digit;
-    /// [`FormFactorError::OutOfRange`] if distances or the value leave the range that the routes work in.
+    /// [`FormFactorError::OutOfRange`] if distances or the value leave the range that the routes
+    /// work in.
     pub fn exchange_area_by(
         &self,
         route: Route,
@@ -103,7 +107,8 @@ impl Polygon {
         })
     }
 
-    /// A pair very small or very large is taken in units of a power of two near its size, so that squares stay in range.
+    /// A pair very small or very large is taken in units of a power of two near its size, so that
+    /// squares stay in range.
     fn in_units(
         &self,
         other: &Self,
@@ -142,7 +147,8 @@ impl View<'_> {
         let mut best: Option<Answer> = None;
         let mut left = Plans::new();
         self.plans(&mut left);
-        // what is not expected to do is tried last, before the precise one: expectations rest on an estimate
+        // what is not expected to do is tried last, before the precise one: expectations rest on an
+        // estimate
         let mut put_off: SmallVec<[Plan; 2]> = SmallVec::new();
         while let Some(k) = cheapest(&left) {
             let (cost, mut plan) = left.swap_remove(k);
@@ -218,7 +224,8 @@ impl View<'_> {
         if error_bound <= self.tolerance * value {
             return Some(answer);
         }
-        // of values that are not good enough, the one known best; what rounding left below zero is not
+        // of values that are not good enough, the one known best; what rounding left below zero is
+        // not
         let value = value.max(0.0);
         let error_bound = error_bound + (value - exchange.value);
         let known = best.map_or(f64::INFINITY, |best| best.exchange.error_bound);
@@ -306,7 +313,8 @@ impl View<'_> {
         ];
         let wanted = 0.01 * self.wanted();
         let mut exchange = precise_contour([&outlines[0], &outlines[1]], wanted)?;
-        // the clip is right to 64 ε² of the coordinates; a polygon that is not planar is off by its tilt
+        // the clip is right to 64 ε² of the coordinates; a polygon that is not planar is off by its
+        // tilt
         let height = (first.tilt.max(second.tilt) + 64.0 * SQUARED_EPSILON) * self.reach;
         let off = Off {
             height,

@@ -4,9 +4,10 @@
 //!   A F = (1/2π) ∮∮ ln r dx·dy = (1/2π) Σ_ab (u_a·u_b) ∫_a ∫_b ln r        (u: edge directions)
 //! ```
 //!
-//! An edge apart from all of the other polygon's takes one Gauss rule for all of them. Of the other pairs of edges each
-//! has a rule of its own, [graded panels](super::panels) or a [closed form](super::coplanar_edges). What limits it is
-//! cancellation: the terms are of the size of perimeter × perimeter, and the sum falls like 1/distance².
+//! An edge apart from all of the other polygon's takes one Gauss rule for all of them. Of the other
+//! pairs of edges each has a rule of its own, [graded panels](super::panels) or a
+//! [closed form](super::coplanar_edges). What limits it is cancellation: the terms are of the size
+//! of perimeter × perimeter, and the sum falls like 1/distance².
 //!
 //! In units of u = ε/2, beside the [potential's](super::potential) own error:
 //!
@@ -18,9 +19,11 @@
 //!   u_a·u_b lost in rounding    28 u L_a max |U_b|, in place of the pair
 //! ```
 //!
-//! (the gradient's component along b is the logarithm of the ends' distances' ratio, that across it the angle.)
+//! (the gradient's component along b is the logarithm of the ends' distances' ratio, that across it
+//! the angle.)
 //!
-//! Reference: Sparrow, "A new and simpler formulation for radiative angle factors", *J. Heat Transfer* 85 (1963), 81–87.
+//! Reference: Sparrow, "A new and simpler formulation for radiative angle factors", *J. Heat
+//! Transfer* 85 (1963), 81–87.
 
 use super::ExchangeArea;
 use super::coplanar_edges::{Coplanar, Relation, Rounding, coplanar, relation};
@@ -55,7 +58,8 @@ pub(super) struct Scratch {
 
 type Edges = SmallVec<[Edge<f64>; 4]>;
 
-/// Puts the edges of a shape from a new origin in `edges`, and says whether they have the same places there exactly.
+/// Puts the edges of a shape from a new origin in `edges`, and says whether they have the same
+/// places there exactly.
 fn placed(shape: &Shape, origin: DVec3, edges: &mut Edges) -> bool {
     let origin = Vector(origin.to_array());
     let mut is_exact = true;
@@ -70,8 +74,8 @@ fn placed(shape: &Shape, origin: DVec3, edges: &mut Edges) -> bool {
     is_exact
 }
 
-/// In `f64`; distances are from `gap` to `reach`, `wanted` is the absolute error that truncation may have. `None` if edges come too near to each other
-/// to be resolved.
+/// In `f64`; distances are from `gap` to `reach`, `wanted` is the absolute error that truncation
+/// may have. `None` if edges come too near to each other to be resolved.
 pub(super) fn contour(
     first: &Shape,
     second: &Shape,
@@ -85,7 +89,8 @@ pub(super) fn contour(
     } else {
         (second, first)
     };
-    // coordinates are taken from a corner if that moves nothing, or if they are far larger than the distances
+    // coordinates are taken from a corner if that moves nothing, or if they are far larger than the
+    // distances
     let farthest = outer.largest.max(inner.largest);
     let mut origin = outer.corners[0];
     let (mut a_edges, mut b_edges) = (Edges::new(), Edges::new());
@@ -210,8 +215,8 @@ pub(super) fn contour(
     })
 }
 
-/// Asks for the potentials of each of two edges on lines that meet at the other's ends; not at the meeting point, where they
-/// have no weight.
+/// Asks for the potentials of each of two edges on lines that meet at the other's ends; not at the
+/// meeting point, where they have no weight.
 fn ask_ends(batch: &mut Batch, [a, b]: [&Edge<f64>; 2], relation: &Coplanar<f64>) {
     if let Coplanar::Meeting { s, t, .. } = relation {
         for end in 0..2 {
@@ -225,7 +230,8 @@ fn ask_ends(batch: &mut Batch, [a, b]: [&Edge<f64>; 2], relation: &Coplanar<f64>
     }
 }
 
-/// How far from a rule's edge others must be, as a sum of half-axes: [`APART`], or where the largest rule does.
+/// How far from a rule's edge others must be, as a sum of half-axes: [`APART`], or where the
+/// largest rule does.
 fn apart_from(log_per_length: f64) -> f64 {
     let log_rho = -(log_per_length + LN_2) / (2.0 * MOST);
     if log_rho <= 0.44 {
@@ -262,8 +268,8 @@ impl EdgeSum {
         f64::EPSILON * (self.largest + 0.875 * a.length)
     }
 
-    /// One rule on an edge for others, at least so far away as a sum of half-axes, with their length together and the largest
-    /// cosine.
+    /// One rule on an edge for others, at least so far away as a sum of half-axes, with their
+    /// length together and the largest cosine.
     fn rule(
         &mut self,
         a: &Edge<f64>,

@@ -1,22 +1,25 @@
 //! The part of each polygon in front of the other's plane.
 //!
-//! A height above a plane is taken in `f64` first; near zero it is taken again to 106 bits. A corner counts as
-//! on the plane if its height is within the rounding of the coordinates it came from. Such a corner may be off by δ; that changes what
-//! the two exchange by at most
+//! A height above a plane is taken in `f64` first; near zero it is taken again to 106 bits. A
+//! corner counts as on the plane if its height is within the rounding of the coordinates it came
+//! from. Such a corner may be off by δ; that changes what the two exchange by at most
 //!
 //! ```text
 //!   |Δ(A F)| ≤ 2 δ (perimeter of one + perimeter of the other)
 //! ```
 //!
-//! because the vector irradiance of a Lambertian polygon has no sources outside it: what passes through the old and the
-//! new outline differs by what passes through the ribbon between them, whose area is at most δ times the perimeter, and
-//! no point receives more than 1 per area; twice that, as the other polygon's horizon moves along. A corner that a clip puts in place and
-//! rounds moves nothing else, and its ribbon is two triangles, of area δ times half the edges that meet there.
+//! because the vector irradiance of a Lambertian polygon has no sources outside it: what passes
+//! through the old and the new outline differs by what passes through the ribbon between them,
+//! whose area is at most δ times the perimeter, and no point receives more than 1 per area; twice
+//! that, as the other polygon's horizon moves along. A corner that a clip puts in place and rounds
+//! moves nothing else, and its ribbon is two triangles, of area δ times half the edges that meet
+//! there.
 //!
-//! Where a height counts as 0 and lies h on the other side, the clip is not where it should be: a strip is on the wrong side, however
-//! small h is beside rounding. Lines of one height in a convex cell with heights up to H have a length concave in the height, so that no
-//! more than 4 h/H of its area is within h of the plane; with H known to h, too, 5 h/H; and no point receives more than 1. Polygons all
-//! of whose heights count as 0 lie in one plane, by definition.
+//! Where a height counts as 0 and lies h on the other side, the clip is not where it should be: a
+//! strip is on the wrong side, however small h is beside rounding. Lines of one height in a convex
+//! cell with heights up to H have a length concave in the height, so that no more than 4 h/H of its
+//! area is within h of the plane; with H known to h, too, 5 h/H; and no point receives more than 1.
+//! Polygons all of whose heights count as 0 lie in one plane, by definition.
 
 use super::Polygon;
 use super::shape::Shape;
@@ -49,7 +52,8 @@ pub(super) struct Off {
     /// Anywhere, and the area of the ribbons that this leaves.
     pub place: f64,
     pub ribbon: f64,
-    /// The area that may be on the wrong side of a clip; and of that only what the tilt of a plane does.
+    /// The area that may be on the wrong side of a clip; and of that only what the tilt of a plane
+    /// does.
     pub strip: f64,
     pub tilted_strip: f64,
 }
@@ -82,7 +86,8 @@ impl Side {
     }
 }
 
-/// Where a polygon lies to another one's plane, and how far its corners may be from where they should be.
+/// Where a polygon lies to another one's plane, and how far its corners may be from where they
+/// should be.
 ///
 /// **Arguments** `heights`: empty; those of what is in front are put there.
 pub(super) fn side_of(polygon: &Polygon, plane: &Polygon, heights: &mut Heights) -> (Side, Off) {
@@ -144,7 +149,8 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon, heights: &mut Heights)
         (false, false) => {}
     }
     let (corners, clipped_heights, moved) = outline_in_front(shape, plane, heights);
-    // a coordinate of a new corner, no farther out than the old ones, is rounded once: half an ε of each of three
+    // a coordinate of a new corner, no farther out than the old ones, is rounded once: half an ε of
+    // each of three
     off.place = 0.87 * f64::EPSILON * reach;
     off.ribbon = off.place * moved;
     match Shape::new(&corners, polygon.precise_normal) {
@@ -156,7 +162,8 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon, heights: &mut Heights)
     }
 }
 
-/// Bounds on the areas of a shape that are so near to the plane above which its corners have these heights.
+/// Bounds on the areas of a shape that are so near to the plane above which its corners have these
+/// heights.
 fn strips(shape: &Shape, heights: &[f64], near: [f64; 2]) -> [f64; 2] {
     let mut areas = [0.0; 2];
     for (cell, [j, js, jt]) in shape.cells.iter().zip(&shape.jacobians) {

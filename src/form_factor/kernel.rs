@@ -46,8 +46,8 @@ impl View<'_> {
         }
     }
 
-    /// The heights of a shape's corners, each within [`HEIGHT_ERROR`] of itself, in `precise` if it must; 0 where a clip put them on
-    /// the plane.
+    /// The heights of a shape's corners, each within [`HEIGHT_ERROR`] of itself, in `precise` if it
+    /// must; 0 where a clip put them on the plane.
     fn precise_heights<'b>(&'b self, k: usize, precise: &'b mut Heights) -> &'b [f64] {
         let is_small = |height: f64| height < self.reach / 16.0;
         if !self.heights[k].iter().any(|height| is_small(*height)) {
@@ -63,14 +63,15 @@ impl View<'_> {
     }
 }
 
-/// The relative error of a precise height: a product is within 3 ε of the distance, and taken again to 106 bits where it is smaller
-/// than that by 16.
+/// The relative error of a precise height: a product is within 3 ε of the distance, and taken again
+/// to 106 bits where it is smaller than that by 16.
 const HEIGHT_ERROR: f64 = 48.0 * f64::EPSILON;
 
-/// The sum over all pairs of points times `π unit⁴`, lane by lane; `unit` is a length near the distances.
+/// The sum over all pairs of points times `π unit⁴`, lane by lane; `unit` is a length near the
+/// distances.
 ///
-/// Four points of the first rule share one division: `f1/q1 + f2/q2 = (f1 q2 + f2 q1)/(q1 q2)`, twice over, with q = r⁴ in
-/// units in which four of them stay in range.
+/// Four points of the first rule share one division: `f1/q1 + f2/q2 = (f1 q2 + f2 q1)/(q1 q2)`,
+/// twice over, with q = r⁴ in units in which four of them stay in range.
 #[inline(always)]
 fn sum(first: &[Block], second: &[Block], unit: f64) -> Lanes {
     let inverse_square = 1.0 / (unit * unit);

@@ -5,7 +5,8 @@
 //!   perpendicular    a depth each over the line in which the planes meet, spans [y, η] along it
 //! ```
 //!
-//! **Not covered**: what of a rectangle is behind the other one's plane; [`RectanglePair`](super::RectanglePair) clips it.
+//! **Not covered**: what of a rectangle is behind the other one's plane;
+//! [`RectanglePair`](super::RectanglePair) clips it.
 
 use super::exchange::Exchange;
 use super::{FormFactorError, parallel, perpendicular};

@@ -4,9 +4,10 @@
 //!   A_i F_ij = ∫∫ cos θ_x cos θ_y / (π r²) dy dx        (direct exchange area, symmetric in i, j)
 //! ```
 //!
-//! Everything is computed as an exchange area, once per pair, so reciprocity
-//! `A_i F_ij = A_j F_ji` holds exactly. A [`Polygon`] is any planar simple one, made ready; a pair of them takes the
-//! cheapest [`Route`] whose error bound meets the tolerance, and the answer names it. One file per route:
+//! Everything is computed as an exchange area, once per pair, so reciprocity `A_i F_ij = A_j F_ji`
+//! holds exactly. A [`Polygon`] is any planar simple one, made ready; a pair of them takes the
+//! cheapest [`Route`] whose error bound meets the tolerance, and the answer names it. One file per
+//! route:
 //!
 //! ```text
 //!   parallel, perpendicular    aligned rectangles in closed form, at any offset
@@ -17,9 +18,10 @@
 //!   kernel                     Gauss rules over both
 //! ```
 //!
-//! `horizon` clips what lies behind the other's plane, `view` measures what is left, `choice` chooses. [`mod@reference`] is a slow road
-//! of its own to judge them by, [`sampling`] another. A bound holds for corners as given: what their rounding does
-//! to a polygon that is not quite planar is in it.
+//! `horizon` clips what lies behind the other's plane, `view` measures what is left, `choice`
+//! chooses. [`mod@reference`] is a slow road of its own to judge them by, [`sampling`] another. A
+//! bound holds for corners as given: what their rounding does to a polygon that is not quite planar
+//! is in it.
 //!
 //! [`Logarithms`] are those of distance and cosines, averaged over what a pair exchanges.
 //!

@@ -7,21 +7,24 @@
 //!   ∂G/∂u  = (u v/p) atan(v/p) + q atan(u/q)      (up to functions of u or v alone)
 //! ```
 //!
-//! The difference in `y` is taken in closed form (`exchange`'s building blocks), so a side `y1 − y0`
-//! of 1e-12 costs no digits; the caller's shortest side is put there. What remains is the
-//! cancellation of distance: three differences are left, about `(distance/size)³` in relative error.
+//! The difference in `y` is taken in closed form (`exchange`'s building blocks), so a side
+//! `y1 − y0` of 1e-12 costs no digits; the caller's shortest side is put there. What remains is the
+//! cancellation of distance: three differences are left, about `(distance/size)³` in relative
+//! error.
 //!
-//! A corner has five terms (Δ = y1 − y0; q, q' the smaller and the larger of q0, q1; ν = q1 − q0 = Δ (v0 + v1)/(q0 + q1)),
+//! A corner has five terms (Δ = y1 − y0; q, q' the smaller and the larger of q0, q1; ν = q1 − q0 =
+//! Δ (v0 + v1)/(q0 + q1)),
 //!
 //! ```text
 //!   Δ p atan(v1/p)   +   v0 p atan2(Δ p, p² + v0 v1)   +   ν u atan(u/q')   −   u q atan2(u ν, q q' + u²)   −   (z²/2) ln(r1²/r0²)
 //! ```
 //!
 //! with 13, 19, 20, 23 and 21 roundings (`exchange`). The fourth is never larger than the third, as
-//! `a/(1 + a²) ≤ atan a` for a = u/q', so that both together take 22. Where v0 and v1 have different signs, their sum is uncertain by
-//! `|v0| + |v1|`: with e = Δ (|v0| + |v1| − |v0 + v1|), 3 roundings each of the third and the fourth are relative to at most
-//! `e/(q0+q1) |u| atan(|u|/q')` more, and 4.5 of the fifth to `(z²/2) e/r²`, r² the larger, more; a quarter of the one and
-//! `(z²/2) e/(q0+q1)²` are in the magnitude.
+//! `a/(1 + a²) ≤ atan a` for a = u/q', so that both together take 22. Where v0 and v1 have
+//! different signs, their sum is uncertain by `|v0| + |v1|`: with e = Δ (|v0| + |v1| − |v0 + v1|),
+//! 3 roundings each of the third and the fourth are relative to at most
+//! `e/(q0+q1) |u| atan(|u|/q')` more, and 4.5 of the fifth to `(z²/2) e/r²`, r² the larger, more; a
+//! quarter of the one and `(z²/2) e/(q0+q1)²` are in the magnitude.
 //!
 //! Source: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-13.
 
@@ -117,8 +120,8 @@ pub(super) fn form<S: Scalar>(
 /// `∂(A F)/∂x` as the first rectangle's edge at `x` moves outwards: the exchange per unit width
 /// of the strip `{x} × [y0, y1]` of the first rectangle with the whole second one.
 ///
-/// **Arguments** as for [`exchange_area`]; `x` is measured on the second's first axis, and may be the
-/// coordinate along either axis if the second's spans are swapped with it.
+/// **Arguments** as for [`exchange_area`]; `x` is measured on the second's first axis, and may be
+/// the coordinate along either axis if the second's spans are swapped with it.
 ///
 /// # Errors
 /// [`FormFactorError::NonPositiveLength`] if `distance` is not finite and > 0.

@@ -5,13 +5,15 @@
 //!                                                u_b its direction, h_b = |a_b × u_b|
 //! ```
 //!
-//! for a polygon in front of x, counter-clockwise seen from its own front; with c from x to the edge's end and e = c − a, a term is
-//! `(θ/sin θ) n·(a×e)/(|a| |c|)`, too, which takes one division less where no angle is wide. Beside the [contour](super::contour) one integration
-//! less is exact, and one power of the distance less cancels; the polygons must be apart.
+//! for a polygon in front of x, counter-clockwise seen from its own front; with c from x to the
+//! edge's end and e = c − a, a term is `(θ/sin θ) n·(a×e)/(|a| |c|)`, too, which takes one division
+//! less where no angle is wide. Beside the [contour](super::contour) one integration less is exact,
+//! and one power of the distance less cancels; the polygons must be apart.
 //!
-//! **Rounding** of a term, in units of u = ε/2, with r the distance, R the radius about the origin, L = |e| and t = θ/sin θ: a and c are
-//! within (2 r + R) u, m = e×n within 4 u L, so that `n·(a×e)` is within ((5 + R/r) |m| + 4 L) u r; what it is divided by within (9 + 2 R/r) u, the
-//! cosine within 9 u and θ within (4 + 2 R/r) u, t within 3 u beside them, and n are added up: in all
+//! **Rounding** of a term, in units of u = ε/2, with r the distance, R the radius about the origin,
+//! L = |e| and t = θ/sin θ: a and c are within (2 r + R) u, m = e×n within 4 u L, so that `n·(a×e)`
+//! is within ((5 + R/r) |m| + 4 L) u r; what it is divided by within (9 + 2 R/r) u, the cosine
+//! within 9 u and θ within (4 + 2 R/r) u, t within 3 u beside them, and n are added up: in all
 //!
 //! ```text
 //!   narrow     t ((5 + R/r) |m| + 4 L)/r + (20 + 3 R/r + n) |term|
@@ -164,7 +166,8 @@ impl Side {
     }
 }
 
-/// `Σ_i w_i F_i` over points on a plane with this normal, anywhere, from an origin that the edges do not have.
+/// `Σ_i w_i F_i` over points on a plane with this normal, anywhere, from an origin that the edges
+/// do not have.
 pub(super) fn integral(blocks: &[Block], normal: DVec3, edges: &[Edge<f64>], origin: DVec3) -> f64 {
     let sides: SmallVec<[Side; 8]> = edges
         .iter()
@@ -178,8 +181,8 @@ pub(super) fn integral(blocks: &[Block], normal: DVec3, edges: &[Edge<f64>], ori
     -across(sums[0]) / TAU
 }
 
-/// `−2π Σ_i w_i F_i`, and of narrow terms the sum of their magnitudes, lane by lane: vectors summed up here would be taken apart all
-/// along.
+/// `−2π Σ_i w_i F_i`, and of narrow terms the sum of their magnitudes, lane by lane: vectors summed
+/// up here would be taken apart all along.
 #[inline(always)]
 fn sum(blocks: &[Block], normal: Vector<f64>, sides: &[Side], subtended: Subtended) -> [Lanes; 2] {
     let (mut total, mut size) = ([0.0; LANES], [0.0; LANES]);
@@ -198,7 +201,8 @@ fn sum(blocks: &[Block], normal: Vector<f64>, sides: &[Side], subtended: Subtend
     [total, size]
 }
 
-/// `Σ_b (θ/sin θ) n·(a×c)/(|a| |c|)`, and the terms' magnitudes; each edge starts where the one before ends.
+/// `Σ_b (θ/sin θ) n·(a×c)/(|a| |c|)`, and the terms' magnitudes; each edge starts where the one
+/// before ends.
 #[inline(always)]
 fn narrow([x, y, z]: [Lanes; 3], sides: &[Side]) -> (Lanes, Lanes) {
     let (mut sums, mut sizes, mut before) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
@@ -247,9 +251,12 @@ fn wide([x, y, z]: [Lanes; 3], normal: Vector<f64>, sides: &[Side]) -> Lanes {
 
 /// The fraction of what leaves a point of a surface that reaches a polygon.
 ///
-/// **Arguments** `normal`: unit normal of the surface at `point`; the polygon is clipped at its horizon.
-/// **Returns** a number in `[0, 1]`, dimensionless: 0 if the point is behind the polygon's plane or on it.
-/// **Accuracy** a few ε absolute, unless the point is nearer to the polygon's boundary than ε times its size.
+/// **Arguments** `normal`: unit normal of the surface at `point`; the polygon is clipped at its
+/// horizon.
+/// **Returns** a number in `[0, 1]`, dimensionless: 0 if the point is behind the polygon's plane or
+/// on it.
+/// **Accuracy** a few ε absolute, unless the point is nearer to the polygon's boundary than ε times
+/// its size.
 ///
 /// # Errors
 /// [`FormFactorError::NotAUnitNormal`].

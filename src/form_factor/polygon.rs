@@ -5,7 +5,8 @@ use crate::geometry::{AlignedRectangle, Patch, Rectangle, Vector};
 use crate::numeric::{DoubleDouble, Scalar, power_of_two_below, vector_value};
 use glam::DVec3;
 
-/// A planar simple polygon, with its normal to 106 bits and all that does not depend on another polygon.
+/// A planar simple polygon, with its normal to 106 bits and all that does not depend on another
+/// polygon.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Polygon {
     pub(super) shape: Shape,
@@ -54,7 +55,8 @@ impl Polygon {
         let diameter = (1..points.len())
             .map(|i| along(i).length().to_f64())
             .fold(0.0, f64::max);
-        // the polygon is at least 2 A/diameter wide: a deviation there turns the plane by so much at most
+        // the polygon is at least 2 A/diameter wide: a deviation there turns the plane by so much
+        // at most
         let tilt = 2.0 * deviation * diameter / length.to_f64();
         let shape = Shape::new(corners, precise_normal)?;
         let has_normal = precise_normal.to_doubles().is_finite();
@@ -85,7 +87,8 @@ impl Polygon {
         self.shape.perimeter
     }
 
-    /// The height of a point above the plane, to 106 bits; to be called where vector code is made, which has fused products.
+    /// The height of a point above the plane, to 106 bits; to be called where vector code is made,
+    /// which has fused products.
     #[inline(always)]
     pub(super) fn precise_height(&self, point: DVec3) -> DoubleDouble {
         let zero = DoubleDouble::from(0.0);

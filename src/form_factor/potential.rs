@@ -6,10 +6,11 @@
 //!   ∫ ln|x − y| dy = s1 ln|c| − s0 ln|a| + h θ − L
 //! ```
 //!
-//! In units of u = ε/2: a and c are within u of themselves, the directions within 3 u, s and h within 6 u r, the logarithm of r²
-//! (5 u before it is halved) within 2.5 u + 3 u |ln r|; θ within 5 u sin θ from its cosine, 6 u L/min(|a|,|c|) from its sine
-//! and 5 u θ from its function. With r = min(|a|,|c|), r sin θ ≤ L, and r θ ≤ t L where t = θ/sin θ, or π/2 if that is less (the isosceles triangle has the
-//! longest r for an angle and L: r θ ≤ L θ/(2 sin θ/2)),
+//! In units of u = ε/2: a and c are within u of themselves, the directions within 3 u, s and h
+//! within 6 u r, the logarithm of r² (5 u before it is halved) within 2.5 u + 3 u |ln r|; θ within
+//! 5 u sin θ from its cosine, 6 u L/min(|a|,|c|) from its sine and 5 u θ from its function. With r
+//! = min(|a|,|c|), r sin θ ≤ L, and r θ ≤ t L where t = θ/sin θ, or π/2 if that is less (the
+//! isosceles triangle has the longest r for an angle and L: r θ ≤ L θ/(2 sin θ/2)),
 //!
 //! ```text
 //!   error ≤ u [ 2.5 (|s0| + |s1|) + 18 max r |ln r| + (12 + 12 t) L ]
@@ -22,8 +23,8 @@ use crate::numeric::{
     GaussLegendre, LANES, Lanes, MOST_POINTS, Scalar, across, vector_value, vectorised,
 };
 
-/// The potential of an edge at a point, from the vectors `a`, `c` to its ends, its direction and length, `ln|a|` and `ln|c|`,
-/// and h and θ.
+/// The potential of an edge at a point, from the vectors `a`, `c` to its ends, its direction and
+/// length, `ln|a|` and `ln|c|`, and h and θ.
 #[inline(always)]
 pub(super) fn potential<S: Scalar + Copy>(
     [a, c]: [Vector<S>; 2],
@@ -95,7 +96,8 @@ pub(super) struct Sums {
     pub size: f64,
     /// `Σ |W·u| e`.
     pub error: f64,
-    /// Most additions that a term went through before its vector was summed, and how many such sums there are.
+    /// Most additions that a term went through before its vector was summed, and how many such sums
+    /// there are.
     pub depth: usize,
     pub sums: usize,
 }
@@ -137,8 +139,8 @@ impl Nodes {
         );
     }
 
-    /// Sums over all nodes and a chain of edges, each of which starts where the one before ends; afterwards there are no
-    /// nodes.
+    /// Sums over all nodes and a chain of edges, each of which starts where the one before ends;
+    /// afterwards there are no nodes.
     pub(super) fn sum(&mut self, edges: &[EdgeWithError], inverse_square: f64, sums: &mut Sums) {
         if self.len == 0 {
             return;

@@ -22,7 +22,8 @@ pub(super) fn precise_contour(
     exchange
 }
 
-/// Panels are this far from what is singular, as a sum of half-axes: potentials cost more than panels.
+/// Panels are this far from what is singular, as a sum of half-axes: potentials cost more than
+/// panels.
 const APART: f64 = 1.5;
 
 type Edges = SmallVec<[Edge<DoubleDouble>; 4]>;

@@ -5,15 +5,17 @@
 //!   perpendicular:           A F = ∫∫∫∫ x z / (π (x² + z² + v²)²)
 //! ```
 //!
-//! r² is a sum of squares of single coordinates, so the rules need no points in space; and of two sides along one axis
-//! only the difference of their coordinates matters, with a weight that is piecewise linear:
+//! r² is a sum of squares of single coordinates, so the rules need no points in space; and of two
+//! sides along one axis only the difference of their coordinates matters, with a weight that is
+//! piecewise linear:
 //!
 //! ```text
 //!   ∫∫ f(x − ξ) dx dξ = ∫ w(u) f(u) du,     w(u): length of the x in [x0, x1] with x − u in [ξ0, ξ1]
 //! ```
 //!
-//! On each piece w stands where a polygon's Jacobian does in the truncation bound of [`gauss_points`](super::gauss_points),
-//! at most twice its mean there, and no piece is longer than the longer side. Nothing cancels.
+//! On each piece w stands where a polygon's Jacobian does in the truncation bound of
+//! [`gauss_points`](super::gauss_points), at most twice its mean there, and no piece is longer than
+//! the longer side. Nothing cancels.
 
 use super::ExchangeArea;
 use super::gauss_points::Lines;
@@ -27,7 +29,8 @@ const MOST: usize = 8;
 /// And points of a difference.
 const MOST_NODES: usize = 3 * MOST;
 
-/// The exchange area in the spans' unit, if few points are certain to leave an error below `tolerance`, relative.
+/// The exchange area in the spans' unit, if few points are certain to leave an error below
+/// `tolerance`, relative.
 pub(super) fn exchange_by_rules(layout: &Layout<f64>, tolerance: f64) -> Option<ExchangeArea> {
     let spans = match layout {
         Layout::Parallel {

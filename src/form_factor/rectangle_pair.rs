@@ -88,8 +88,8 @@ impl RectanglePair {
         }
     }
 
-    /// The same by Gauss rules along the sides, if few points are certain to leave a relative error below `tolerance`: for
-    /// rectangles far from each other.
+    /// The same by Gauss rules along the sides, if few points are certain to leave a relative error
+    /// below `tolerance`: for rectangles far from each other.
     pub(super) fn exchange_by_rules(&self, tolerance: f64) -> Option<ExchangeArea> {
         let exchange = self.with_layout(|layout| exchange_by_rules(layout, tolerance));
         let exchange = exchange.ok()???;
@@ -214,7 +214,8 @@ impl<S: Scalar> RectanglePair<S> {
         self.in_range(exchange.value * along.length())
     }
 
-    /// The sum over corners in units of the frame; `None` if nothing is exchanged. To be called where vector code is made.
+    /// The sum over corners in units of the frame; `None` if nothing is exchanged. To be called
+    /// where vector code is made.
     #[inline(always)]
     fn exchange(&self) -> Result<Option<Exchange<S>>, FormFactorError> {
         let exchange = self.with_layout(
@@ -224,7 +225,8 @@ impl<S: Scalar> RectanglePair<S> {
         exchange?.unwrap_or(Ok(None))
     }
 
-    /// Hands over the layout of what faces each other, in units of the frame; `None` if there is nothing.
+    /// Hands over the layout of what faces each other, in units of the frame; `None` if there is
+    /// nothing.
     #[inline(always)]
     fn with_layout<T>(
         &self,

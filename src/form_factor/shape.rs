@@ -11,7 +11,8 @@ use crate::numeric::{DoubleDouble, Scalar, vectorised};
 use glam::DVec3;
 use smallvec::SmallVec;
 
-/// Four corners of a cell, as indices of the outline's corners; the last two are equal in a triangle.
+/// Four corners of a cell, as indices of the outline's corners; the last two are equal in a
+/// triangle.
 pub(super) type Cell = [usize; 4];
 
 /// An outline in a plane, counter-clockwise seen from its front.
@@ -23,7 +24,8 @@ pub(super) struct Shape {
     pub cells: SmallVec<[Cell; 1]>,
     /// `J0, Js, Jt` of each cell, from 106 bits.
     pub jacobians: SmallVec<[[f64; 3]; 1]>,
-    /// The largest Jacobian of a cell over its mean, and how much one changes along half a line, over its largest.
+    /// The largest Jacobian of a cell over its mean, and how much one changes along half a line,
+    /// over its largest.
     pub peak: f64,
     pub slope: f64,
     pub area: f64,
@@ -39,8 +41,8 @@ pub(super) struct Shape {
 }
 
 impl Shape {
-    /// The outline with these corners, in a plane with this normal. Consecutive corners that coincide are taken as one;
-    /// `None` if fewer than three are left.
+    /// The outline with these corners, in a plane with this normal. Consecutive corners that
+    /// coincide are taken as one; `None` if fewer than three are left.
     pub(super) fn new(corners: &[DVec3], normal: Vector<DoubleDouble>) -> Option<Self> {
         let mut distinct: SmallVec<[DVec3; 4]> = corners.into();
         distinct.dedup();
@@ -115,8 +117,8 @@ impl Shape {
     }
 }
 
-/// Half the longest line `s = const` or `t = const` of a cell: one that joins points of two opposite sides is at most the
-/// longer of the other two.
+/// Half the longest line `s = const` or `t = const` of a cell: one that joins points of two
+/// opposite sides is at most the longer of the other two.
 fn half_length(corners: &[DVec3], cells: &[Cell]) -> f64 {
     let longest = |cell: &Cell| {
         let [a, b, c, d] = cell.map(|i| corners[i]);

@@ -1,10 +1,12 @@
-//! Rectangles with edges along the coordinate axes: recognised, bounded, and ready to be placed beside others.
+//! Rectangles with edges along the coordinate axes: recognised, bounded, and ready to be placed
+//! beside others.
 
 use super::{Patch, Rectangle, SplitAxis};
 use crate::numeric::DoubleDouble;
 use glam::DVec3;
 
-/// A rectangle whose edges u and v run along coordinate axes: what its place beside another needs, made once.
+/// A rectangle whose edges u and v run along coordinate axes: what its place beside another needs,
+/// made once.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AlignedRectangle {
     /// The corner `v0`.
@@ -53,7 +55,8 @@ impl Rectangle {
         Some([along(u)?, along(v)?])
     }
 
-    /// The rectangle, ready to be placed beside others; `None` unless its edges run along the coordinate axes.
+    /// The rectangle, ready to be placed beside others; `None` unless its edges run along the
+    /// coordinate axes.
     #[must_use]
     pub fn aligned(&self) -> Option<AlignedRectangle> {
         let [u, v] = self.axes()?;
@@ -76,7 +79,8 @@ impl Rectangle {
 
 /// A box that is flat along one coordinate axis: a rectangle whose corners lie exactly at its ends.
 ///
-/// An [`AlignedRectangle`] is known by three of its corners, and the fourth may be off by a rounding; here it is not.
+/// An [`AlignedRectangle`] is known by three of its corners, and the fourth may be off by a
+/// rounding; here it is not.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FlatBox {
     /// The coordinate axis along the normal.

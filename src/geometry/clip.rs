@@ -4,14 +4,15 @@
 //!   corner i stays if h_i ≥ 0;   an edge with ends on both sides is cut at x_i + (x_j − x_i) h_i/(h_i − h_j)
 //! ```
 //!
-//! Heights may be signed distances over a plane, positions along a line, or anything that is linear along an
-//! edge. The caller decides which corners count as on the plane, and gives them a height of 0: no edge is cut
-//! at such a corner.
+//! Heights may be signed distances over a plane, positions along a line, or anything that is linear
+//! along an edge. The caller decides which corners count as on the plane, and gives them a height
+//! of 0: no edge is cut at such a corner.
 //!
-//! **Not covered**: coincident corners, which the caller removes; a concave polygon that falls apart, whose
-//! parts stay joined by edges that coincide.
+//! **Not covered**: coincident corners, which the caller removes; a concave polygon that falls
+//! apart, whose parts stay joined by edges that coincide.
 //!
-//! Reference: Sutherland, Hodgman, "Reentrant polygon clipping", *Communications of the ACM* 17 (1974), 32–42.
+//! Reference: Sutherland, Hodgman, "Reentrant polygon clipping", *Communications of the ACM* 17
+//! (1974), 32–42.
 
 use crate::numeric::Scalar;
 
@@ -53,8 +54,8 @@ pub(crate) fn clip<S: Scalar>(heights: &[S], mut visit: impl FnMut(ClippedCorner
 
 /// Returns the corners of the part with heights ≥ 0, in order.
 ///
-/// **Arguments** `heights`: as for [`clip`]; `between`: the point at a share of the way from one corner to the
-/// next.
+/// **Arguments** `heights`: as for [`clip`]; `between`: the point at a share of the way from one
+/// corner to the next.
 #[inline(always)]
 pub(crate) fn clipped<P: Copy, S: Scalar>(
     corners: &[P],

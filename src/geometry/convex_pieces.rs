@@ -1,10 +1,10 @@
 //! A simple polygon cut into convex ones.
 //!
-//! A convex polygon stays whole up to [`LARGEST_PIECE`] corners; beyond that it is cut into fans. Of a concave one
-//! [ears](super::ears) are cut off until the rest is convex.
+//! A convex polygon stays whole up to [`LARGEST_PIECE`] corners; beyond that it is cut into fans.
+//! Of a concave one [ears](super::ears) are cut off until the rest is convex.
 //!
-//! Turns are decided exactly, on two of the three coordinates as they are: the axis nearest to the normal is
-//! dropped. The pieces have no corners but the polygon's own, so that nothing is rounded.
+//! Turns are decided exactly, on two of the three coordinates as they are: the axis nearest to the
+//! normal is dropped. The pieces have no corners but the polygon's own, so that nothing is rounded.
 
 use super::ears::EarClipper;
 use glam::{DVec2, DVec3};
@@ -13,10 +13,12 @@ use robust::{Coord, orient2d};
 /// Corners of the largest piece: separating directions are counted by the cube of it.
 const LARGEST_PIECE: usize = 8;
 
-/// Convex polygons that cover the simple polygon with these corners and this normal, without overlap.
+/// Convex polygons that cover the simple polygon with these corners and this normal, without
+/// overlap.
 ///
-/// Should no ear be found, because a polygon that is plane to within its tolerance only is not simple when an axis is
-/// dropped, the rest is handed back as one piece, to be taken as its convex hull.
+/// Should no ear be found, because a polygon that is plane to within its tolerance only is not
+/// simple when an axis is dropped, the rest is handed back as one piece, to be taken as its convex
+/// hull.
 pub(super) fn convex_pieces(corners: &[DVec3], normal: DVec3) -> Vec<Vec<DVec3>> {
     let size = normal.abs();
     let flat = |c: DVec3| {

@@ -4,8 +4,9 @@ use glam::{DVec2, DVec3};
 
 /// Does an outline never turn right, but for a slack?
 ///
-/// **Arguments** `corners`: counter-clockwise about the unit `normal`; `slack`: the largest sine of a right turn
-/// that counts as none. A star-shaped outline that goes round more than once passes, too.
+/// **Arguments** `corners`: counter-clockwise about the unit `normal`; `slack`: the largest sine of
+/// a right turn that counts as none. A star-shaped outline that goes round more than once passes,
+/// too.
 #[inline(always)]
 pub(crate) fn is_convex(corners: &[DVec3], normal: DVec3, slack: f64) -> bool {
     let n = corners.len();
@@ -19,8 +20,8 @@ pub(crate) fn is_convex(corners: &[DVec3], normal: DVec3, slack: f64) -> bool {
 
 /// The corners of the convex hull of points in a plane, counter-clockwise about its normal.
 ///
-/// **Arguments** `normal`: a unit vector; `flat`: corners nearer than this to the line through their neighbours are
-/// left out.
+/// **Arguments** `normal`: a unit vector; `flat`: corners nearer than this to the line through
+/// their neighbours are left out.
 #[must_use]
 pub fn convex_hull(mut points: Vec<DVec3>, normal: DVec3, flat: f64) -> Vec<DVec3> {
     let across = normal.any_orthonormal_vector();

@@ -5,7 +5,8 @@
 //!   position of a point x:   t = (g·x − min g·v)/(max g·v − min g·v),   g in the plane, across the lines
 //! ```
 //!
-//! In a parallelogram v0 is at 0 and the far edge at 1 on both axes. Heights that agree to [`SAME_LINE`] count as equal.
+//! In a parallelogram v0 is at 0 and the far edge at 1 on both axes. Heights that agree to
+//! [`SAME_LINE`] count as equal.
 //!
 //! **Not covered**: curved cuts; lines at another angle; a polygon whose corner v0 is straight.
 
@@ -17,11 +18,13 @@ use glam::DVec3;
 /// Positions nearer than this are one line.
 const SAME_LINE: f64 = 1e-13;
 
-/// The least sine of the angle at v0, and the largest between a line and a plane that counts as parallel to it.
+/// The least sine of the angle at v0, and the largest between a line and a plane that counts as
+/// parallel to it.
 const SMALLEST_ANGLE: f64 = 1e-9;
 const PARALLEL: f64 = 1e-12;
 
-/// A polygon with a family of parallel lines across it, each with its relative position from 0 to 1.
+/// A polygon with a family of parallel lines across it, each with its relative position from 0 to
+/// 1.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CutLines {
     corners: Vec<DVec3>,
@@ -122,8 +125,8 @@ impl CutLines {
     /// Convex polygons that make up the part between two positions.
     ///
     /// # Errors
-    /// [`GeometryError::PositionOutOfRange`] unless `0 ≤ from < to ≤ 1`; [`GeometryError::NoArea`] or
-    /// [`GeometryError::NotPlanar`] if it is too thin for the rounding of its corners.
+    /// [`GeometryError::PositionOutOfRange`] unless `0 ≤ from < to ≤ 1`; [`GeometryError::NoArea`]
+    /// or [`GeometryError::NotPlanar`] if it is too thin for the rounding of its corners.
     pub fn part(&self, from: f64, to: f64) -> Result<Vec<Patch>, GeometryError> {
         Self::check(from, to)?;
         let mut parts = Vec::new();
@@ -188,7 +191,8 @@ impl CutLines {
         level.map(|(a, _)| *a).collect()
     }
 
-    /// The position of the line that lies in a plane, if the lines are parallel to it and it meets the polygon's.
+    /// The position of the line that lies in a plane, if the lines are parallel to it and it meets
+    /// the polygon's.
     #[must_use]
     pub fn in_plane(&self, origin: DVec3, normal: DVec3) -> Option<f64> {
         let slope = self.across.dot(normal) * self.breadth;
@@ -223,8 +227,8 @@ impl CutLines {
     }
 }
 
-/// The part of a convex outline where `height`, a function of the position, is ≥ 0; each corner comes with its
-/// position.
+/// The part of a convex outline where `height`, a function of the position, is ≥ 0; each corner
+/// comes with its position.
 fn part_where(height: impl Fn(f64) -> f64, outline: &[(DVec3, f64)]) -> Vec<(DVec3, f64)> {
     let heights: Vec<f64> = outline.iter().map(|(_, t)| height(*t)).collect();
     clipped(outline, &heights, |(corner, t), (next, next_t), share| {

@@ -1,8 +1,9 @@
 //! Ears of a simple polygon, and what remains of it as they are cut off.
 //!
-//! An ear is a corner that turns left and whose triangle contains no other corner. A simple polygon with more than
-//! three corners has two (Meisters 1975). The ear clipper knows which corners are ears; its user chooses among
-//! them, and says how a turn is computed: rounded or exactly, in space or in a plane.
+//! An ear is a corner that turns left and whose triangle contains no other corner. A simple polygon
+//! with more than three corners has two (Meisters 1975). The ear clipper knows which corners are
+//! ears; its user chooses among them, and says how a turn is computed: rounded or exactly, in space
+//! or in a plane.
 //!
 //! Reference: Meisters, "Polygons have ears", *American Mathematical Monthly* 82 (1975), 648–651.
 
@@ -16,7 +17,8 @@ pub(crate) struct EarClipper<'a, P, T> {
 impl<'a, P: Copy + PartialEq, T: Fn(P, P, P) -> f64> EarClipper<'a, P, T> {
     /// The whole polygon.
     ///
-    /// **Arguments** `turn`: twice the signed area of a triangle, positive if it runs counter-clockwise.
+    /// **Arguments** `turn`: twice the signed area of a triangle, positive if it runs
+    /// counter-clockwise.
     pub(crate) fn new(corners: &'a [P], turn: T) -> Self {
         Self {
             corners,

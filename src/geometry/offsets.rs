@@ -5,8 +5,8 @@ use crate::numeric::Scalar;
 
 /// The differences of two spans' ends, kept apart from the ends themselves.
 ///
-/// Over intervals `x − x` is not 0 unless it is known to be the same x: where two spans share an end, or all of
-/// their length, only this says so.
+/// Over intervals `x − x` is not 0 unless it is known to be the same x: where two spans share an
+/// end, or all of their length, only this says so.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Offsets<S = f64> {
     differences: [[S; 2]; 2],
@@ -14,8 +14,8 @@ pub struct Offsets<S = f64> {
 }
 
 impl<S: Scalar> Offsets<S> {
-    /// From the differences themselves: `differences[i][k]` is end i of the first span less end k of the second, lower
-    /// ends first; `lengths` are theirs.
+    /// From the differences themselves: `differences[i][k]` is end i of the first span less end k
+    /// of the second, lower ends first; `lengths` are theirs.
     #[must_use]
     pub const fn new(differences: [[S; 2]; 2], lengths: [S; 2]) -> Self {
         Self {

@@ -140,7 +140,8 @@ impl Patch {
 }
 
 fn segments_meet((a, b): (DVec2, DVec2), (c, d): (DVec2, DVec2)) -> bool {
-    // seen along the first, the second may lie beside it: rounding leaves collinear edges on either side of each other
+    // seen along the first, the second may lie beside it: rounding leaves collinear edges on either
+    // side of each other
     let along = b - a;
     let [s, e] = [(c - a).dot(along), (d - a).dot(along)];
     if s.max(e) < 0.0 || s.min(e) > along.length_squared() {

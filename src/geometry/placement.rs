@@ -26,7 +26,8 @@ pub struct Placement {
     pub first: [Span; 2],
     /// The second rectangle's extent along u, v and the normal; [`Extent::Flat`] in one of them.
     pub second: [Extent; 3],
-    /// Does the second rectangle's normal point along the axis in which it is flat (else against it)?
+    /// Does the second rectangle's normal point along the axis in which it is flat (else against
+    /// it)?
     pub faces_along: bool,
     /// Length of one unit of the spans: a power of two.
     pub unit: f64,
@@ -35,8 +36,8 @@ pub struct Placement {
 impl Placement {
     /// Places `second` in the frame of `first`.
     ///
-    /// Coordinates within [`tolerance::ALIGNMENT`] of a plane of the frame are put on it, unless all edges run along the
-    /// coordinate axes: then coordinates are taken as they are.
+    /// Coordinates within [`tolerance::ALIGNMENT`] of a plane of the frame are put on it, unless
+    /// all edges run along the coordinate axes: then coordinates are taken as they are.
     ///
     /// # Errors
     /// [`GeometryError::NotAligned`] if the edges do not run along three common axes;
@@ -118,7 +119,8 @@ impl Placement {
             if k == flat {
                 return Ok(Extent::Flat(snap(k, 0.5 * (lower + upper)) / unit));
             }
-            // one edge runs along this axis, the other across it: the edge knows its own length best
+            // one edge runs along this axis, the other across it: the edge knows its own length
+            // best
             let along = SplitAxis::ALL.map(|axis| second.edge(axis).dot(axes[k]).abs());
             let length = along[0].max(along[1]) / unit;
             Span::with_length(snap(k, lower) / unit, length).map(Extent::Long)
@@ -136,7 +138,8 @@ impl Placement {
         })
     }
 
-    /// Rectangles with edges along the coordinate axes: nothing is turned, so only differences are rounded.
+    /// Rectangles with edges along the coordinate axes: nothing is turned, so only differences are
+    /// rounded.
     ///
     /// # Errors
     /// [`GeometryError::EmptySpan`] if the sizes differ by more than `f64` can hold.

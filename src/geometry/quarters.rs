@@ -7,8 +7,8 @@
 //!   concave polygon        its triangles
 //! ```
 //!
-//! Parts of a parallelogram are parallelograms of half its size. Neighbours that share an edge share the middle of it, to the
-//! last bit.
+//! Parts of a parallelogram are parallelograms of half its size. Neighbours that share an edge
+//! share the middle of it, to the last bit.
 
 use super::convexity::is_convex;
 use super::{GeometryError, Patch, triangulated};

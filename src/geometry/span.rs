@@ -5,8 +5,9 @@ use crate::numeric::Scalar;
 
 /// From `lower` to `upper`, `lower < upper`, with its length kept apart.
 ///
-/// Far from the origin `upper − lower` would lose digits of a short length that is known exactly. The ends are
-/// then rounded, and a length below ε of the ends is lost in them: error bounds count the ends as given.
+/// Far from the origin `upper − lower` would lose digits of a short length that is known exactly.
+/// The ends are then rounded, and a length below ε of the ends is lost in them: error bounds count
+/// the ends as given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span<S = f64> {
     lower: S,
@@ -15,7 +16,8 @@ pub struct Span<S = f64> {
 }
 
 impl Span {
-    /// The same span as numbers of the type and precision of `like`: lower end and length exactly as given.
+    /// The same span as numbers of the type and precision of `like`: lower end and length exactly
+    /// as given.
     #[must_use]
     pub fn lifted<S: Scalar>(&self, like: &S) -> Span<S> {
         let [lower, length] = [self.lower, self.length].map(|end| like.constant(end));
@@ -95,8 +97,9 @@ impl<S: Scalar> Span<S> {
         &self.length
     }
 
-    /// The part at and above `floor`; `None` if nothing of positive length is left. Over intervals the comparison must be
-    /// certain: a span that may or may not reach above `floor` counts as nothing.
+    /// The part at and above `floor`; `None` if nothing of positive length is left. Over intervals
+    /// the comparison must be certain: a span that may or may not reach above `floor` counts as
+    /// nothing.
     #[must_use]
     #[inline(always)]
     pub fn above(&self, floor: &S) -> Option<Self> {
@@ -119,7 +122,8 @@ impl<S: Scalar> Span<S> {
         }
     }
 
-    /// The same span seen from `origin` in the opposite direction: `origin − upper … origin − lower`.
+    /// The same span seen from `origin` in the opposite direction:
+    /// `origin − upper … origin − lower`.
     #[must_use]
     #[inline(always)]
     pub fn mirrored(&self, origin: &S) -> Self {

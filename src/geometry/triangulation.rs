@@ -9,7 +9,8 @@ use glam::DVec3;
 
 /// Triangles of corner indices, counter-clockwise as the polygon is; `corners − 2` of them.
 ///
-/// **Arguments** the corners of a simple polygon in a plane with unit normal `normal`, counter-clockwise.
+/// **Arguments** the corners of a simple polygon in a plane with unit normal `normal`,
+/// counter-clockwise.
 #[must_use]
 pub fn triangulated(corners: &[DVec3], normal: DVec3) -> Vec<[usize; 3]> {
     let turn = |a: DVec3, b: DVec3, c: DVec3| (b - a).cross(c - b).dot(normal);

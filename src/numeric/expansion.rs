@@ -1,8 +1,8 @@
 //! Exact sums and products of doubles.
 //!
-//! An expansion is an unevaluated sum of doubles whose significands do not overlap. Sums and products
-//! of expansions are exact as long as nothing over- or underflows, so that a difference like
-//! `J_k w − J w_k` keeps every digit however much of it cancels.
+//! An expansion is an unevaluated sum of doubles whose significands do not overlap. Sums and
+//! products of expansions are exact as long as nothing over- or underflows, so that a difference
+//! like `J_k w − J w_k` keeps every digit however much of it cancels.
 //!
 //! **Not covered**: quotients; products below about 1e-290, whose last bits leave `f64`'s range.
 //!

@@ -22,7 +22,8 @@ pub struct GaussLegendre {
     pub nodes: Vec<f64>,
     /// The weights; their sum is 2.
     pub weights: Vec<f64>,
-    /// Nodes and weights side by side in vectors, of which the last is filled up with weights of 0 at 0.
+    /// Nodes and weights side by side in vectors, of which the last is filled up with weights of 0
+    /// at 0.
     pub lanes: Vec<[Lanes; 2]>,
     /// Nodes and weights to 106 bits.
     pub precise: Vec<[DoubleDouble; 2]>,
@@ -31,7 +32,8 @@ pub struct GaussLegendre {
 impl GaussLegendre {
     /// The rule with `points` nodes, computed once.
     ///
-    /// **Arguments** `points` from 1 to [`MOST_POINTS`]; more are taken as [`MOST_POINTS`], none as 1.
+    /// **Arguments** `points` from 1 to [`MOST_POINTS`]; more are taken as [`MOST_POINTS`], none as
+    /// 1.
     #[must_use]
     pub fn with(points: usize) -> &'static Self {
         static RULES: [OnceLock<GaussLegendre>; MOST_POINTS + 1] =
@@ -74,8 +76,8 @@ impl NodeNumber for DoubleDouble {
     const STEPS: usize = 6;
 }
 
-/// Computes node `i` of the rule with `n` points, in increasing order, and its weight, by Newton's method from Tricomi's
-/// estimate.
+/// Computes node `i` of the rule with `n` points, in increasing order, and its weight, by Newton's
+/// method from Tricomi's estimate.
 #[must_use]
 #[allow(clippy::cast_precision_loss, reason = "some points")]
 pub(crate) fn legendre_node<T: NodeNumber>(n: usize, i: usize) -> [T; 2] {

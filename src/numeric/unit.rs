@@ -8,7 +8,8 @@ const EXPONENT: u64 = 0x7ff << 52;
 /// `2⁵²`, by which subnormal numbers become normal.
 const NORMALISER: f64 = (1_u64 << 52) as f64;
 
-/// The power of two at or below the magnitude of a number; zero, infinities and NaN keep their magnitude.
+/// The power of two at or below the magnitude of a number; zero, infinities and NaN keep their
+/// magnitude.
 ///
 /// # Examples
 /// ```
@@ -27,7 +28,8 @@ pub fn power_of_two_below(number: f64) -> f64 {
     }
 }
 
-/// The power of two nearest to the magnitude of a number as a ratio: the number is between `1/√2` and `√2` of it.
+/// The power of two nearest to the magnitude of a number as a ratio: the number is between `1/√2`
+/// and `√2` of it.
 ///
 /// **Arguments** at most `2¹⁰²³`; zero and NaN keep their magnitude.
 ///

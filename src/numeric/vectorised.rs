@@ -1,17 +1,18 @@
 //! Loops in the widest vectors that the processor at hand has.
 //!
-//! **How vector code is written.** [`vectorised`] compiles a closure once for each kind of processor; whatever is
-//! inlined into the closure is compiled with it, and whatever is called from it is not. Hence every function on
-//! the way down is `#[inline(always)]`, and so is the closure itself; work on several lanes is a loop with a fixed
-//! count, not a closure handed to `map`. Data go in as slices bound to locals and captured by `move`; a result goes
-//! out through a reference to a local ([`vector_value`]), since a returned array would be taken apart.
+//! **How vector code is written.** [`vectorised`] compiles a closure once for each kind of
+//! processor; whatever is inlined into the closure is compiled with it, and whatever is called from
+//! it is not. Hence every function on the way down is `#[inline(always)]`, and so is the closure
+//! itself; work on several lanes is a loop with a fixed count, not a closure handed to `map`. Data
+//! go in as slices bound to locals and captured by `move`; a result goes out through a reference to
+//! a local ([`vector_value`]), since a returned array would be taken apart.
 
 use std::sync::LazyLock;
 
 static VECTOR_UNIT: LazyLock<pulp::Arch> = LazyLock::new(pulp::Arch::new);
 
-/// Runs `work`, compiled for what this processor can do. Only the order of speed changes: no operation is fused or
-/// reordered, so the answer has the same bits everywhere.
+/// Runs `work`, compiled for what this processor can do. Only the order of speed changes: no
+/// operation is fused or reordered, so the answer has the same bits everywhere.
 #[inline(always)]
 pub fn vectorised<T>(work: impl FnOnce() -> T) -> T {
     VECTOR_UNIT.dispatch(work)

@@ -5,12 +5,14 @@
 //! ```
 //!
 //! Both polygons are cut into strips along the line where their planes meet (`section`); two strips
-//! exchange a closed form, and what is left is a twofold integral over u and v (`strips`), by Gauss rules on parts that
-//! shrink towards the singular points (`panels`). No contour, no logarithm and no solid angle occurs: nothing is shared
-//! with the fast routes. Every pass is repeated finer and with the two polygons' parts exchanged; the
-//! difference is the error *estimate*, which is no bound.
+//! exchange a closed form, and what is left is a twofold integral over u and v (`strips`), by Gauss
+//! rules on parts that shrink towards the singular points (`panels`). No contour, no logarithm and
+//! no solid angle occurs: nothing is shared with the fast routes. Every pass is repeated finer and
+//! with the two polygons' parts exchanged; the difference is the error *estimate*, which is no
+//! bound.
 //!
-//! **Not covered**: occlusion; corners are taken exactly as given, and off-plane corners by their projection.
+//! **Not covered**: occlusion; corners are taken exactly as given, and off-plane corners by their
+//! projection.
 
 mod panels;
 mod section;
@@ -118,12 +120,12 @@ fn decimal(value: Number, digits: usize) -> String {
 /// Passes before giving up.
 const MOST_PASSES: usize = 6;
 
-/// The exchange area of two patches, corners exact, to about `relative` of itself; 0 if one is behind the plane of the other or in
-/// it.
+/// The exchange area of two patches, corners exact, to about `relative` of itself; 0 if one is
+/// behind the plane of the other or in it.
 ///
 /// **Arguments** `relative`: wanted relative error, 1e-30 … 1e-3.
-/// **Accuracy**: the estimate returned is usually far above the error; it may exceed `relative` if six passes do
-/// not reach that.
+/// **Accuracy**: the estimate returned is usually far above the error; it may exceed `relative` if
+/// six passes do not reach that.
 ///
 /// # Errors
 /// [`FormFactorError::OutOfRange`] if the value leaves the range of `f64`.

@@ -5,9 +5,10 @@
 //!   x = u e_P + s d,   y = v e_Q + t d        (e_P = n_P × d, e_Q = n_Q × d)
 //! ```
 //!
-//! The height of y over the plane of P depends on v alone, that of x over the plane of Q on u alone: what lies
-//! behind the other's plane is cut off by ending the range of v or u. Between two neighbouring corners (in u or v) a
-//! polygon is a few trapezoids, whose ends s are linear in u: a *slab*.
+//! The height of y over the plane of P depends on v alone, that of x over the plane of Q on u
+//! alone: what lies behind the other's plane is cut off by ending the range of v or u. Between two
+//! neighbouring corners (in u or v) a polygon is a few trapezoids, whose ends s are linear in u: a
+//! *slab*.
 
 use crate::numeric::wide::Wide;
 use glam::DVec3;
@@ -146,7 +147,8 @@ impl<const N: usize> Plate<N> {
     }
 }
 
-/// What is smaller than 2 to this power times the bits, relative to the size of the pair, is rounding.
+/// What is smaller than 2 to this power times the bits, relative to the size of the pair, is
+/// rounding.
 const fn negligible_power<const N: usize>() -> i64 {
     // two thirds of the digits
     -((N * 128 / 3) as i64)

@@ -1,7 +1,7 @@
 //! Sums, products and quotients of intervals.
 //!
-//! Each end of a result is one operation on ends, chosen by signs; a product takes four only where both factors
-//! have both signs.
+//! Each end of a result is one operation on ends, chosen by signs; a product takes four only where
+//! both factors have both signs.
 
 use super::{Direction, Endpoint, Interval};
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -67,10 +67,11 @@ impl<const N: usize> Tables<N> {
     }
 }
 
-/// atan r, |r| ≤ 2⁻⁹ (the table's first steps lose a bit per term, which the two spare terms make up for).
+/// atan r, |r| ≤ 2⁻⁹ (the table's first steps lose a bit per term, which the two spare terms make
+/// up for).
 ///
-/// With q = r² as a fixed point fraction it is `r − r q (1/3 − q (1/5 − …))`, every bracket in (0, 1): no number needs
-/// its exponent moved.
+/// With q = r² as a fixed point fraction it is `r − r q (1/3 − q (1/5 − …))`, every bracket in (0,
+/// 1): no number needs its exponent moved.
 fn by_series<const N: usize>(r: Wide<N>, series: &[[u64; N]]) -> Wide<N> {
     let square = r.square().fraction();
     let bracket = series.iter().rev().copied();
