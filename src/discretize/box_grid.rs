@@ -30,7 +30,7 @@ use super::DiscretizeError;
 use super::cell_classes::Classes;
 use super::grid_axis::{Axis, Spacing};
 use crate::information::{divergence_error, pair_divergence};
-use crate::numeric::{CompensatedSum, Scalar, power_of_two_below, tolerance};
+use crate::numeric::{CompensatedSum, Scalar, tolerance};
 use rayon::prelude::*;
 use std::f64::consts::LN_2;
 
@@ -95,7 +95,7 @@ fn scaled(edges: [f64; 3]) -> Result<[f64; 3], DiscretizeError> {
         let condition = "at least a millionth of the longest";
         return Err(refused("the shortest edge of the box", shortest, condition));
     }
-    let unit = power_of_two_below(longest);
+    let unit = crate::numeric::power_of_two_below(longest);
     Ok(edges.map(|edge| edge / unit))
 }
 

@@ -19,7 +19,7 @@ use super::ErrorGrade;
 use crate::chain::ChainError;
 use crate::form_factor::Logarithms;
 use crate::geometry::{GeometryError, Patch};
-use crate::numeric::{CompensatedSum, compensated_sum, power_of_two_near, tolerance};
+use crate::numeric::{CompensatedSum, compensated_sum, tolerance};
 use crate::scene::{Scene, SceneError};
 use rayon::prelude::*;
 use std::f64::consts::LN_2;
@@ -141,7 +141,7 @@ pub(super) fn in_own_unit<'p>(
     polygons: impl Iterator<Item = &'p Patch> + Clone,
 ) -> Result<Vec<Patch>, (usize, GeometryError)> {
     let total_area = compensated_sum(polygons.clone().map(Patch::area));
-    let unit = power_of_two_near(total_area.sqrt());
+    let unit = crate::numeric::power_of_two_near(total_area.sqrt());
     let scaled = polygons.enumerate().map(|(index, polygon)| {
         let corners = polygon.corners().iter().map(|corner| *corner / unit);
         Patch::try_new(corners.collect()).map_err(|source| (index, source))
