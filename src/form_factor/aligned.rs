@@ -55,7 +55,7 @@ impl Polygon {
         self.answer(other, exchange, route_of(first, second))
     }
 
-    /// The same by rules along the sides.
+    /// Aligned rectangles by rules along the sides.
     #[inline(never)]
     fn by_rules(&self, other: &Self, tolerance: f64) -> Option<Answer> {
         let (first, second) = (self.rectangle.as_ref()?, other.rectangle.as_ref()?);
@@ -64,7 +64,7 @@ impl Polygon {
         self.answer(other, exchange, Route::Kernel)
     }
 
-    /// What is exchanged, if that is positive, with what the rounding of places may change.
+    /// The answer, if its value is positive, with the effect of rounded places in the bound.
     #[inline(always)]
     fn answer(&self, other: &Self, mut exchange: ExchangeArea, route: Route) -> Option<Answer> {
         if exchange.value <= 0.0 {
@@ -90,8 +90,8 @@ impl Polygon {
         })
     }
 
-    /// What it may change that the second one's coordinates in the frame of the first are rounded
-    /// once, unless they are exact there.
+    /// Bounds the effect of rounding the second one's coordinates in the frame of the first once;
+    /// 0 if they are exact there.
     fn misplacement(&self, other: &Self) -> f64 {
         let (Some(first), Some(second)) = (&self.rectangle, &other.rectangle) else {
             return 0.0;
@@ -108,8 +108,8 @@ impl Polygon {
         f64::EPSILON * (distance + radii) * ribbons
     }
 
-    /// So many sizes apart that closed forms of rectangles lose more than rules do: the fourth
-    /// power of that.
+    /// Are the two so many sizes apart that closed forms of rectangles, which lose the fourth power
+    /// of that, lose more than rules do?
     fn is_far_from(&self, other: &Self) -> bool {
         let (first, second) = (&self.shape, &other.shape);
         let size = first.longest_edge.max(second.longest_edge);
@@ -117,7 +117,7 @@ impl Polygon {
     }
 }
 
-/// Whether two aligned rectangles are parallel or perpendicular.
+/// The route of the closed form: for parallel or for perpendicular rectangles.
 const fn route_of(first: &AlignedRectangle, second: &AlignedRectangle) -> Route {
     if first.is_parallel_to(second) {
         Route::ParallelRectangles

@@ -31,9 +31,9 @@ pub const DEFAULT_TOLERANCE: f64 = 1e-12;
 const SMALLEST_UNIT: f64 = f64::from_bits((1023 - 1000) << 52);
 
 impl Polygon {
-    /// What the two exchange, by the cheapest route whose error bound is within `tolerance` of the
-    /// value; if none is, the value with the smallest bound, which may be larger than the value
-    /// where the corners' own rounding is.
+    /// The exchange area of the two, by the cheapest route whose error bound is within `tolerance`
+    /// of the value; if none is, the value with the smallest bound, which may be larger than the
+    /// value where the corners' own rounding is.
     ///
     /// **Arguments** `tolerance`: relative, 0 or more; anything else counts as 0.
     ///
@@ -76,8 +76,8 @@ impl Polygon {
         }
     }
 
-    /// The same by one route, whether its bound meets the tolerance or not: for studies of the
-    /// routes.
+    /// The exchange area by one route, whether its bound meets the tolerance or not: for studies of
+    /// the routes.
     ///
     /// # Errors
     /// [`FormFactorError::NotResolved`] if the route does not serve this pair, or leaves no digit;
@@ -181,7 +181,7 @@ impl View<'_> {
         }
     }
 
-    /// By one route alone.
+    /// The answer of one route alone.
     fn answer_by(&self, route: Route, work: &mut Workspace) -> Option<Answer> {
         let exchange = match route {
             Route::Contour => self.follow(Plan::Contour, work),
@@ -329,7 +329,7 @@ impl View<'_> {
 /// Work in nanoseconds below which no other route is asked for.
 const CHEAP: f64 = 200.0;
 
-/// Which of some plans has the least work.
+/// The place of the plan with the least work.
 fn cheapest(plans: &[(f64, Plan)]) -> Option<usize> {
     (0..plans.len()).min_by(|i, j| plans[*i].0.total_cmp(&plans[*j].0))
 }

@@ -41,7 +41,7 @@ use std::f64::consts::{LN_2, PI, TAU};
 
 /// Edges at least this far from each other, as a sum of half-axes, take a Gauss rule in one piece.
 const APART: f64 = 1.1;
-/// And no more points than about this.
+/// The number of points that such a rule has at most, roughly.
 const MOST: f64 = 40.0;
 /// Cosines up to this, in ε, are those of a right angle.
 const RIGHT_ANGLE: f64 = 8.0;
@@ -52,7 +52,7 @@ pub(super) struct Scratch {
     nodes: Nodes,
     batch: Batch,
     columns: Columns,
-    /// By edge of the outer polygon and vector of edges of the inner one.
+    /// Half-axes by edge of the outer polygon and vector of edges of the inner one.
     outside: Vec<Lanes>,
 }
 
@@ -74,8 +74,8 @@ fn placed(shape: &Shape, origin: DVec3, edges: &mut Edges) -> bool {
     is_exact
 }
 
-/// In `f64`; distances are from `gap` to `reach`, `wanted` is the absolute error that truncation
-/// may have. `None` if edges come too near to each other to be resolved.
+/// The contour integral in `f64`; distances are from `gap` to `reach`, `wanted` is the absolute
+/// error that truncation may have. `None` if edges come too near to each other to be resolved.
 pub(super) fn contour(
     first: &Shape,
     second: &Shape,
@@ -263,7 +263,7 @@ struct EdgeSum {
 }
 
 impl EdgeSum {
-    /// How far a node on an edge may be from where it should be.
+    /// Bounds the displacement of a node on an edge.
     fn displaced(&self, a: &Edge<f64>) -> f64 {
         f64::EPSILON * (self.largest + 0.875 * a.length)
     }

@@ -24,7 +24,7 @@ use crate::geometry::Vector;
 use crate::numeric::Scalar;
 use std::f64::consts::PI;
 
-/// How two edges lie to each other.
+/// The relation of two edges: skew, or in one plane.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Relation<S> {
     /// On lines that meet, as far as rounding tells, or are parallel.
@@ -40,9 +40,9 @@ pub(super) enum Coplanar<S> {
     Meeting {
         s: [S; 2],
         t: [S; 2],
-        /// How far the lines miss each other.
+        /// The distance by which the lines miss each other.
         miss: f64,
-        /// How far the meeting point may be off.
+        /// A bound on the displacement of the meeting point.
         shift: f64,
         reach: f64,
     },
@@ -50,8 +50,8 @@ pub(super) enum Coplanar<S> {
     Parallel { apart: S, sine: f64 },
 }
 
-/// What is lost in rounding: the sine of an angle, and the distance of two lines. Edges within both
-/// are taken as coplanar, and the error of that is bounded.
+/// The size of what is lost in rounding: the sine of an angle, and the distance of two lines. Edges
+/// within both are taken as coplanar, and the error of that is bounded.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rounding {
     pub epsilon: f64,
@@ -60,7 +60,7 @@ pub(super) struct Rounding {
 }
 
 impl Rounding {
-    /// Of coordinates up to `largest`, `factor` roundings of `epsilon` each.
+    /// The rounding of coordinates up to `largest`, by `factor` roundings of `epsilon` each.
     pub(super) const fn new(epsilon: f64, factor: f64, largest: f64) -> Self {
         let sine = factor * epsilon;
         Self {
@@ -71,7 +71,7 @@ impl Rounding {
     }
 }
 
-/// How two edges lie to each other.
+/// Finds the relation of two edges.
 #[inline(always)]
 pub(super) fn relation<S: Scalar + Copy>(
     [a, b]: [&Edge<S>; 2],

@@ -30,11 +30,11 @@ const CORNERS: usize = 16;
 /// the form, then the four differences of ends along the (second) common axis, lower ends first.
 #[derive(Debug, Clone)]
 pub(crate) struct EdgeSlopes<S> {
-    /// By one of them.
+    /// First derivatives.
     pub first: [S; 8],
     /// Σ |term| of these.
     pub magnitude: [S; 8],
-    /// By two of them.
+    /// Second derivatives.
     pub second: [[S; 8]; 8],
 }
 
@@ -98,8 +98,8 @@ impl<S: Scalar> EdgeSlopes<S> {
         self
     }
 
-    /// Of parallel rectangles: by the four differences along one axis, then by those along the
-    /// other.
+    /// The derivatives for parallel rectangles: by the four differences along one axis, then by
+    /// those along the other.
     pub(crate) fn parallel([us, vs]: [&Offsets<S>; 2], distance: &S) -> Self {
         let u: [S; CORNERS] = from_fn(|c| difference(us, c / 4).clone());
         let v: [S; CORNERS] = from_fn(|c| difference(vs, c % 4).clone());
@@ -141,8 +141,8 @@ impl<S: Scalar> EdgeSlopes<S> {
         sum.finished(Sign::Plus)
     }
 
-    /// Of perpendicular rectangles: by both ends of either depth, the lower first, then by the
-    /// differences of widths.
+    /// The derivatives for perpendicular rectangles: by both ends of either depth, the lower first,
+    /// then by the differences of widths.
     pub(crate) fn perpendicular(depths: [[&S; 2]; 2], widths: &Offsets<S>) -> Self {
         let like = depths[0][1];
         let x: [S; CORNERS] = from_fn(|c| depths[0][c / 8].clone());

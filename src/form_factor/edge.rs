@@ -113,7 +113,7 @@ pub(super) struct PairIntegral<S> {
     pub error: f64,
 }
 
-/// What lengths are measured in under the logarithm, and how well numbers are known.
+/// The unit of lengths under the logarithm, and the accuracy of numbers.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Precision<S> {
     /// One over the unit of length squared.
@@ -127,7 +127,7 @@ pub(super) struct Precision<S> {
 }
 
 impl<S: Scalar + Copy> Precision<S> {
-    /// For distances from `gap` (0 if they touch) to `reach`.
+    /// The precision for distances from `gap` (0 if they touch) to `reach`.
     ///
     /// `r |ln(r/unit)|` is at most `reach ln(reach/unit)` beyond the unit, and `unit/e` below it,
     /// or what it is at the gap. The two are equal for `ln(reach/unit) = 0.2785`, or where the gap
@@ -176,7 +176,7 @@ impl<S: Scalar + Copy> Precision<S> {
         (length * self.largest_ratio).min(2.0 * self.reach)
     }
 
-    /// The same wherever the point is, for distances up to `reach`.
+    /// The error of the potential of an edge at any point, for distances up to `reach`.
     pub(super) fn of_any_potential(&self, reach: f64, length: f64) -> f64 {
         self.of_potential(reach, length, FRAC_PI_2)
     }

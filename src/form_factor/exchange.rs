@@ -128,7 +128,7 @@ impl Exchange<f64> {
         }
     }
 
-    /// The same for an exchange area, which must be positive beyond its error.
+    /// Value and error bound of an exchange area, which must be positive beyond its error.
     ///
     /// # Errors
     /// As [`in_range`](Self::in_range); [`FormFactorError::NotResolved`] if the error bound is not

@@ -155,7 +155,7 @@ pub(super) fn fill(
     }
 }
 
-/// What the error of a rule along the lines of a cell depends on, beside their number of points.
+/// The lines of a cell along which a rule runs, by all that its error depends on beside its points.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Lines {
     /// The gap over half their length.

@@ -31,20 +31,20 @@ use smallvec::SmallVec;
 /// Heights of corners above the other polygon's plane, all ≥ 0, each within 3 ε of the distance.
 pub(super) type Heights = SmallVec<[f64; 4]>;
 
-/// How a polygon lies to another one's plane.
+/// The part of a polygon in front of another one's plane.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Side {
-    /// In the plane.
+    /// Nothing: the polygon lies in the plane.
     Within,
-    /// Behind it, or behind it and in it.
+    /// Nothing: the polygon lies behind the plane, or behind it and in it.
     Behind,
-    /// In front, as it is.
+    /// All of it.
     Front,
-    /// In front, what is left of it.
+    /// The part that a clip leaves.
     Clipped(Box<Shape>),
 }
 
-/// How far corners may be from where they should be.
+/// Upper bounds on the displacement of corners.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Off {
     /// Above or below the other polygon's plane.
@@ -59,7 +59,7 @@ pub(super) struct Off {
 }
 
 impl Off {
-    /// Of both polygons: the larger distance, and all areas.
+    /// The bounds for both polygons: the larger distance, and the sum of areas.
     pub(super) const fn and(self, other: Self) -> Self {
         Self {
             height: self.height.max(other.height),
@@ -77,7 +77,7 @@ impl Side {
         matches!(self, Self::Front | Self::Clipped(_))
     }
 
-    /// What is in front of a polygon that was `whole` before.
+    /// The outline in front of the plane, of a polygon that was `whole` before.
     pub(super) fn shape<'a>(&'a self, whole: &'a Shape) -> &'a Shape {
         match self {
             Self::Clipped(shape) => shape,
@@ -86,8 +86,8 @@ impl Side {
     }
 }
 
-/// Where a polygon lies to another one's plane, and how far its corners may be from where they
-/// should be.
+/// Finds the part of a polygon in front of another one's plane, with bounds on the displacement of
+/// its corners.
 ///
 /// **Arguments** `heights`: empty; those of what is in front are put there.
 pub(super) fn side_of(polygon: &Polygon, plane: &Polygon, heights: &mut Heights) -> (Side, Off) {
@@ -204,7 +204,7 @@ fn outline_in_front(shape: &Shape, plane: &Polygon, heights: &[f64]) -> Outline 
     (corners, kept, moved)
 }
 
-/// Where an edge crosses a plane, to 106 bits before the last rounding.
+/// The point where an edge crosses a plane, to 106 bits before the last rounding.
 fn crossing(ends: [DVec3; 2], plane: &Polygon) -> DVec3 {
     vector_value!(DVec3::ZERO, {
         // one by one: a closure over both would not have the vector code's fused products

@@ -173,8 +173,8 @@ pub(super) fn power(rho: f64, points: usize) -> f64 {
     rough_exp2(log) * (1.0 + 2.0 * ROUGH_EXP2_ERROR)
 }
 
-/// Where the lines' distance vanishes: how far along the outer line from its start, how far beside
-/// it, and how uncertain both are.
+/// The complex place where the lines' distance vanishes: how far along the outer line from its
+/// start, how far beside it, and how uncertain both are.
 #[inline(always)]
 fn pinch<S: Scalar + Copy>(outer: &Edge<S>, inner: &Edge<S>, epsilon: f64) -> (S, f64, f64) {
     let across = outer.direction.cross(inner.direction);

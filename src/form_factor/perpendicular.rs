@@ -43,7 +43,7 @@ pub struct Plate<S = f64> {
 }
 
 impl Plate {
-    /// The same plate as numbers of the type and precision of `like`.
+    /// Lifts the plate to numbers of the type and precision of `like`.
     #[must_use]
     pub fn lifted<S: Scalar>(&self, like: &S) -> Plate<S> {
         Plate {
@@ -271,8 +271,8 @@ fn ends<S: Scalar>(span: &Span<S>) -> [(&S, Sign); 2] {
     [(span.upper(), Sign::Plus), (span.lower(), Sign::Minus)]
 }
 
-/// What the rounding of `coefficient · ln r²` is relative to: near r² = 1 the logarithm is small
-/// but its error is not.
+/// The size that the rounding of `coefficient · ln r²` is relative to: near r² = 1 the logarithm is
+/// small but its error is not.
 #[inline(always)]
 fn log_size<S: Scalar>(term: &S, coefficient: &S) -> S {
     term.abs() + &coefficient.abs()

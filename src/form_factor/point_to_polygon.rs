@@ -75,7 +75,7 @@ impl View<'_> {
         }
     }
 
-    /// What Lambert's formula over shape `k` loses.
+    /// Bounds the rounding error of Lambert's formula over shape `k`.
     pub(super) fn lambert_rounding(&self, k: usize) -> LambertRounding {
         let (over, seen) = (self.shapes[k], self.shapes[1 - k]);
         let widening = widening(seen.longest_edge, self.gap);
@@ -124,7 +124,7 @@ impl View<'_> {
     }
 }
 
-/// What Lambert's formula loses.
+/// The rounding error of Lambert's formula.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct LambertRounding {
     /// Whatever the terms come to.
@@ -309,7 +309,7 @@ pub fn point_form_factor(
     Ok(integral(&[block], normal, &edges, DVec3::ZERO).clamp(0.0, 1.0))
 }
 
-/// What two small pieces of surface exchange, per area of both: `cos θ cos θ′ / (π r²)`.
+/// The exchange of two small pieces of surface, per area of both: `cos θ cos θ′ / (π r²)`.
 ///
 /// **Arguments** points, and the unit normals of the surfaces there.
 /// **Returns** a number ≥ 0, per squared unit of length: 0 if either faces away.

@@ -12,9 +12,9 @@ pub struct Polygon {
     pub(super) shape: Shape,
     pub(super) normal: DVec3,
     pub(super) precise_normal: Vector<DoubleDouble>,
-    /// How far a corner may be off the plane, per distance from it.
+    /// The largest distance of a corner from the plane, per distance along it.
     pub(super) tilt: f64,
-    /// Itself, if it is a rectangle with edges along the coordinate axes.
+    /// The polygon as a rectangle with edges along the coordinate axes, if it is one.
     pub(super) rectangle: Option<AlignedRectangle>,
 }
 
@@ -98,7 +98,7 @@ impl Polygon {
             .dot(self.precise_normal)
     }
 
-    /// The same, rounded.
+    /// The height of a point above the plane, rounded from 106 bits.
     pub(super) fn height(&self, point: DVec3) -> f64 {
         vector_value!(0.0, self.precise_height(point).to_f64())
     }

@@ -9,7 +9,7 @@ use crate::numeric::{DoubleDouble, GaussLegendre, SQUARED_EPSILON, Scalar, vecto
 use smallvec::SmallVec;
 use std::f64::consts::TAU;
 
-/// To 106 bits, from corners known that well.
+/// The contour integral to 106 bits, from corners known that well.
 pub(super) fn precise_contour(
     outlines: [&[Vector<DoubleDouble>]; 2],
     wanted: f64,

@@ -26,7 +26,7 @@ use std::f64::consts::PI;
 
 /// Points per side beyond which other routes are cheaper.
 const MOST: usize = 8;
-/// And points of a difference.
+/// Points of a difference.
 const MOST_NODES: usize = 3 * MOST;
 
 /// The exchange area in the spans' unit, if few points are certain to leave an error below

@@ -28,9 +28,9 @@ pub struct RectanglePair<S = f64> {
 enum Second<S> {
     /// Nothing of it is visible from anywhere on the first one's plane.
     Dark,
-    /// In a parallel plane.
+    /// It lies in a parallel plane.
     Parallel { spans: [Span<S>; 2], distance: S },
-    /// In the plane where the coordinate along `across` is `plane`; its front is where that
+    /// It lies in the plane where the coordinate along `across` is `plane`; its front is where that
     /// coordinate is larger (`faces_along`) or smaller. Its width runs along the other axis.
     Perpendicular {
         across: SplitAxis,
@@ -49,7 +49,7 @@ impl RectanglePair {
         Self::placed(&Placement::try_new(first, second)?)
     }
 
-    /// The same of rectangles with edges along the coordinate axes.
+    /// The pair of two rectangles with edges along the coordinate axes.
     #[inline(always)]
     pub(super) fn along_axes(
         first: &AlignedRectangle,
@@ -88,8 +88,8 @@ impl RectanglePair {
         }
     }
 
-    /// The same by Gauss rules along the sides, if few points are certain to leave a relative error
-    /// below `tolerance`: for rectangles far from each other.
+    /// The exchange area by Gauss rules along the sides, if few points are certain to leave a
+    /// relative error below `tolerance`: for rectangles far from each other.
     pub(super) fn exchange_by_rules(&self, tolerance: f64) -> Option<ExchangeArea> {
         let exchange = self.with_layout(|layout| exchange_by_rules(layout, tolerance));
         let exchange = exchange.ok()???;
@@ -99,7 +99,7 @@ impl RectanglePair {
             .then_some(ExchangeArea { value, error_bound })
     }
 
-    /// The same pair, as placed, in numbers of the type and precision of `like`.
+    /// Lifts the pair, as placed, to numbers of the type and precision of `like`.
     #[must_use]
     pub fn lifted<S: Scalar>(&self, like: &S) -> RectanglePair<S> {
         RectanglePair {
@@ -263,7 +263,7 @@ impl<S: Scalar> RectanglePair<S> {
         }
     }
 
-    /// In squared units of length, if that is a number.
+    /// Converts a value to squared units of length, if it stays a number.
     fn in_range(&self, value: S) -> Result<S, FormFactorError> {
         let value = value.clone() * &value.constant(self.unit * self.unit);
         if value.to_f64().is_finite() {

@@ -19,7 +19,7 @@ pub(super) type Cell = [usize; 4];
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Shape {
     pub corners: SmallVec<[DVec3; 4]>,
-    /// From each corner to the next.
+    /// The edges from each corner to the next.
     pub edges: SmallVec<[Edge<f64>; 4]>,
     pub cells: SmallVec<[Cell; 1]>,
     /// `J0, Js, Jt` of each cell, from 106 bits.

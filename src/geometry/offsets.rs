@@ -14,8 +14,8 @@ pub struct Offsets<S = f64> {
 }
 
 impl<S: Scalar> Offsets<S> {
-    /// From the differences themselves: `differences[i][k]` is end i of the first span less end k
-    /// of the second, lower ends first; `lengths` are theirs.
+    /// Offsets made of the differences themselves: `differences[i][k]` is end i of the first span
+    /// less end k of the second, lower ends first; `lengths` are theirs.
     #[must_use]
     pub const fn new(differences: [[S; 2]; 2], lengths: [S; 2]) -> Self {
         Self {
@@ -24,7 +24,7 @@ impl<S: Scalar> Offsets<S> {
         }
     }
 
-    /// Those of two spans on one axis.
+    /// The offsets of two spans on one axis.
     #[inline(always)]
     #[must_use]
     pub fn between(first: &Span<S>, second: &Span<S>) -> Self {
@@ -59,7 +59,7 @@ impl<S: Scalar> Offsets<S> {
         &self.lengths[1]
     }
 
-    /// The same, or with first and second exchanged.
+    /// Exchanges first and second, unless they are to stay.
     #[inline(always)]
     #[must_use]
     pub fn swapped_unless(&self, stays: bool) -> Self {

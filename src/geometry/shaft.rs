@@ -59,7 +59,7 @@ impl Plane {
         (point - self.origin).dot(self.normal)
     }
 
-    /// The same plane with its front on the other side.
+    /// The plane with its front on the other side.
     #[must_use]
     pub fn reversed(&self) -> Self {
         Self {

@@ -3,7 +3,7 @@
 use super::GeometryError;
 use crate::numeric::Scalar;
 
-/// From `lower` to `upper`, `lower < upper`, with its length kept apart.
+/// The interval from `lower` to `upper`, `lower < upper`, with its length kept apart.
 ///
 /// Far from the origin `upper − lower` would lose digits of a short length that is known exactly.
 /// The ends are then rounded, and a length below ε of the ends is lost in them: error bounds count
@@ -16,7 +16,7 @@ pub struct Span<S = f64> {
 }
 
 impl Span {
-    /// The same span as numbers of the type and precision of `like`: lower end and length exactly
+    /// Lifts the span to numbers of the type and precision of `like`: lower end and length exactly
     /// as given.
     #[must_use]
     pub fn lifted<S: Scalar>(&self, like: &S) -> Span<S> {
@@ -110,7 +110,7 @@ impl<S: Scalar> Span<S> {
         }
     }
 
-    /// The same span moved by `shift`.
+    /// The span moved by `shift`.
     #[must_use]
     #[inline(always)]
     pub fn shifted(&self, shift: &S) -> Self {
@@ -122,7 +122,7 @@ impl<S: Scalar> Span<S> {
         }
     }
 
-    /// The same span seen from `origin` in the opposite direction:
+    /// The span seen from `origin` in the opposite direction:
     /// `origin − upper … origin − lower`.
     #[must_use]
     #[inline(always)]

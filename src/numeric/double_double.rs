@@ -54,7 +54,7 @@ impl DoubleDouble {
         self.high
     }
 
-    /// What the leading double leaves.
+    /// The rest beside the leading double.
     #[must_use]
     pub const fn low(self) -> f64 {
         self.low

@@ -53,14 +53,14 @@ impl<S: Scalar> Dual<S> {
     }
 }
 
-/// By value alone.
+/// Compares values alone.
 impl<S: Scalar> PartialEq for Dual<S> {
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
     }
 }
 
-/// By value alone.
+/// Orders by value alone.
 impl<S: Scalar> PartialOrd for Dual<S> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         self.value.partial_cmp(&other.value)

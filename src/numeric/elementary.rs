@@ -275,7 +275,7 @@ pub fn angle(y: f64, x: f64) -> f64 {
     angle
 }
 
-/// The same of several points `[y, x]`, step by step for all of them, so that none waits for
+/// The angles of several points `[y, x]`, step by step for all of them, so that none waits for
 /// another.
 #[inline(always)]
 #[must_use]

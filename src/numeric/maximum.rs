@@ -15,13 +15,13 @@ use nalgebra::{DMatrix, DVector};
 /// A local maximum, with the derivative that is left there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Maximum {
-    /// Where the derivative changes sign from plus to minus.
+    /// The place where the derivative changes sign from plus to minus.
     pub position: f64,
     /// The function's value there.
     pub value: f64,
     /// The derivative's value there: what is left of zero.
     pub residual: f64,
-    /// How often the derivative was evaluated.
+    /// The number of evaluations of the derivative.
     pub evaluations: u64,
 }
 

@@ -9,7 +9,7 @@ use crate::numeric::{CompensatedSum, GaussLegendre, imaginary_dilogarithm};
 use glam::DVec3;
 use std::f64::consts::{LN_2, TAU};
 
-/// What a shortest panel may hold, relative to the exchange area, but for a logarithm.
+/// The most that a shortest panel may hold, relative to the exchange area, but for a logarithm.
 const SHORTEST: f64 = 1e-15;
 
 /// Smallest triangles, relative to the polygon's size: a polygon that close to its own size over

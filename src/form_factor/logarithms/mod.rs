@@ -83,7 +83,7 @@ impl Logarithms {
         first + second - 2.0 * self.distance + self.exchange.value * (unit / PI).ln()
     }
 
-    /// Of two polygons, each in front of the other's plane.
+    /// The logarithms of two polygons, each in front of the other's plane.
     ///
     /// **Accuracy** about 1e-14 of the exchange area for polygons of moderate shape, touching or
     /// not; `error_estimate` says what cancels.

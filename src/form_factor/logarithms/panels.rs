@@ -34,9 +34,9 @@ pub(super) fn over_panels(
     sum.total()
 }
 
-/// Where an integral along an edge is singular as a function of the place on a path: at the ends of
-/// the edge, and where the lines are nearest, as far off the real line as their distance over the
-/// sine of their angle.
+/// The places on a path at which an integral along an edge is singular: at the ends of the edge,
+/// and where the lines are nearest, as far off the real line as their distance over the sine of
+/// their angle.
 pub(super) struct Singularities {
     ends: [DVec3; 2],
     /// The place on the path, and the distance off it.
@@ -68,7 +68,8 @@ impl Singularities {
     }
 }
 
-/// How far along a path the plane is that it rises from: `height` at its start, `slope` along it.
+/// The distance along a path to the plane that it rises from: `height` at its start, `slope` along
+/// it.
 pub(super) fn to_plane([start, slope]: [f64; 2], s: f64) -> f64 {
     if slope.abs() > f64::EPSILON {
         (start / slope + s).abs()

@@ -16,7 +16,7 @@ pub(super) struct Panel {
     pub order: usize,
 }
 
-/// How finely a pass divides.
+/// The fineness with which a pass divides.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Fineness {
     /// Longest rule.

@@ -40,7 +40,7 @@ pub(super) struct Slab<const N: usize> {
 }
 
 impl<const N: usize> Slab<N> {
-    /// What all its trapezoids measure along d at `u`.
+    /// The extent of all its trapezoids along d at `u`.
     pub(super) fn extent(&self, u: Wide<N>) -> Wide<N> {
         let ends = self.lines.iter().map(|line| {
             let value = line.value(u);
@@ -49,7 +49,7 @@ impl<const N: usize> Slab<N> {
         ends.fold(Wide::ZERO, |sum, end| sum + end)
     }
 
-    /// Its area.
+    /// The area.
     pub(super) fn area(&self) -> Wide<N> {
         let [lower, upper] = self.ends;
         self.extent((lower + upper).scaled(-1)) * (upper - lower)
@@ -76,7 +76,7 @@ pub(super) struct Section<const N: usize> {
     pub outer: Vec<Slab<N>>,
     /// The u of the foot of the perpendicular from the outer line v on the inner plane.
     pub foot: Linear<N>,
-    /// Its length: the height of v over the inner plane.
+    /// The height of v over the inner plane.
     pub height: Linear<N>,
     /// The height of u over the outer plane.
     pub facing: Linear<N>,

@@ -54,7 +54,7 @@ fn quotient<E: Endpoint>(x: &E, y: &E, direction: Direction) -> E {
     }
 }
 
-/// Where an interval lies, seen from 0.
+/// The side of 0 on which an interval lies.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Side {
     /// All ≥ 0.

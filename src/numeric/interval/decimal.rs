@@ -93,7 +93,7 @@ impl Interval {
         Some(DecimalBounds { lower, upper })
     }
 
-    /// How many decimals behind the point the width leaves certain.
+    /// The number of decimals behind the point that the width leaves certain.
     #[must_use]
     pub fn certain_decimals(&self) -> u32 {
         let width = self.upper.plus(&self.lower.negated(), Direction::Up);

@@ -22,7 +22,7 @@ use std::ops::RangeInclusive;
 
 /// More bits than the result has, where the ends can hold them.
 const GUARD_BITS: u32 = 32;
-/// How often the argument of an exponential is halved.
+/// The number of times that the argument of an exponential is halved.
 const HALVINGS: i32 = 8;
 
 /// The nearest whole number among `entries`.
@@ -263,7 +263,8 @@ impl<E: Endpoint> Scalar for Interval<E> {
     fn exp_m1(&self) -> Self {
         self.rising(Self::with_guard(Self::exp_m1_of))
     }
-    /// Where the half-line x ≤ 0, y = 0 is touched the angle may jump, and every angle is returned.
+    /// The angle may jump where the half-line x ≤ 0, y = 0 is touched; then every angle is
+    /// returned.
     fn atan2(&self, x: &Self) -> Self {
         let zero = self.lower.constant(0.0);
         let half_pi = || self.pi().scaled(-1);

@@ -4,7 +4,7 @@ use super::super::expansion::two_sum;
 use std::cmp::Ordering;
 use std::fmt::Debug;
 
-/// Which way an inexact result is rounded.
+/// The direction in which an inexact result is rounded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
     /// Towards −∞.
@@ -59,7 +59,7 @@ pub trait Endpoint: Clone + Debug + PartialOrd + 'static {
     /// A double on the given side.
     fn to_double(&self, direction: Direction) -> f64;
 
-    /// Where it lies seen from 0; `Equal` of NaN.
+    /// The side of 0 on which it lies; `Equal` for NaN.
     fn sign(&self) -> Ordering {
         let sign = self.partial_cmp(&self.constant(0.0));
         sign.unwrap_or(Ordering::Equal)

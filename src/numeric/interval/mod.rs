@@ -171,7 +171,7 @@ impl<E: Endpoint> Interval<E> {
         })
     }
 
-    /// The same numbers with ends of `bits` bits, rounded outwards.
+    /// An enclosure of the interval with ends of `bits` bits, rounded outwards.
     #[must_use]
     pub fn with_precision(&self, bits: u32) -> Self {
         Self {

@@ -4,7 +4,7 @@
 use super::{Direction, Endpoint, Interval};
 use crate::numeric::Scalar;
 
-/// How many terms of a series in z², |z| < 2^(exponent + 1), reach the last bit.
+/// The number of terms with which a series in z², |z| < 2^(exponent + 1), reaches the last bit.
 pub(super) fn terms<E: Endpoint>(z: &Interval<E>, available: usize) -> usize {
     let largest = if z.upper.negated() < z.lower {
         &z.upper
@@ -86,7 +86,7 @@ pub(super) fn exponential_tail<E: Endpoint>(
     exponential_series(r, count, reciprocals)
 }
 
-/// The same by `count` terms, the last of which encloses all that follow.
+/// The exponential by `count` terms, the last of which encloses all that follow.
 pub(super) fn exponential_series<E: Endpoint>(
     r: &Interval<E>,
     count: usize,

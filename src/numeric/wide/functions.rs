@@ -16,7 +16,7 @@ use std::rc::Rc;
 /// Entries of the table of arc tangents per unit.
 const STEPS: u32 = 512;
 
-/// What depends on the precision only.
+/// Tables that depend on the precision only.
 struct Tables<const N: usize> {
     /// atan(i/512) for i up to 512.
     atan: Vec<Wide<N>>,
@@ -28,7 +28,7 @@ thread_local! {
     static TABLES: RefCell<HashMap<usize, Rc<dyn Any>>> = RefCell::default();
 }
 
-/// What `make` gives for N words, made once per thread and kept in `cache`.
+/// Returns the value of `make` for N words, made once per thread and kept in `cache`.
 pub(super) fn kept<T: 'static>(
     cache: &'static std::thread::LocalKey<RefCell<HashMap<usize, Rc<dyn Any>>>>,
     key: usize,

@@ -121,7 +121,7 @@ impl<const N: usize> Wide<N> {
         self.exponent
     }
 
-    /// Its magnitude.
+    /// The magnitude.
     #[must_use]
     pub const fn abs(mut self) -> Self {
         self.is_negative = false;
@@ -137,7 +137,7 @@ impl<const N: usize> Wide<N> {
         self
     }
 
-    /// Its square.
+    /// The square.
     #[must_use]
     pub fn square(self) -> Self {
         self * self
@@ -157,7 +157,7 @@ impl<const N: usize> Wide<N> {
         self.is_negative && !self.is_zero()
     }
 
-    /// As a double, to within one unit in its last place; ±∞ or 0 beyond the range.
+    /// The nearest double, to within one unit in its last place; ±∞ or 0 beyond the range.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
         #[allow(clippy::cast_precision_loss, reason = "rounded on purpose")]
@@ -188,7 +188,7 @@ impl<const N: usize> Wide<N> {
         }
     }
 
-    /// Its words moved down by `shift` bits.
+    /// The words moved down by `shift` bits.
     fn shifted_down(&self, shift: u32) -> [u64; N] {
         let (whole, bits) = ((shift / WORD) as usize, shift % WORD);
         let mut words = [0; N];
@@ -202,7 +202,7 @@ impl<const N: usize> Wide<N> {
         words
     }
 
-    /// Itself as a fixed point fraction; it must lie in [0, 1).
+    /// The number as a fixed point fraction; it must lie in [0, 1).
     fn fraction(&self) -> [u64; N] {
         match u32::try_from(-self.exponent) {
             Ok(shift) if (shift / WORD) as usize >= N => [0; N],
@@ -255,7 +255,7 @@ impl<const N: usize> Wide<N> {
         Self { words, ..*self }.normalised()
     }
 
-    /// The same number with the leading bit set.
+    /// Moves the words up until the leading bit is set.
     fn normalised(self) -> Self {
         let Some(top) = self.words.iter().rposition(|word| *word != 0) else {
             return Self::ZERO;
