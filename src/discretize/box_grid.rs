@@ -94,8 +94,7 @@ fn scaled(edges: [f64; 3]) -> Result<[f64; 3], DiscretizeError> {
         let condition = "at least a millionth of the longest";
         return Err(refused("the shortest edge of the box", shortest, condition));
     }
-    // the exponent alone
-    let unit = f64::from_bits(longest.to_bits() & 0x7ff0_0000_0000_0000);
+    let unit = crate::numeric::power_of_two_below(longest);
     Ok(edges.map(|edge| edge / unit))
 }
 

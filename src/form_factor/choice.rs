@@ -1,4 +1,5 @@
-//! The chooser: the cheapest route whose bound meets the tolerance, and the next one where it does not.
+//! The chooser: the cheapest route whose bound meets the tolerance, and the next one where it does
+//! not.
 //!
 //! ```text
 //!   aligned rectangles    closed form
@@ -8,39 +9,31 @@
 //!   what cancels there    closed form of aligned rectangles, in intervals of 256 bits
 //! ```
 //!
-//! Before any of them: polygons that face away or lie in one plane exchange nothing, and what lies behind the other's
-//! plane is clipped.
+//! Before any of them: polygons that face away or lie in one plane exchange nothing, and what lies
+//! behind the other's plane is clipped.
 
-use super::contour::{Scratch, contour};
-use super::gauss_points::{Block, MOST};
+use super::contour::contour;
+use super::gauss_points::MOST;
 use super::horizon::{Off, precise_outline};
-use super::point_to_polygon::{LambertRounding, Side};
+use super::point_to_polygon::LambertRounding;
 use super::precise_contour::precise_contour;
 use super::view::{View, seen};
+use super::workspace::Workspace;
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
 use crate::numeric::elementary::rough_ln;
-use crate::numeric::{LANES, SQUARED_EPSILON};
+use crate::numeric::{LANES, SQUARED_EPSILON, power_of_two_below};
 use smallvec::SmallVec;
-use std::cell::RefCell;
 
 /// Relative error that is asked for unless something else is.
 pub const DEFAULT_TOLERANCE: f64 = 1e-12;
 
-thread_local! {
-    static WORK: RefCell<Work> = RefCell::default();
-}
-
-/// Room for the work on a pair, kept from one to the next.
-#[derive(Debug, Default)]
-pub(super) struct Work {
-    pub scratch: Scratch,
-    pub blocks: [Vec<Block>; 2],
-    pub sides: Vec<Side>,
-}
+/// 2⁻¹⁰⁰⁰: sizes of pairs range from here to the inverse.
+const SMALLEST_UNIT: f64 = f64::from_bits((1023 - 1000) << 52);
 
 impl Polygon {
-    /// What the two exchange, by the cheapest route whose error bound is within `tolerance` of the value; if none is,
-    /// the value with the smallest bound, which may be larger than the value where the corners' own rounding is.
+    /// The exchange area of the two, by the cheapest route whose error bound is within `tolerance`
+    /// of the value; if none is, the value with the smallest bound, which may be larger than the
+    /// value where the corners' own rounding is.
     ///
     /// **Arguments** `tolerance`: relative, 0 or more; anything else counts as 0.
     ///
@@ -70,7 +63,7 @@ impl Polygon {
             return Ok(answer);
         }
         let answer = self.in_units(other, |first, second| {
-            WORK.with_borrow_mut(|work| seen([first, second], tolerance, |view| view.answer(work)))
+            Workspace::with(|work| seen([first, second], tolerance, |view| view.answer(work)))
         });
         match answer {
             Ok(found) if found.exchange.error_bound > tolerance * found.exchange.value => {
@@ -83,11 +76,13 @@ impl Polygon {
         }
     }
 
-    /// The same by one route, whether its bound meets the tolerance or not: for studies of the routes.
+    /// The exchange area by one route, whether its bound meets the tolerance or not: for studies of
+    /// the routes.
     ///
     /// # Errors
     /// [`FormFactorError::NotResolved`] if the route does not serve this pair, or leaves no digit;
-    /// [`FormFactorError::OutOfRange`] if distances or the value leave the range that the routes work in.
+    /// [`FormFactorError::OutOfRange`] if distances or the value leave the range that the routes
+    /// work in.
     pub fn exchange_area_by(
         &self,
         route: Route,
@@ -105,14 +100,15 @@ impl Polygon {
             return Ok(answer);
         }
         self.in_units(other, |first, second| {
-            WORK.with_borrow_mut(|work| {
+            Workspace::with(|work| {
                 let by_route = |view: &View| view.answer_by(route, work).ok_or(not_served);
                 seen([first, second], tolerance.max(0.0), by_route)
             })
         })
     }
 
-    /// A pair very small or very large is taken in units of a power of two near its size, so that squares stay in range.
+    /// A pair very small or very large is taken in units of a power of two near its size, so that
+    /// squares stay in range.
     fn in_units(
         &self,
         other: &Self,
@@ -123,11 +119,11 @@ impl Polygon {
         if (1e-60..1e60).contains(&reach) {
             return answer(self, other);
         }
-        let power = reach.log2().floor();
-        if !power.is_finite() || power.abs() > 1000.0 {
+        let unit = power_of_two_below(reach);
+        if !(SMALLEST_UNIT..=1.0 / SMALLEST_UNIT).contains(&unit) {
             return Err(FormFactorError::OutOfRange { value: reach });
         }
-        let scale = |polygon: &Self| polygon.scaled((-power).exp2());
+        let scale = |polygon: &Self| polygon.scaled(1.0 / unit);
         // one so small beside the other that nothing is left of it
         let (Some(first), Some(second)) = (scale(self), scale(other)) else {
             return Err(FormFactorError::OutOfRange { value: 0.0 });
@@ -135,7 +131,7 @@ impl Polygon {
         let mut answer = answer(&first, &second)?;
         let exact = answer.exchange.value <= 0.0;
         for number in [&mut answer.exchange.value, &mut answer.exchange.error_bound] {
-            *number = *number * power.exp2() * power.exp2();
+            *number = *number * unit * unit;
         }
         let value = answer.exchange.value;
         if exact || (value.is_normal() && answer.exchange.error_bound.is_finite()) {
@@ -147,11 +143,12 @@ impl Polygon {
 }
 
 impl View<'_> {
-    fn answer(&self, work: &mut Work) -> Result<Answer, FormFactorError> {
+    fn answer(&self, work: &mut Workspace) -> Result<Answer, FormFactorError> {
         let mut best: Option<Answer> = None;
         let mut left = Plans::new();
         self.plans(&mut left);
-        // what is not expected to do is tried last, before the precise one: expectations rest on an estimate
+        // what is not expected to do is tried last, before the precise one: expectations rest on an
+        // estimate
         let mut put_off: SmallVec<[Plan; 2]> = SmallVec::new();
         while let Some(k) = cheapest(&left) {
             let (cost, mut plan) = left.swap_remove(k);
@@ -184,8 +181,8 @@ impl View<'_> {
         }
     }
 
-    /// By one route alone.
-    fn answer_by(&self, route: Route, work: &mut Work) -> Option<Answer> {
+    /// The answer of one route alone.
+    fn answer_by(&self, route: Route, work: &mut Workspace) -> Option<Answer> {
         let exchange = match route {
             Route::Contour => self.follow(Plan::Contour, work),
             Route::DoubleDouble => self.follow(Plan::Precise, work),
@@ -227,7 +224,8 @@ impl View<'_> {
         if error_bound <= self.tolerance * value {
             return Some(answer);
         }
-        // of values that are not good enough, the one known best; what rounding left below zero is not
+        // of values that are not good enough, the one known best; what rounding left below zero is
+        // not
         let value = value.max(0.0);
         let error_bound = error_bound + (value - exchange.value);
         let known = best.map_or(f64::INFINITY, |best| best.exchange.error_bound);
@@ -286,7 +284,7 @@ impl View<'_> {
         150.0 + corners * 240.0 / digits.max(1.5)
     }
 
-    fn follow(&self, plan: Plan, work: &mut Work) -> Option<ExchangeArea> {
+    fn follow(&self, plan: Plan, work: &mut Workspace) -> Option<ExchangeArea> {
         match plan {
             Plan::Contour => {
                 let range = [self.gap, self.reach];
@@ -298,9 +296,12 @@ impl View<'_> {
                 over,
                 points,
                 rounding,
-            } => Some(self.point_to_polygon(over, points, rounding, work)),
+            } => {
+                let (blocks, sides) = (&mut work.blocks[0], &mut work.sides);
+                Some(self.point_to_polygon(over, points, rounding, (blocks, sides)))
+            }
             Plan::Precise => self.precise_contour(),
-            Plan::Kernel { points } => Some(self.kernel(points, work)),
+            Plan::Kernel { points } => Some(self.kernel(points, &mut work.blocks)),
         }
     }
 
@@ -312,7 +313,8 @@ impl View<'_> {
         ];
         let wanted = 0.01 * self.wanted();
         let mut exchange = precise_contour([&outlines[0], &outlines[1]], wanted)?;
-        // the clip is right to 64 ε² of the coordinates; a polygon that is not planar is off by its tilt
+        // the clip is right to 64 ε² of the coordinates; a polygon that is not planar is off by its
+        // tilt
         let height = (first.tilt.max(second.tilt) + 64.0 * SQUARED_EPSILON) * self.reach;
         let off = Off {
             height,
@@ -327,7 +329,7 @@ impl View<'_> {
 /// Work in nanoseconds below which no other route is asked for.
 const CHEAP: f64 = 200.0;
 
-/// Which of some plans has the least work.
+/// The place of the plan with the least work.
 fn cheapest(plans: &[(f64, Plan)]) -> Option<usize> {
     (0..plans.len()).min_by(|i, j| plans[*i].0.total_cmp(&plans[*j].0))
 }

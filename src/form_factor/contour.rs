@@ -4,9 +4,10 @@
 //!   A F = (1/2π) ∮∮ ln r dx·dy = (1/2π) Σ_ab (u_a·u_b) ∫_a ∫_b ln r        (u: edge directions)
 //! ```
 //!
-//! An edge apart from all of the other polygon's takes one Gauss rule for all of them. Of the other pairs of edges each
-//! has a rule of its own, [graded panels](super::panels) or a [closed form](super::coplanar_edges). What limits it is
-//! cancellation: the terms are of the size of perimeter × perimeter, and the sum falls like 1/distance².
+//! An edge apart from all of the other polygon's takes one Gauss rule for all of them. Of the other
+//! pairs of edges each has a rule of its own, [graded panels](super::panels) or a
+//! [closed form](super::coplanar_edges). What limits it is cancellation: the terms are of the size
+//! of perimeter × perimeter, and the sum falls like 1/distance².
 //!
 //! In units of u = ε/2, beside the [potential's](super::potential) own error:
 //!
@@ -18,15 +19,17 @@
 //!   u_a·u_b lost in rounding    28 u L_a max |U_b|, in place of the pair
 //! ```
 //!
-//! (the gradient's component along b is the logarithm of the ends' distances' ratio, that across it the angle.)
+//! (the gradient's component along b is the logarithm of the ends' distances' ratio, that across it
+//! the angle.)
 //!
-//! Reference: Sparrow, "A new and simpler formulation for radiative angle factors", *J. Heat Transfer* 85 (1963), 81–87.
+//! Reference: Sparrow, "A new and simpler formulation for radiative angle factors", *J. Heat
+//! Transfer* 85 (1963), 81–87.
 
 use super::ExchangeArea;
 use super::coplanar_edges::{Coplanar, Relation, Rounding, coplanar, relation};
 use super::edge::{Columns, Edge, Precision};
 use super::panels::{ellipse, gauss_error, panels, points_for};
-use super::potential::{Batch, Nodes, Seen, Sums};
+use super::potential::{Batch, EdgeWithError, Nodes, Sums};
 use super::shape::Shape;
 use super::view::widening;
 use crate::geometry::Vector;
@@ -38,7 +41,7 @@ use std::f64::consts::{LN_2, PI, TAU};
 
 /// Edges at least this far from each other, as a sum of half-axes, take a Gauss rule in one piece.
 const APART: f64 = 1.1;
-/// And no more points than about this.
+/// The number of points that such a rule has at most, roughly.
 const MOST: f64 = 40.0;
 /// Cosines up to this, in ε, are those of a right angle.
 const RIGHT_ANGLE: f64 = 8.0;
@@ -49,13 +52,14 @@ pub(super) struct Scratch {
     nodes: Nodes,
     batch: Batch,
     columns: Columns,
-    /// By edge of the outer polygon and vector of edges of the inner one.
+    /// Half-axes by edge of the outer polygon and vector of edges of the inner one.
     outside: Vec<Lanes>,
 }
 
 type Edges = SmallVec<[Edge<f64>; 4]>;
 
-/// Puts the edges of a shape from a new origin in `edges`, and says whether they have the same places there exactly.
+/// Puts the edges of a shape from a new origin in `edges`, and says whether they have the same
+/// places there exactly.
 fn placed(shape: &Shape, origin: DVec3, edges: &mut Edges) -> bool {
     let origin = Vector(origin.to_array());
     let mut is_exact = true;
@@ -70,8 +74,8 @@ fn placed(shape: &Shape, origin: DVec3, edges: &mut Edges) -> bool {
     is_exact
 }
 
-/// In `f64`; distances are from `gap` to `reach`, `wanted` is the absolute error that truncation may have. `None` if edges come too near to each other
-/// to be resolved.
+/// The contour integral in `f64`; distances are from `gap` to `reach`, `wanted` is the absolute
+/// error that truncation may have. `None` if edges come too near to each other to be resolved.
 pub(super) fn contour(
     first: &Shape,
     second: &Shape,
@@ -85,7 +89,8 @@ pub(super) fn contour(
     } else {
         (second, first)
     };
-    // coordinates are taken from a corner if that moves nothing, or if they are far larger than the distances
+    // coordinates are taken from a corner if that moves nothing, or if they are far larger than the
+    // distances
     let farthest = outer.largest.max(inner.largest);
     let mut origin = outer.corners[0];
     let (mut a_edges, mut b_edges) = (Edges::new(), Edges::new());
@@ -113,7 +118,7 @@ pub(super) fn contour(
     let precision = Precision::new(gap, reach, 1.0, f64::EPSILON);
     let per_length = wanted * TAU / (outer.perimeter * inner.perimeter);
     let middle = Vector((outer.centre - origin).to_array());
-    let mut seen: SmallVec<[Seen; 8]> = SmallVec::with_capacity(b_edges.len());
+    let mut seen: SmallVec<[EdgeWithError; 8]> = SmallVec::with_capacity(b_edges.len());
     for b in &b_edges {
         let [start, end] = b.ends.map(|end| end.minus(middle).dot(b.direction).abs());
         let projected = start.max(end) + outer.radius;
@@ -210,8 +215,8 @@ pub(super) fn contour(
     })
 }
 
-/// Asks for the potentials of each of two edges on lines that meet at the other's ends; not at the meeting point, where they
-/// have no weight.
+/// Asks for the potentials of each of two edges on lines that meet at the other's ends; not at the
+/// meeting point, where they have no weight.
 fn ask_ends(batch: &mut Batch, [a, b]: [&Edge<f64>; 2], relation: &Coplanar<f64>) {
     if let Coplanar::Meeting { s, t, .. } = relation {
         for end in 0..2 {
@@ -225,7 +230,8 @@ fn ask_ends(batch: &mut Batch, [a, b]: [&Edge<f64>; 2], relation: &Coplanar<f64>
     }
 }
 
-/// How far from a rule's edge others must be, as a sum of half-axes: [`APART`], or where the largest rule does.
+/// How far from a rule's edge others must be, as a sum of half-axes: [`APART`], or where the
+/// largest rule does.
 fn apart_from(log_per_length: f64) -> f64 {
     let log_rho = -(log_per_length + LN_2) / (2.0 * MOST);
     if log_rho <= 0.44 {
@@ -257,20 +263,20 @@ struct EdgeSum {
 }
 
 impl EdgeSum {
-    /// How far a node on an edge may be from where it should be.
+    /// Bounds the displacement of a node on an edge.
     fn displaced(&self, a: &Edge<f64>) -> f64 {
         f64::EPSILON * (self.largest + 0.875 * a.length)
     }
 
-    /// One rule on an edge for others, at least so far away as a sum of half-axes, with their length together and the largest
-    /// cosine.
+    /// One rule on an edge for others, at least so far away as a sum of half-axes, with their
+    /// length together and the largest cosine.
     fn rule(
         &mut self,
         a: &Edge<f64>,
         [length, cosine]: [f64; 2],
         sum: f64,
         nodes: &mut Nodes,
-        seen: &[Seen],
+        seen: &[EdgeWithError],
     ) {
         let rho = ellipse(sum);
         let points = points_for(self.log_per_length + LN_2, rho);
@@ -290,7 +296,7 @@ impl EdgeSum {
         [a, b]: [&Edge<f64>; 2],
         cosine: f64,
         nodes: &mut Nodes,
-        only: &[Seen],
+        only: &[EdgeWithError],
     ) -> Option<()> {
         let displaced = cosine * self.displaced(a);
         panels(a, b, self.per_length, f64::EPSILON, APART, |panel| {
@@ -308,7 +314,7 @@ impl EdgeSum {
         part: [f64; 2],
         points: usize,
         nodes: &mut Nodes,
-        seen: &[Seen],
+        seen: &[EdgeWithError],
     ) {
         let rule = GaussLegendre::with(points);
         if !nodes.has_room_for(rule) {

@@ -7,19 +7,16 @@
 //!   s = (w×v)·(u×v)/|u×v|²,  t = (w×u)·(u×v)/|u×v|²        (w = A − B from the nearest ends A, B, where s and t are)
 //! ```
 //!
-//! where U and V are the [potentials](super::potential) of the two edges. Parallel edges, h apart, p and q along them:
+//! where U and V are the [potentials](super::potential) of the two edges. Parallel edges, h apart,
+//! p and q along them:
 //!
 //! ```text
 //!   ∫∫ ½ ln((p−q)² + h²) = Σ ± G(p − q),   G(w) = ((w² − h²)/4) ln(w² + h²) + h w atan(w/h) − ¾ w²
 //! ```
 //!
-//! Lines that miss each other by δ count as meeting if δ is lost in rounding: with true and computed r² apart by δ² at
-//! most, `∫ ½ ln(1 + δ²/t²) dt = π δ` bounds what each potential is off by.
-
-#![allow(
-    clippy::inline_always,
-    reason = "the machine code is made where it is called"
-)]
+//! Lines that miss each other by δ count as meeting if δ is lost in rounding: with true and
+//! computed r² apart by δ² at most, `∫ ½ ln(1 + δ²/t²) dt = π δ` bounds what each potential is off
+//! by.
 
 use super::edge::{Edge, PairIntegral, Precision};
 use super::potential::log_distance;
@@ -27,7 +24,7 @@ use crate::geometry::Vector;
 use crate::numeric::Scalar;
 use std::f64::consts::PI;
 
-/// How two edges lie to each other.
+/// The relation of two edges: skew, or in one plane.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Relation<S> {
     /// On lines that meet, as far as rounding tells, or are parallel.
@@ -43,9 +40,9 @@ pub(super) enum Coplanar<S> {
     Meeting {
         s: [S; 2],
         t: [S; 2],
-        /// How far the lines miss each other.
+        /// The distance by which the lines miss each other.
         miss: f64,
-        /// How far the meeting point may be off.
+        /// A bound on the displacement of the meeting point.
         shift: f64,
         reach: f64,
     },
@@ -53,8 +50,8 @@ pub(super) enum Coplanar<S> {
     Parallel { apart: S, sine: f64 },
 }
 
-/// What is lost in rounding: the sine of an angle, and the distance of two lines. Edges within both are taken as coplanar, and
-/// the error of that is bounded.
+/// The size of what is lost in rounding: the sine of an angle, and the distance of two lines. Edges
+/// within both are taken as coplanar, and the error of that is bounded.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rounding {
     pub epsilon: f64,
@@ -63,7 +60,7 @@ pub(super) struct Rounding {
 }
 
 impl Rounding {
-    /// Of coordinates up to `largest`, `factor` roundings of `epsilon` each.
+    /// The rounding of coordinates up to `largest`, by `factor` roundings of `epsilon` each.
     pub(super) const fn new(epsilon: f64, factor: f64, largest: f64) -> Self {
         let sine = factor * epsilon;
         Self {
@@ -74,7 +71,7 @@ impl Rounding {
     }
 }
 
-/// How two edges lie to each other.
+/// Finds the relation of two edges.
 #[inline(always)]
 pub(super) fn relation<S: Scalar + Copy>(
     [a, b]: [&Edge<S>; 2],
@@ -224,7 +221,8 @@ fn parallel<S: Scalar + Copy>(
         same - opposite
     };
     let size = sizes[0] + sizes[1] + sizes[2] + sizes[3];
-    // a turn by the sine moves a point of one by at most that times its length, against all of the other
+    // a turn by the sine moves a point of one by at most that times its length, against all of the
+    // other
     let turned = 2.0 * PI * sine * a.length.to_f64() * b.length.to_f64();
     PairIntegral {
         value: sum,

@@ -1,4 +1,5 @@
-//! First and second derivatives of the rectangle forms at their sixteen corners: how an exchange area changes as edges move.
+//! First and second derivatives of the rectangle forms at their sixteen corners: how an exchange
+//! area changes as edges move.
 //!
 //! ```text
 //!   parallel        2π A F = Σ ± G(u, v),     p² = u² + z², q² = v² + z², α = atan(v/p), β = atan(u/q)
@@ -9,11 +10,13 @@
 //!     G_v = s α + ½ v ln r²              G_vv = ½ ln r²
 //! ```
 //!
-//! up to functions that the differences in the other coordinates cancel. Where an edge is the same line for both rectangles
-//! (v = 0) its derivative by v is infinite, but v does not change; on the line in which two planes meet (s = 0) nothing depends on x or z.
+//! up to functions that the differences in the other coordinates cancel. Where an edge is the same
+//! line for both rectangles (v = 0) its derivative by v is infinite, but v does not change; on the
+//! line in which two planes meet (s = 0) nothing depends on x or z.
 //!
-//! **Not covered**: the cancellation in the sums; exchange areas themselves come from [`parallel`](super::parallel) and
-//! [`perpendicular`](super::perpendicular), which take one difference in closed form.
+//! **Not covered**: the cancellation in the sums; exchange areas themselves come from
+//! [`parallel`](super::parallel) and [`perpendicular`](super::perpendicular), which take one
+//! difference in closed form.
 
 use super::exchange::Sign;
 use crate::geometry::Offsets;
@@ -23,15 +26,15 @@ use std::array::from_fn;
 /// Corners of a pair: two ends of each of four sides.
 const CORNERS: usize = 16;
 
-/// Derivatives of an exchange area by the eight numbers that place the edges: first those named by the form, then the four
-/// differences of ends along the (second) common axis, lower ends first.
+/// Derivatives of an exchange area by the eight numbers that place the edges: first those named by
+/// the form, then the four differences of ends along the (second) common axis, lower ends first.
 #[derive(Debug, Clone)]
 pub(crate) struct EdgeSlopes<S> {
-    /// By one of them.
+    /// First derivatives.
     pub first: [S; 8],
     /// Σ |term| of these.
     pub magnitude: [S; 8],
-    /// By two of them.
+    /// Second derivatives.
     pub second: [[S; 8]; 8],
 }
 
@@ -95,7 +98,8 @@ impl<S: Scalar> EdgeSlopes<S> {
         self
     }
 
-    /// Of parallel rectangles: by the four differences along one axis, then by those along the other.
+    /// The derivatives for parallel rectangles: by the four differences along one axis, then by
+    /// those along the other.
     pub(crate) fn parallel([us, vs]: [&Offsets<S>; 2], distance: &S) -> Self {
         let u: [S; CORNERS] = from_fn(|c| difference(us, c / 4).clone());
         let v: [S; CORNERS] = from_fn(|c| difference(vs, c % 4).clone());
@@ -137,7 +141,8 @@ impl<S: Scalar> EdgeSlopes<S> {
         sum.finished(Sign::Plus)
     }
 
-    /// Of perpendicular rectangles: by both ends of either depth, the lower first, then by the differences of widths.
+    /// The derivatives for perpendicular rectangles: by both ends of either depth, the lower first,
+    /// then by the differences of widths.
     pub(crate) fn perpendicular(depths: [[&S; 2]; 2], widths: &Offsets<S>) -> Self {
         let like = depths[0][1];
         let x: [S; CORNERS] = from_fn(|c| depths[0][c / 8].clone());

@@ -1,11 +1,5 @@
 //! Edges, and how well what is computed of them is known.
 
-#![allow(
-    clippy::inline_always,
-    reason = "the machine code is made where it is called"
-)]
-
-use super::potential::{log_distance, potential};
 use crate::geometry::Vector;
 use crate::numeric::elementary::{ROUGH_LN_ERROR, rough_ln};
 use crate::numeric::{LANES, Lanes, Scalar, vectorised};
@@ -36,20 +30,6 @@ impl<S: Scalar + Copy> Edge<S> {
         self.ends[0].plus(self.direction, t * self.length)
     }
 
-    /// Its potential at a point.
-    #[inline(always)]
-    pub(super) fn potential(&self, point: Vector<S>, inverse_square: S) -> S {
-        let (a, c) = (self.ends[0].minus(point), self.ends[1].minus(point));
-        let logs = [
-            log_distance(a, inverse_square),
-            log_distance(c, inverse_square),
-        ];
-        let height = a.cross(self.direction).length();
-        let [angle] = S::angles([[&(height * self.length), &a.dot(c)]]);
-        let turn = [height, angle];
-        potential([a, c], self.direction, self.length, logs, turn)
-    }
-
     /// A lower bound on the squared distance of a point.
     #[inline(always)]
     pub(super) fn squared_distance(&self, point: Vector<S>) -> f64 {
@@ -61,8 +41,8 @@ impl<S: Scalar + Copy> Edge<S> {
     }
 }
 
-/// A lower bound on the sum of half-axes of ellipses about a line that leave an edge outside, from the squared distances of its
-/// start, middle and end from the edge: for a point y of that,
+/// A lower bound on the sum of half-axes of ellipses about a line that leave an edge outside, from
+/// the squared distances of its start, middle and end from the edge: for a point y of that,
 /// `(|y − start| + |y − end|)² = 2 |y − middle|² + length²/2 + 2 |y − start| |y − end|`.
 #[inline(always)]
 pub(super) fn half_axes([from_start, from_middle, from_end]: [f64; 3], length: f64) -> f64 {
@@ -92,7 +72,8 @@ impl Columns {
         }
     }
 
-    /// A line's middle's least squared distance; at the end of `outside`, the [`half_axes`] that leave each edge outside.
+    /// A line's middle's least squared distance; at the end of `outside`, the [`half_axes`] that
+    /// leave each edge outside.
     pub(super) fn distances_from(&self, line: &Edge<f64>, outside: &mut Vec<Lanes>) -> f64 {
         let points = [line.ends[0], line.at(0.5), line.ends[1]];
         let length = line.length;
@@ -132,7 +113,7 @@ pub(super) struct PairIntegral<S> {
     pub error: f64,
 }
 
-/// What lengths are measured in under the logarithm, and how well numbers are known.
+/// The unit of lengths under the logarithm, and the accuracy of numbers.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Precision<S> {
     /// One over the unit of length squared.
@@ -146,11 +127,11 @@ pub(super) struct Precision<S> {
 }
 
 impl<S: Scalar + Copy> Precision<S> {
-    /// For distances from `gap` (0 if they touch) to `reach`.
+    /// The precision for distances from `gap` (0 if they touch) to `reach`.
     ///
-    /// `r |ln(r/unit)|` is at most `reach ln(reach/unit)` beyond the unit, and `unit/e` below it, or what it is at the gap. The
-    /// two are equal for `ln(reach/unit) = 0.2785`, or where the gap is larger than that leaves open, `gap/(gap + reach)`
-    /// times the logarithm of their ratio.
+    /// `r |ln(r/unit)|` is at most `reach ln(reach/unit)` beyond the unit, and `unit/e` below it,
+    /// or what it is at the gap. The two are equal for `ln(reach/unit) = 0.2785`, or where the gap
+    /// is larger than that leaves open, `gap/(gap + reach)` times the logarithm of their ratio.
     pub(super) fn new(gap: f64, reach: f64, like: S, epsilon: f64) -> Self {
         const BALANCE: f64 = 0.2785;
         let above = if gap > BALANCE * reach {
@@ -182,20 +163,20 @@ impl<S: Scalar + Copy> Precision<S> {
         }
     }
 
-    /// The error of the potential of an edge whose ends are within `projected` along it, and subtend at most so much that
-    /// `θ/sin θ` is `widening`.
+    /// The error of the potential of an edge whose ends are within `projected` along it, and
+    /// subtend at most so much that `θ/sin θ` is `widening`.
     pub(super) fn of_potential(&self, projected: f64, length: f64, widening: f64) -> f64 {
         let logs = 5.0 * projected + 18.0 * self.largest_log;
         0.5 * self.epsilon * (logs + (12.0 + 12.0 * widening.min(FRAC_PI_2)) * length)
     }
 
-    /// The largest magnitude of the potential of an edge: with the largest distance for a unit it is greatest for a point
-    /// in the middle of an edge twice as long, `∫ ln(unit/r) = 2 unit`.
+    /// The largest magnitude of the potential of an edge: with the largest distance for a unit it
+    /// is greatest for a point in the middle of an edge twice as long, `∫ ln(unit/r) = 2 unit`.
     pub(super) fn largest_potential(&self, length: f64) -> f64 {
         (length * self.largest_ratio).min(2.0 * self.reach)
     }
 
-    /// The same wherever the point is, for distances up to `reach`.
+    /// The error of the potential of an edge at any point, for distances up to `reach`.
     pub(super) fn of_any_potential(&self, reach: f64, length: f64) -> f64 {
         self.of_potential(reach, length, FRAC_PI_2)
     }

@@ -12,9 +12,9 @@ pub enum FormFactorError {
     /// A length that must be positive is not.
     #[error("{quantity} is {value}: it must be finite and > 0")]
     NonPositiveLength {
-        /// Which length.
+        /// The name of the length.
         quantity: &'static str,
-        /// As given.
+        /// The length as given.
         value: f64,
     },
     /// A plate reaches behind the plane of the other.
@@ -22,7 +22,7 @@ pub enum FormFactorError {
         "a depth starts at {lower}: the part behind the other plate's plane must be clipped first"
     )]
     BehindPlane {
-        /// Where the depth starts, < 0.
+        /// The start of the depth, < 0.
         lower: f64,
     },
     /// An interval reaches from one side of the other rectangle's plane to the other side.
@@ -51,7 +51,7 @@ pub enum FormFactorError {
     /// A direction that should have length 1.
     #[error("a normal of length {length} is not a direction: divide it by its length")]
     NotAUnitNormal {
-        /// Its length.
+        /// The length of the vector.
         length: f64,
     },
     /// Two points that should be apart are not.

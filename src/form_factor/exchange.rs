@@ -16,16 +16,12 @@
 //! The first is perfectly conditioned: with M² = (p²+a²)(p²+b²) the argument's rounding is at most
 //! some ε M, which moves the angle by as many ε sin(angle).
 //!
-//! Roundings are counted in halves of ε: one for an operation, four for an angle (2 ε), two for a logarithm, four for one of a
-//! ratio; an angle or a root passes on at most what its argument has, or half of it. A sum over corners takes 8: three levels within
-//! a corner, three across the eight, and the quotient by 2π.
+//! Roundings are counted in halves of ε: one for an operation, four for an angle (2 ε), two for a
+//! logarithm, four for one of a ratio; an angle or a root passes on at most what its argument has,
+//! or half of it. A sum over corners takes 8: three levels within a corner, three across the eight,
+//! and the quotient by 2π.
 
-#![allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
-
-use super::FormFactorError;
+use super::{ExchangeArea, FormFactorError};
 use crate::numeric::{Scalar, tolerance};
 use std::array::from_fn;
 
@@ -73,8 +69,9 @@ impl<S: Scalar> Exchange<S> {
         };
     }
 
-    /// The signed sum of a term over the eight corners of a form, all in one loop; to be called where vector code is made.
-    /// `columns` lays the numbers out coordinate by coordinate, as vectors are.
+    /// The signed sum of a term over the eight corners of a form, all in one loop; to be called
+    /// where vector code is made. `columns` lays the numbers out coordinate by coordinate, as
+    /// vectors are.
     #[inline(always)]
     pub(super) fn over_corners<const K: usize, const C: usize>(
         numbers: &[S; C],
@@ -115,25 +112,6 @@ impl<S: Scalar> Exchange<S> {
     }
 }
 
-/// An exchange area with a bound on its error.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ExchangeArea {
-    /// `A_1 F_12 = A_2 F_21`, in squared units of length, ≥ 0.
-    pub value: f64,
-    /// Bound on the absolute error, in the same unit: for corners as given ([`Polygon`](super::Polygon)), or for rectangles as
-    /// placed in the frame of the first ([`RectanglePair`](super::RectanglePair)). It rests on the error bounds of
-    /// [`elementary`](crate::numeric::elementary).
-    pub error_bound: f64,
-}
-
-impl ExchangeArea {
-    /// Of two that see nothing of each other.
-    pub(super) const NOTHING: Self = Self {
-        value: 0.0,
-        error_bound: 0.0,
-    };
-}
-
 impl Exchange<f64> {
     /// Value and error bound, times the area of a unit square.
     ///
@@ -150,11 +128,11 @@ impl Exchange<f64> {
         }
     }
 
-    /// The same for an exchange area, which must be positive beyond its error.
+    /// Value and error bound of an exchange area, which must be positive beyond its error.
     ///
     /// # Errors
-    /// As [`in_range`](Self::in_range); [`FormFactorError::NotResolved`] if the error bound is not below
-    /// the value.
+    /// As [`in_range`](Self::in_range); [`FormFactorError::NotResolved`] if the error bound is not
+    /// below the value.
     #[inline(always)]
     pub fn resolved(&self, unit_area: f64) -> Result<ExchangeArea, FormFactorError> {
         let exchange = self.in_range(unit_area)?;
@@ -171,8 +149,8 @@ impl<S: Scalar> Exchange<S> {
     /// An exchange area in any number type, in the unit of its spans.
     ///
     /// # Errors
-    /// [`FormFactorError::NotResolved`] if it is not positive beyond its rounding, where the type tracks that;
-    /// [`FormFactorError::OutOfRange`] if it has no bounds.
+    /// [`FormFactorError::NotResolved`] if it is not positive beyond its rounding, where the type
+    /// tracks that; [`FormFactorError::OutOfRange`] if it has no bounds.
     pub fn certain(self) -> Result<S, FormFactorError> {
         let value = self.value.to_f64();
         let error_bound = tolerance::RECTANGLE_TERMS * f64::EPSILON * self.magnitude.to_f64();
@@ -204,7 +182,8 @@ impl Sign {
     }
 }
 
-/// `ln r_b² − ln r_a²` from the difference of squares; either form is right, the one taken keeps its digits.
+/// `ln r_b² − ln r_a²` from the difference of squares; either form is right, the one taken keeps
+/// its digits.
 #[inline(always)]
 pub(super) fn log_ratio<S: Scalar>(difference: &S, r2_a: &S, r2_b: &S) -> S {
     let falls = *difference < difference.zero();

@@ -4,23 +4,26 @@
 //!   K = h g / (π r⁴),   h, g: heights of each point above the other plane
 //! ```
 //!
-//! Along a line of a cell, `x(z)` with z in [−1, 1], the heights and the Jacobian are linear in z, and r² is quadratic with
-//! complex zeros a, ā at a distance of at least γ = gap/half-length from [−1, 1]. With `a = ½(w + 1/w)`, |w| = ρ > 1, the Chebyshev
-//! coefficients of 1/(z − a) are `−4 w^(−k)/(w − 1/w)`; its derivative by a has those of 1/(z − a)², and partial fractions those of
+//! Along a line of a cell, `x(z)` with z in [−1, 1], the heights and the Jacobian are linear in z,
+//! and r² is quadratic with complex zeros a, ā at a distance of at least γ = gap/half-length from
+//! [−1, 1]. With `a = ½(w + 1/w)`, |w| = ρ > 1, the Chebyshev coefficients of 1/(z − a) are
+//! `−4 w^(−k)/(w − 1/w)`; its derivative by a has those of 1/(z − a)², and partial fractions those
+//! of
 //!
 //! ```text
 //!   1/|z − a|⁴:   |α_k| ≤ ((k − 1)/q + ρ/q^(3/2) + 1/(η √q)) ρ^(−k)/η²            q = |a − 1| |a + 1|,  η = Im a
 //! ```
 //!
-//! Off the end of the line, where η may be 0, it is a mean of 1/(z − a′)⁴ over a′ between a and ā, whose coefficients are the largest in
-//! the middle, at Re a > 1: with ρ of that and σ = 1/(1 − ρ^(−2)), by three derivatives,
+//! Off the end of the line, where η may be 0, it is a mean of 1/(z − a′)⁴ over a′ between a and ā,
+//! whose coefficients are the largest in the middle, at Re a > 1: with ρ of that and σ = 1/(1 −
+//! ρ^(−2)), by three derivatives,
 //!
 //! ```text
 //!   |α_k| ≤ (16/3) σ⁴ ρ^(−k−4) (k + 1 + 2 σ ρ^(−2)) (k + 4 + 6 σ ρ^(−2)) (k + 7 + 10 σ ρ^(−2))
 //! ```
 //!
-//! A rule of n points is right for odd k and below 2n, and within 2 + 2/(k² − 1) for others. A factor z takes ½(α_(k−1) + α_(k+1)),
-//! so for z^d and |α_k| ≤ P(k) ρ^(−k)
+//! A rule of n points is right for odd k and below 2n, and within 2 + 2/(k² − 1) for others. A
+//! factor z takes ½(α_(k−1) + α_(k+1)), so for z^d and |α_k| ≤ P(k) ρ^(−k)
 //!
 //! ```text
 //!   error ≤ (32/15) (½(ρ + 1/ρ))^d Σ_j P(2n + d + 2j) ρ^(−2n−2j),  largest over a:  B_d
@@ -28,11 +31,11 @@
 //! ```
 //!
 //! for each of the directions. All of this falls as a moves away, and γ⁴ B does for γ ≥ ½. A height
-//! ≥ 0 has |h0| ≤ h_max and |h1| ≤ ½ h_max, and |h1| ≤ half-length. (The other polygon's plane is the only one whose height
-//! changes along the line.)
+//! ≥ 0 has |h0| ≤ h_max and |h1| ≤ ½ h_max, and |h1| ≤ half-length. (The other polygon's plane is
+//! the only one whose height changes along the line.)
 //!
-//! The lines of a triangle are shorter towards its apex, in proportion to J: a row there has as many points as keep its share of
-//! the error below that of a whole one.
+//! The lines of a triangle are shorter towards its apex, in proportion to J: a row there has as
+//! many points as keep its share of the error below that of a whole one.
 
 use super::panels::{ellipse, power};
 use super::shape::{Cell, Shape};
@@ -110,10 +113,6 @@ impl Rules {
 ///
 /// **Arguments** `out`: as many [blocks](Rules::blocks) as they take.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub(super) fn fill(
     out: &mut [Block],
     rules: Rules,
@@ -156,7 +155,7 @@ pub(super) fn fill(
     }
 }
 
-/// What the error of a rule along the lines of a cell depends on, beside their number of points.
+/// The lines of a cell along which a rule runs, by all that its error depends on beside its points.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Lines {
     /// The gap over half their length.
@@ -176,7 +175,8 @@ pub(super) const MOST: usize = 17;
 /// `B_0, B_1, B_2` by the number of points.
 type Bounds = [[f64; 3]; MOST + 1];
 
-/// The largest ratio with bounds of its own that is not above this one, by number and as it is; `None` if there is none.
+/// The largest ratio with bounds of its own that is not above this one, by number and as it is;
+/// `None` if there is none.
 fn ratio(gamma: f64) -> Option<(usize, f64)> {
     let step = |gamma: f64| gamma.to_bits() >> 48;
     if gamma < SMALLEST || gamma.is_nan() {
@@ -224,14 +224,15 @@ impl Lines {
         constant + (self.height + self.jacobian) * linear + self.height * self.jacobian * square
     }
 
-    /// A bound on the error in one direction, relative to `J_max h_max g_max / (π gap⁴)` times the area of the unit square,
-    /// with at most [`MOST`] points; infinite where there is none.
+    /// A bound on the error in one direction, relative to `J_max h_max g_max / (π gap⁴)` times the
+    /// area of the unit square, with at most [`MOST`] points; infinite where there is none.
     pub(super) fn error(&self, points: usize) -> f64 {
         let bounds = self.bounds();
         bounds.map_or(f64::INFINITY, |bounds| self.sum(bounds[points.min(MOST)]))
     }
 
-    /// The fewest points from 2 on whose error is certain to be below `wanted`; [`MOST`] if less than that do not do.
+    /// The fewest points from 2 on whose error is certain to be below `wanted`; [`MOST`] if less
+    /// than that do not do.
     pub(super) fn points(&self, wanted: f64) -> usize {
         let found = self
             .bounds()
@@ -240,7 +241,8 @@ impl Lines {
     }
 }
 
-/// A rule whose rows have fewer points the shorter they are: as many as keep each from adding more to the error than a whole one.
+/// A rule whose rows have fewer points the shorter they are: as many as keep each from adding more
+/// to the error than a whole one.
 fn triangle(at: (usize, f64), n: usize) -> Points {
     let whole = bounds_at(at)[n];
     Points::new(n, |t| {
@@ -253,7 +255,8 @@ fn triangle(at: (usize, f64), n: usize) -> Points {
     })
 }
 
-/// Over all places of a zero at least `gamma` from the line, in pieces at whose ends all that counts is least.
+/// Over all places of a zero at least `gamma` from the line, in pieces at whose ends all that
+/// counts is least.
 #[allow(clippy::cast_precision_loss, reason = "small")]
 fn bounds(gamma: f64) -> Bounds {
     const PIECES: usize = 24;
@@ -301,8 +304,8 @@ fn bounds(gamma: f64) -> Bounds {
     worst
 }
 
-/// Half of `(32/15) (½(ρ + 1/ρ))^d Σ_j P(2n + d + 2j) ρ^(−2n−2j)`, since the other direction's ∫ 1 dz is 2 of the 4 of both; infinite if no
-/// geometric series is above it.
+/// Half of `(32/15) (½(ρ + 1/ρ))^d Σ_j P(2n + d + 2j) ρ^(−2n−2j)`, since the other direction's ∫ 1
+/// dz is 2 of the 4 of both; infinite if no geometric series is above it.
 #[allow(clippy::cast_precision_loss, reason = "small")]
 fn remainder(factor: impl Fn(f64) -> f64, rho: f64, points: usize, degree: i32) -> f64 {
     let first = (2 * points) as f64 + f64::from(degree);
@@ -336,8 +339,9 @@ mod tests {
         terms.sum()
     }
 
-    /// Rows with fewer points add no more to the error than whole rows have: with sources of 1/r⁴ round a triangle, the worst error stays
-    /// within twice that of the product rule with as many rows (seen: 1.0), though it takes fewer points.
+    /// Rows with fewer points add no more to the error than whole rows have: with sources of 1/r⁴
+    /// round a triangle, the worst error stays within twice that of the product rule with as many
+    /// rows (seen: 1.0), though it takes fewer points.
     #[test]
     fn short_rows_need_fewer_points() {
         let corners = [

@@ -1,47 +1,50 @@
 //! The part of each polygon in front of the other's plane.
 //!
-//! A height above a plane is taken in `f64` first; near zero it is taken again to 106 bits. A corner counts as
-//! on the plane if its height is within the rounding of the coordinates it came from. Such a corner may be off by δ; that changes what
-//! the two exchange by at most
+//! A height above a plane is taken in `f64` first; near zero it is taken again to 106 bits. A
+//! corner counts as on the plane if its height is within the rounding of the coordinates it came
+//! from. Such a corner may be off by δ; that changes what the two exchange by at most
 //!
 //! ```text
 //!   |Δ(A F)| ≤ 2 δ (perimeter of one + perimeter of the other)
 //! ```
 //!
-//! because the vector irradiance of a Lambertian polygon has no sources outside it: what passes through the old and the
-//! new outline differs by what passes through the ribbon between them, whose area is at most δ times the perimeter, and
-//! no point receives more than 1 per area; twice that, as the other polygon's horizon moves along. A corner that a clip puts in place and
-//! rounds moves nothing else, and its ribbon is two triangles, of area δ times half the edges that meet there.
+//! because the vector irradiance of a Lambertian polygon has no sources outside it: what passes
+//! through the old and the new outline differs by what passes through the ribbon between them,
+//! whose area is at most δ times the perimeter, and no point receives more than 1 per area; twice
+//! that, as the other polygon's horizon moves along. A corner that a clip puts in place and rounds
+//! moves nothing else, and its ribbon is two triangles, of area δ times half the edges that meet
+//! there.
 //!
-//! Where a height counts as 0 and lies h on the other side, the clip is not where it should be: a strip is on the wrong side, however
-//! small h is beside rounding. Lines of one height in a convex cell with heights up to H have a length concave in the height, so that no
-//! more than 4 h/H of its area is within h of the plane; with H known to h, too, 5 h/H; and no point receives more than 1. Polygons all
-//! of whose heights count as 0 lie in one plane, by definition.
+//! Where a height counts as 0 and lies h on the other side, the clip is not where it should be: a
+//! strip is on the wrong side, however small h is beside rounding. Lines of one height in a convex
+//! cell with heights up to H have a length concave in the height, so that no more than 4 h/H of its
+//! area is within h of the plane; with H known to h, too, 5 h/H; and no point receives more than 1.
+//! Polygons all of whose heights count as 0 lie in one plane, by definition.
 
 use super::Polygon;
 use super::shape::Shape;
-use crate::geometry::Vector;
-use crate::numeric::{DoubleDouble, vectorised};
+use crate::geometry::{ClippedCorner, Vector, clip, clipped};
+use crate::numeric::{DoubleDouble, vector_value};
 use glam::DVec3;
 use smallvec::SmallVec;
 
 /// Heights of corners above the other polygon's plane, all ≥ 0, each within 3 ε of the distance.
 pub(super) type Heights = SmallVec<[f64; 4]>;
 
-/// How a polygon lies to another one's plane.
+/// The part of a polygon in front of another one's plane.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Side {
-    /// In the plane.
+    /// Nothing: the polygon lies in the plane.
     Within,
-    /// Behind it, or behind it and in it.
+    /// Nothing: the polygon lies behind the plane, or behind it and in it.
     Behind,
-    /// In front, as it is.
+    /// All of it.
     Front,
-    /// In front, what is left of it.
+    /// The part that a clip leaves.
     Clipped(Box<Shape>),
 }
 
-/// How far corners may be from where they should be.
+/// Upper bounds on the displacement of corners.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Off {
     /// Above or below the other polygon's plane.
@@ -49,13 +52,14 @@ pub(super) struct Off {
     /// Anywhere, and the area of the ribbons that this leaves.
     pub place: f64,
     pub ribbon: f64,
-    /// The area that may be on the wrong side of a clip; and of that only what the tilt of a plane does.
+    /// The area that may be on the wrong side of a clip; and of that only what the tilt of a plane
+    /// does.
     pub strip: f64,
     pub tilted_strip: f64,
 }
 
 impl Off {
-    /// Of both polygons: the larger distance, and all areas.
+    /// The bounds for both polygons: the larger distance, and the sum of areas.
     pub(super) const fn and(self, other: Self) -> Self {
         Self {
             height: self.height.max(other.height),
@@ -73,7 +77,7 @@ impl Side {
         matches!(self, Self::Front | Self::Clipped(_))
     }
 
-    /// What is in front of a polygon that was `whole` before.
+    /// The outline in front of the plane, of a polygon that was `whole` before.
     pub(super) fn shape<'a>(&'a self, whole: &'a Shape) -> &'a Shape {
         match self {
             Self::Clipped(shape) => shape,
@@ -82,7 +86,8 @@ impl Side {
     }
 }
 
-/// Where a polygon lies to another one's plane, and how far its corners may be from where they should be.
+/// Finds the part of a polygon in front of another one's plane, with bounds on the displacement of
+/// its corners.
 ///
 /// **Arguments** `heights`: empty; those of what is in front are put there.
 pub(super) fn side_of(polygon: &Polygon, plane: &Polygon, heights: &mut Heights) -> (Side, Off) {
@@ -143,8 +148,9 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon, heights: &mut Heights)
         (false, true) => return (Side::Behind, off),
         (false, false) => {}
     }
-    let (corners, clipped_heights, moved) = clipped(shape, plane, heights);
-    // a coordinate of a new corner, no farther out than the old ones, is rounded once: half an ε of each of three
+    let (corners, clipped_heights, moved) = outline_in_front(shape, plane, heights);
+    // a coordinate of a new corner, no farther out than the old ones, is rounded once: half an ε of
+    // each of three
     off.place = 0.87 * f64::EPSILON * reach;
     off.ribbon = off.place * moved;
     match Shape::new(&corners, polygon.precise_normal) {
@@ -156,7 +162,8 @@ pub(super) fn side_of(polygon: &Polygon, plane: &Polygon, heights: &mut Heights)
     }
 }
 
-/// Bounds on the areas of a shape that are so near to the plane above which its corners have these heights.
+/// Bounds on the areas of a shape that are so near to the plane above which its corners have these
+/// heights.
 fn strips(shape: &Shape, heights: &[f64], near: [f64; 2]) -> [f64; 2] {
     let mut areas = [0.0; 2];
     for (cell, [j, js, jt]) in shape.cells.iter().zip(&shape.jacobians) {
@@ -173,25 +180,22 @@ fn strips(shape: &Shape, heights: &[f64], near: [f64; 2]) -> [f64; 2] {
 /// Corners, their heights, and half the lengths of edges that meet in new ones.
 type Outline = (SmallVec<[DVec3; 8]>, SmallVec<[f64; 8]>, f64);
 
-/// Corners in front, and where edges cross the plane.
-fn clipped(shape: &Shape, plane: &Polygon, heights: &[f64]) -> Outline {
-    let n = shape.corners.len();
+/// The outline of what lies in front of the plane, with new corners where edges cross it.
+fn outline_in_front(shape: &Shape, plane: &Polygon, heights: &[f64]) -> Outline {
     let (mut corners, mut kept, mut moved) = Outline::default();
     let mut new: SmallVec<[usize; 8]> = SmallVec::new();
-    for i in 0..n {
-        let j = (i + 1) % n;
-        let (from, to) = (heights[i], heights[j]);
-        if from >= 0.0 {
+    clip(heights, |corner| match corner {
+        ClippedCorner::Kept(i) => {
             corners.push(shape.corners[i]);
-            kept.push(from);
+            kept.push(heights[i]);
         }
-        if (from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0) {
-            let ends = [i, j].map(|k| shape.corners[k]);
+        ClippedCorner::Crossing { edge, .. } => {
+            let ends = edge.map(|k| shape.corners[k]);
             new.push(corners.len());
             corners.push(crossing(ends, plane));
             kept.push(0.0);
         }
-    }
+    });
     let count = corners.len();
     for i in new {
         let [before, after] = [corners[(i + count - 1) % count], corners[(i + 1) % count]];
@@ -200,21 +204,15 @@ fn clipped(shape: &Shape, plane: &Polygon, heights: &[f64]) -> Outline {
     (corners, kept, moved)
 }
 
-/// Where an edge crosses a plane, to 106 bits before the last rounding.
+/// The point where an edge crosses a plane, to 106 bits before the last rounding.
 fn crossing(ends: [DVec3; 2], plane: &Polygon) -> DVec3 {
-    let mut crossing = DVec3::ZERO;
-    let out = &mut crossing;
-    vectorised(
-        #[inline(always)]
-        move || {
-            // one by one: a closure over both would not have the vector code's fused products
-            let (from, to) = (plane.precise_height(ends[0]), plane.precise_height(ends[1]));
-            let (start, end) = (Vector::lifted(ends[0], from), Vector::lifted(ends[1], from));
-            let along = end.minus(start);
-            *out = start.plus(along, from / (from - to)).to_doubles();
-        },
-    );
-    crossing
+    vector_value!(DVec3::ZERO, {
+        // one by one: a closure over both would not have the vector code's fused products
+        let (from, to) = (plane.precise_height(ends[0]), plane.precise_height(ends[1]));
+        let (start, end) = (Vector::lifted(ends[0], from), Vector::lifted(ends[1], from));
+        let along = end.minus(start);
+        start.plus(along, from / (from - to)).to_doubles()
+    })
 }
 
 /// The corners of a polygon in front of another one's plane, to 106 bits.
@@ -234,20 +232,9 @@ pub(super) fn precise_outline(polygon: &Polygon, plane: &Polygon) -> Vec<Vector<
         }
     };
     let heights: Vec<DoubleDouble> = corners.iter().map(height).collect();
-    let n = corners.len();
-    let mut outline = Vec::with_capacity(n + 2);
-    for i in 0..n {
-        let j = (i + 1) % n;
-        let (from, to) = (heights[i], heights[j]);
-        if from >= zero {
-            outline.push(lifted[i]);
-        }
-        if (from > zero && to < zero) || (from < zero && to > zero) {
-            let along = lifted[j].minus(lifted[i]);
-            outline.push(lifted[i].plus(along, from / (from - to)));
-        }
-    }
-    outline
+    clipped(&lifted, &heights, |from, to, share| {
+        from.plus(to.minus(from), share)
+    })
 }
 
 /// The heights of a shape's corners, which are some of `corners`.

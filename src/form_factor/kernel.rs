@@ -7,17 +7,16 @@
 //! All terms are positive, and heights are interpolated between the corners', so nothing cancels.
 
 use super::ExchangeArea;
-use super::choice::Work;
 use super::gauss_points::{Block, fill};
 use super::horizon::Heights;
 use super::view::View;
-use crate::numeric::{LANES, Lanes, across, vectorised};
+use crate::numeric::{LANES, Lanes, across, vector_value};
 use std::f64::consts::PI;
 
 impl View<'_> {
     /// Gauss rules with `points` each way over both shapes.
     #[allow(clippy::cast_precision_loss, reason = "some points")]
-    pub(super) fn kernel(&self, points: [usize; 2], work: &mut Work) -> ExchangeArea {
+    pub(super) fn kernel(&self, points: [usize; 2], blocks: &mut [Vec<Block>; 2]) -> ExchangeArea {
         let origin = self.shapes[0].centre;
         let [(first_rules, first_blocks), (second_rules, second_blocks)] =
             [0, 1].map(|k| self.rules(k, points[k]));
@@ -25,21 +24,16 @@ impl View<'_> {
         let [for_first, for_second] = &mut precise;
         let first_heights = self.precise_heights(0, for_first);
         let second_heights = self.precise_heights(1, for_second);
-        let [first, second] = &mut work.blocks;
+        let [first, second] = blocks;
         first.resize(first_blocks, Block::default());
         second.resize(second_blocks, Block::default());
         let [first, second] = [first.as_mut_slice(), second.as_mut_slice()];
-        let (unit, mut sums) = (self.reach, [0.0; LANES]);
-        let out = &mut sums;
-        let shapes = self.shapes;
-        vectorised(
-            #[inline(always)]
-            move || {
-                fill(first, first_rules, shapes[0], first_heights, origin);
-                fill(second, second_rules, shapes[1], second_heights, origin);
-                *out = sum(first, second, unit);
-            },
-        );
+        let (unit, shapes) = (self.reach, self.shapes);
+        let sums = vector_value!([0.0; LANES], {
+            fill(first, first_rules, shapes[0], first_heights, origin);
+            fill(second, second_rules, shapes[1], second_heights, origin);
+            sum(first, second, unit)
+        });
         let value = across(sums) / (unit * unit * unit * unit * PI);
         let truncation: f64 = (0..2)
             .map(|k| self.truncation(k, points[k], self.largest))
@@ -52,8 +46,8 @@ impl View<'_> {
         }
     }
 
-    /// The heights of a shape's corners, each within [`HEIGHT_ERROR`] of itself, in `precise` if it must; 0 where a clip put them on
-    /// the plane.
+    /// The heights of a shape's corners, each within [`HEIGHT_ERROR`] of itself, in `precise` if it
+    /// must; 0 where a clip put them on the plane.
     fn precise_heights<'b>(&'b self, k: usize, precise: &'b mut Heights) -> &'b [f64] {
         let is_small = |height: f64| height < self.reach / 16.0;
         if !self.heights[k].iter().any(|height| is_small(*height)) {
@@ -69,19 +63,16 @@ impl View<'_> {
     }
 }
 
-/// The relative error of a precise height: a product is within 3 ε of the distance, and taken again to 106 bits where it is smaller
-/// than that by 16.
+/// The relative error of a precise height: a product is within 3 ε of the distance, and taken again
+/// to 106 bits where it is smaller than that by 16.
 const HEIGHT_ERROR: f64 = 48.0 * f64::EPSILON;
 
-/// The sum over all pairs of points times `π unit⁴`, lane by lane; `unit` is a length near the distances.
+/// The sum over all pairs of points times `π unit⁴`, lane by lane; `unit` is a length near the
+/// distances.
 ///
-/// Four points of the first rule share one division: `f1/q1 + f2/q2 = (f1 q2 + f2 q1)/(q1 q2)`, twice over, with q = r⁴ in
-/// units in which four of them stay in range.
+/// Four points of the first rule share one division: `f1/q1 + f2/q2 = (f1 q2 + f2 q1)/(q1 q2)`,
+/// twice over, with q = r⁴ in units in which four of them stay in range.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn sum(first: &[Block], second: &[Block], unit: f64) -> Lanes {
     let inverse_square = 1.0 / (unit * unit);
     let mut total = [0.0; LANES];

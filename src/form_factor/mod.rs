@@ -4,9 +4,10 @@
 //!   A_i F_ij = ∫∫ cos θ_x cos θ_y / (π r²) dy dx        (direct exchange area, symmetric in i, j)
 //! ```
 //!
-//! Everything is computed as an exchange area, once per pair, so reciprocity
-//! `A_i F_ij = A_j F_ji` holds exactly. A [`Polygon`] is any planar simple one, made ready; a pair of them takes the
-//! cheapest [`Route`] whose error bound meets the tolerance, and the answer names it. One file per route:
+//! Everything is computed as an exchange area, once per pair, so reciprocity `A_i F_ij = A_j F_ji`
+//! holds exactly. A [`Polygon`] is any planar simple one, made ready; a pair of them takes the
+//! cheapest [`Route`] whose error bound meets the tolerance, and the answer names it. One file per
+//! route:
 //!
 //! ```text
 //!   parallel, perpendicular    aligned rectangles in closed form, at any offset
@@ -17,9 +18,10 @@
 //!   kernel                     Gauss rules over both
 //! ```
 //!
-//! `horizon` clips what lies behind the other's plane, `view` measures what is left, `choice` chooses. [`mod@reference`] is a slow road
-//! of its own to judge them by, [`sampling`] another. A bound holds for corners as given: what their rounding does
-//! to a polygon that is not quite planar is in it.
+//! `horizon` clips what lies behind the other's plane, `view` measures what is left, `choice`
+//! chooses. [`mod@reference`] is a slow road of its own to judge them by, [`sampling`] another. A
+//! bound holds for corners as given: what their rounding does to a polygon that is not quite planar
+//! is in it.
 //!
 //! [`Logarithms`] are those of distance and cosines, averaged over what a pair exchanges.
 //!
@@ -36,9 +38,11 @@ mod corners;
 mod edge;
 mod error;
 mod exchange;
+mod exchange_area;
 mod gauss_points;
 mod horizon;
 mod kernel;
+mod layout;
 mod logarithms;
 mod panels;
 pub mod parallel;
@@ -55,14 +59,16 @@ pub mod sampling;
 mod shape;
 mod strip_exchange;
 mod view;
+mod workspace;
 
 pub use choice::DEFAULT_TOLERANCE;
 pub(crate) use corners::EdgeSlopes;
 pub use error::FormFactorError;
-pub use exchange::{Exchange, ExchangeArea};
+pub use exchange::Exchange;
+pub use exchange_area::{Answer, ExchangeArea};
+pub(crate) use layout::Layout;
 pub use logarithms::Logarithms;
 pub use point_to_polygon::{point_form_factor, point_kernel};
 pub use polygon::Polygon;
-pub(crate) use rectangle_kernel::{Sides, exchange_area as exchange_by_rules};
 pub use rectangle_pair::RectanglePair;
-pub use route::{Answer, Route};
+pub use route::Route;

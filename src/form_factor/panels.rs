@@ -1,17 +1,13 @@
 //! Gauss rules along an edge for the [potential](super::potential) of another one.
 //!
-//! Skew edges near to each other are cut into panels, graded towards the other one, until a [Gauss rule](gauss_error) is
-//! certain on each.
+//! Skew edges near to each other are cut into panels, graded towards the other one, until a
+//! [Gauss rule](gauss_error) is certain on each.
 //!
-//! Edges that run beside each other need fewer panels than their distance suggests: as a function of a complex t along the
-//! outer line, the potential of the inner edge is singular only at its ends (r = 0 there), and where the distance of the
-//! lines' points h² = miss² + sin²θ (t − t*)² vanishes, `t* ± i miss/sin θ`. On an ellipse inside all of them its terms are bounded
-//! by 60 times the largest distance, in units of it.
-
-#![allow(
-    clippy::inline_always,
-    reason = "the machine code is made where it is called"
-)]
+//! Edges that run beside each other need fewer panels than their distance suggests: as a function
+//! of a complex t along the outer line, the potential of the inner edge is singular only at its
+//! ends (r = 0 there), and where the distance of the lines' points h² = miss² + sin²θ (t − t*)²
+//! vanishes, `t* ± i miss/sin θ`. On an ellipse inside all of them its terms are bounded by 60
+//! times the largest distance, in units of it.
 
 use super::edge::{Edge, half_axes};
 use crate::geometry::Vector;
@@ -20,21 +16,24 @@ use crate::numeric::{MOST_POINTS, Scalar};
 use smallvec::SmallVec;
 use std::f64::consts::LN_2;
 
-/// A bound on the error of a Gauss rule with `points` on an edge, per half its length and per length of the other edge, if
-/// no point of the other one is nearer to it than the ellipse `ρ`: half the logarithm of r² has the Chebyshev
-/// coefficients `ρ^(−k)/k` of its two singular points, the rule is exact below `2n` and within 2.05 beyond.
+/// A bound on the error of a Gauss rule with `points` on an edge, per half its length and per
+/// length of the other edge, if no point of the other one is nearer to it than the ellipse `ρ`:
+/// half the logarithm of r² has the Chebyshev coefficients `ρ^(−k)/k` of its two singular points,
+/// the rule is exact below `2n` and within 2.05 beyond.
 #[allow(clippy::cast_precision_loss, reason = "some points")]
 pub(super) fn gauss_error(points: usize, rho: f64) -> f64 {
     let n = points as f64;
     2.05 / n * power(rho, points) / (1.0 - 1.0 / (rho * rho))
 }
 
-/// The ellipse through a point whose distances from the ends of an edge are `sum` edge lengths together.
+/// The ellipse through a point whose distances from the ends of an edge are `sum` edge lengths
+/// together.
 pub(super) fn ellipse(sum: f64) -> f64 {
     sum + (sum * sum - 1.0).max(0.0).sqrt()
 }
 
-/// The number of points for which [`gauss_error`] is near an error with this logarithm: its factor is 1/5 for ten points.
+/// The number of points for which [`gauss_error`] is near an error with this logarithm: its factor
+/// is 1/5 for ten points.
 #[inline(always)]
 #[allow(
     clippy::cast_possible_truncation,
@@ -56,13 +55,15 @@ pub(super) struct Panel<S> {
     pub error: f64,
 }
 
-/// A place along the outer edge, relative to it; where that is, and its squared distance from the inner edge.
+/// A place along the outer edge, relative to it; where that is, and its squared distance from the
+/// inner edge.
 type Place<S> = (S, Vector<S>, f64);
 
 /// Hands over panels of `outer`, graded towards `inner`; `None` if there are too many.
 ///
-/// **Arguments** `wanted`: the error per length of both edges; `apart`: sum of half-axes of an ellipse about each panel that
-/// holds nothing singular: more of it, fewer points per panel, and more panels.
+/// **Arguments** `wanted`: the error per length of both edges; `apart`: sum of half-axes of an
+/// ellipse about each panel that holds nothing singular: more of it, fewer points per panel, and
+/// more panels.
 #[inline(always)]
 pub(super) fn panels<S: Scalar + Copy>(
     outer: &Edge<S>,
@@ -123,7 +124,8 @@ pub(super) fn panels<S: Scalar + Copy>(
     Some(())
 }
 
-/// A rule for a panel beside the other edge, and its error; `None` if something singular is too near.
+/// A rule for a panel beside the other edge, and its error; `None` if something singular is too
+/// near.
 #[inline(always)]
 #[allow(
     clippy::cast_possible_truncation,
@@ -171,8 +173,8 @@ pub(super) fn power(rho: f64, points: usize) -> f64 {
     rough_exp2(log) * (1.0 + 2.0 * ROUGH_EXP2_ERROR)
 }
 
-/// Where the lines' distance vanishes: how far along the outer line from its start, how far beside it, and how uncertain both
-/// are.
+/// The complex place where the lines' distance vanishes: how far along the outer line from its
+/// start, how far beside it, and how uncertain both are.
 #[inline(always)]
 fn pinch<S: Scalar + Copy>(outer: &Edge<S>, inner: &Edge<S>, epsilon: f64) -> (S, f64, f64) {
     let across = outer.direction.cross(inner.direction);

@@ -7,21 +7,24 @@
 //!   ∂G/∂u  = (u v/p) atan(v/p) + q atan(u/q)      (up to functions of u or v alone)
 //! ```
 //!
-//! The difference in `y` is taken in closed form (`exchange`'s building blocks), so a side `y1 − y0`
-//! of 1e-12 costs no digits; the caller's shortest side is put there. What remains is the
-//! cancellation of distance: three differences are left, about `(distance/size)³` in relative error.
+//! The difference in `y` is taken in closed form (`exchange`'s building blocks), so a side
+//! `y1 − y0` of 1e-12 costs no digits; the caller's shortest side is put there. What remains is the
+//! cancellation of distance: three differences are left, about `(distance/size)³` in relative
+//! error.
 //!
-//! A corner has five terms (Δ = y1 − y0; q, q' the smaller and the larger of q0, q1; ν = q1 − q0 = Δ (v0 + v1)/(q0 + q1)),
+//! A corner has five terms (Δ = y1 − y0; q, q' the smaller and the larger of q0, q1; ν = q1 − q0 =
+//! Δ (v0 + v1)/(q0 + q1)),
 //!
 //! ```text
 //!   Δ p atan(v1/p)   +   v0 p atan2(Δ p, p² + v0 v1)   +   ν u atan(u/q')   −   u q atan2(u ν, q q' + u²)   −   (z²/2) ln(r1²/r0²)
 //! ```
 //!
 //! with 13, 19, 20, 23 and 21 roundings (`exchange`). The fourth is never larger than the third, as
-//! `a/(1 + a²) ≤ atan a` for a = u/q', so that both together take 22. Where v0 and v1 have different signs, their sum is uncertain by
-//! `|v0| + |v1|`: with e = Δ (|v0| + |v1| − |v0 + v1|), 3 roundings each of the third and the fourth are relative to at most
-//! `e/(q0+q1) |u| atan(|u|/q')` more, and 4.5 of the fifth to `(z²/2) e/r²`, r² the larger, more; a quarter of the one and
-//! `(z²/2) e/(q0+q1)²` are in the magnitude.
+//! `a/(1 + a²) ≤ atan a` for a = u/q', so that both together take 22. Where v0 and v1 have
+//! different signs, their sum is uncertain by `|v0| + |v1|`: with e = Δ (|v0| + |v1| − |v0 + v1|),
+//! 3 roundings each of the third and the fourth are relative to at most
+//! `e/(q0+q1) |u| atan(|u|/q')` more, and 4.5 of the fifth to `(z²/2) e/r²`, r² the larger, more; a
+//! quarter of the one and `(z²/2) e/(q0+q1)²` are in the magnitude.
 //!
 //! Source: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-13.
 
@@ -59,30 +62,26 @@ pub fn exchange_area<S: Scalar>(
 ) -> Result<Exchange<S>, FormFactorError> {
     S::vectorised(
         #[inline(always)]
-        || form(first, second, distance),
+        || form(first.each_ref(), second.each_ref(), distance),
     )
 }
 
 /// [`exchange_area`], to be called where vector code is made.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub(super) fn form<S: Scalar>(
-    first: &[Span<S>; 2],
-    second: &[Span<S>; 2],
+    first: [&Span<S>; 2],
+    second: [&Span<S>; 2],
     distance: &S,
 ) -> Result<Exchange<S>, FormFactorError> {
     positive_distance(distance)?;
     // The four sides trade places by symmetry (x ↔ y; first ↔ second mirrors u and v):
     // the shortest becomes `y` of the first.
-    let sides = [&first[0], &first[1], &second[0], &second[1]].map(Span::length);
+    let sides = [first[0], first[1], second[0], second[1]].map(Span::length);
     let shortest = (0..4).fold(1, |best, k| if sides[k] < sides[best] { k } else { best });
     let (is_first, is_y) = (shortest < 2, shortest % 2 == 1);
     let along = |k: usize| {
-        let one = Span::either(is_first, &first[k], &second[k]);
-        [one, Span::either(is_first, &second[k], &first[k])]
+        let one = Span::either(is_first, first[k], second[k]);
+        [one, Span::either(is_first, second[k], first[k])]
     };
     let ([a, b], [c, d]) = (along(0), along(1));
     let (x, xi) = (Span::either(is_y, &a, &c), Span::either(is_y, &b, &d));
@@ -121,8 +120,8 @@ pub(super) fn form<S: Scalar>(
 /// `∂(A F)/∂x` as the first rectangle's edge at `x` moves outwards: the exchange per unit width
 /// of the strip `{x} × [y0, y1]` of the first rectangle with the whole second one.
 ///
-/// **Arguments** as for [`exchange_area`]; `x` is measured on the second's first axis, and may be the
-/// coordinate along either axis if the second's spans are swapped with it.
+/// **Arguments** as for [`exchange_area`]; `x` is measured on the second's first axis, and may be
+/// the coordinate along either axis if the second's spans are swapped with it.
 ///
 /// # Errors
 /// [`FormFactorError::NonPositiveLength`] if `distance` is not finite and > 0.
@@ -156,10 +155,6 @@ pub fn strip_exchange<S: Scalar>(
 }
 
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn positive_distance<S: Scalar>(distance: &S) -> Result<(), FormFactorError> {
     let value = distance.to_f64();
     if value.is_finite() && *distance > distance.zero() {
@@ -184,10 +179,6 @@ pub(super) fn second_difference<S: Scalar>(offsets: &Offsets<S>) -> [(&S, Sign);
 
 /// `G(u, v1) − G(u, v0)`, Δ apart, each term to its own relative precision.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn difference_in_v<S: Scalar>(u: &S, delta: &S, [v0, v1]: [&S; 2], z: &S) -> Exchange<S> {
     let (u2, z2) = (u.square(), z.square());
     let (v2_0, v2_1) = (v0.square(), v1.square());

@@ -12,17 +12,19 @@
 //! differences is taken in closed form, along the shortest side, so that slivers keep their digits.
 //! What remains is the cancellation of distance, about `(distance/size)³` in relative error.
 //!
-//! A corner has four terms; along a depth, Δ = x1 − x0 (ς = s1 − s0 = Δ (x0 + x1)/(s0 + s1)), or along a width, Δ = y1 − y0,
+//! A corner has four terms; along a depth, Δ = x1 − x0 (ς = s1 − s0 = Δ (x0 + x1)/(s0 + s1)), or
+//! along a width, Δ = y1 − y0,
 //!
 //! ```text
 //!   ς v atan(v/s1)  −  v s0 atan2(v ς, s0 s1 + v²)  −  ¼ (s1² − v²) ln(r1²/r0²)  −  ¼ (s1² − s0²) ln r0²
 //!   Δ s atan(v1/s)  +  v0 s atan2(Δ s, s² + v0 v1)  −  ¼ (s² − v1²) ln(r1²/r0²)  +  ¼ (v1² − v0²) ln r0²
 //! ```
 //!
-//! with 16, 23, 21 and 5 roundings, or 11, 16, 21 and 6 (`exchange`); of the first line the second is never larger
-//! than the first, as in [`parallel`](super::parallel). The third is relative to `s² + v²` in place of `s² − v²`. What the logarithm
-//! of r0² is off by, 4 roundings of 1, counts a quarter of its coefficient; in the second line this covers, too, that the sum of v0
-//! and v1 is uncertain by `|v0| + |v1|`.
+//! with 16, 23, 21 and 5 roundings, or 11, 16, 21 and 6 (`exchange`); of the first line the second
+//! is never larger than the first, as in [`parallel`](super::parallel). The third is relative to
+//! `s² + v²` in place of `s² − v²`. What the logarithm of r0² is off by, 4 roundings of 1, counts a
+//! quarter of its coefficient; in the second line this covers, too, that the sum of v0 and v1 is
+//! uncertain by `|v0| + |v1|`.
 //!
 //! Source: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-15.
 
@@ -41,7 +43,7 @@ pub struct Plate<S = f64> {
 }
 
 impl Plate {
-    /// The same plate as numbers of the type and precision of `like`.
+    /// Lifts the plate to numbers of the type and precision of `like`.
     #[must_use]
     pub fn lifted<S: Scalar>(&self, like: &S) -> Plate<S> {
         Plate {
@@ -105,32 +107,18 @@ pub fn exchange_area<S: Scalar>(first: &Plate<S>, second: &Plate<S>) -> Exchange
     exchange_area_at([&first.depth, &second.depth], &widths)
 }
 
-/// [`exchange_area`], to be called where vector code is made.
-#[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
-pub(super) fn form<S: Scalar>(first: &Plate<S>, second: &Plate<S>) -> Exchange<S> {
-    let widths = Offsets::between(&first.width, &second.width);
-    form_at([&first.depth, &second.depth], &widths)
-}
-
 /// [`exchange_area`] of plates at these depths, whose widths lie to each other by `widths`.
 #[must_use]
 pub fn exchange_area_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -> Exchange<S> {
     S::vectorised(
         #[inline(always)]
-        || form_at(depths, widths),
+        || form(depths, widths),
     )
 }
 
+/// [`exchange_area_at`], to be called where vector code is made.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
-fn form_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -> Exchange<S> {
+pub(super) fn form<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -> Exchange<S> {
     let lengths = [
         depths[0].length(),
         depths[1].length(),
@@ -251,7 +239,8 @@ pub fn strip_exchange_at_depth<S: Scalar>(
 /// `∂(A F)/∂y` as the first plate's edge at `y` along the line moves outwards: the exchange per
 /// unit width of the strip `depth × {y}` with the whole second plate.
 ///
-/// **Arguments** `depths` from 0 up; `offsets`: y less the second plate's lower and upper end along the line.
+/// **Arguments** `depths` from 0 up; `offsets`: y less the second plate's lower and upper end along
+/// the line.
 #[must_use]
 pub fn strip_exchange_at_width<S: Scalar>(depths: [&Span<S>; 2], offsets: &[S; 2]) -> Exchange<S> {
     let half = offsets[0].constant(0.5);
@@ -282,23 +271,16 @@ fn ends<S: Scalar>(span: &Span<S>) -> [(&S, Sign); 2] {
     [(span.upper(), Sign::Plus), (span.lower(), Sign::Minus)]
 }
 
-/// What the rounding of `coefficient · ln r²` is relative to: near r² = 1 the logarithm is small
-/// but its error is not.
+/// The size that the rounding of `coefficient · ln r²` is relative to: near r² = 1 the logarithm is
+/// small but its error is not.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn log_size<S: Scalar>(term: &S, coefficient: &S) -> S {
     term.abs() + &coefficient.abs()
 }
 
-/// `G(x1, z, v) − G(x0, z, v)`, each term to its own relative precision; where x0, z and v are 0, r0² ln r0² is.
+/// `G(x1, z, v) − G(x0, z, v)`, each term to its own relative precision; where x0, z and v are 0,
+/// r0² ln r0² is.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn difference_in_depth<S: Scalar>([x0, x1, delta]: [&S; 3], z: &S, v: &S) -> Exchange<S> {
     let quarter = v.constant(0.25);
     let (z2, v2) = (z.square(), v.square());
@@ -317,7 +299,8 @@ fn difference_in_depth<S: Scalar>([x0, x1, delta]: [&S; 3], z: &S, v: &S) -> Exc
 
     let (s0, s1) = (s2_0.sqrt(), s2_1.sqrt());
     let s_step = squares / &(s1.clone() + &s0);
-    // v s atan(v/s); an enclosure that reaches to the line does not know its angle, which has no weight for v = 0
+    // v s atan(v/s); an enclosure that reaches to the line does not know its angle, which has no
+    // weight for v = 0
     let [first, second] = if S::TRACKS_ROUNDING || !v.is_zero() {
         let [end, narrowing] = S::angles([
             [v, &s1],
@@ -340,12 +323,9 @@ fn difference_in_depth<S: Scalar>([x0, x1, delta]: [&S; 3], z: &S, v: &S) -> Exc
     }
 }
 
-/// `G(x, z, y1 − η) − G(x, z, y0 − η)`, each term to its own relative precision; where s and one v are 0, its r² ln r² is.
+/// `G(x, z, y1 − η) − G(x, z, y0 − η)`, each term to its own relative precision; where s and one v
+/// are 0, its r² ln r² is.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn difference_in_width<S: Scalar>(x: &S, z: &S, delta: &S, [v0, v1]: [&S; 2]) -> Exchange<S> {
     let quarter = x.constant(0.25);
     let s2 = x.square() + &z.square();

@@ -5,13 +5,15 @@
 //!                                                u_b its direction, h_b = |a_b × u_b|
 //! ```
 //!
-//! for a polygon in front of x, counter-clockwise seen from its own front; with c from x to the edge's end and e = c − a, a term is
-//! `(θ/sin θ) n·(a×e)/(|a| |c|)`, too, which takes one division less where no angle is wide. Beside the [contour](super::contour) one integration
-//! less is exact, and one power of the distance less cancels; the polygons must be apart.
+//! for a polygon in front of x, counter-clockwise seen from its own front; with c from x to the
+//! edge's end and e = c − a, a term is `(θ/sin θ) n·(a×e)/(|a| |c|)`, too, which takes one division
+//! less where no angle is wide. Beside the [contour](super::contour) one integration less is exact,
+//! and one power of the distance less cancels; the polygons must be apart.
 //!
-//! **Rounding** of a term, in units of u = ε/2, with r the distance, R the radius about the origin, L = |e| and t = θ/sin θ: a and c are
-//! within (2 r + R) u, m = e×n within 4 u L, so that `n·(a×e)` is within ((5 + R/r) |m| + 4 L) u r; what it is divided by within (9 + 2 R/r) u, the
-//! cosine within 9 u and θ within (4 + 2 R/r) u, t within 3 u beside them, and n are added up: in all
+//! **Rounding** of a term, in units of u = ε/2, with r the distance, R the radius about the origin,
+//! L = |e| and t = θ/sin θ: a and c are within (2 r + R) u, m = e×n within 4 u L, so that `n·(a×e)`
+//! is within ((5 + R/r) |m| + 4 L) u r; what it is divided by within (9 + 2 R/r) u, the cosine
+//! within 9 u and θ within (4 + 2 R/r) u, t within 3 u beside them, and n are added up: in all
 //!
 //! ```text
 //!   narrow     t ((5 + R/r) |m| + 4 L)/r + (20 + 3 R/r + n) |term|
@@ -20,14 +22,13 @@
 //!
 //! Reference: Lambert, *Photometria*, 1760; Baum, Rushmeier and Winget, SIGGRAPH 1989.
 
-use super::choice::Work;
 use super::edge::Edge;
 use super::gauss_points::{Block, fill};
 use super::view::{View, widening};
 use super::{ExchangeArea, FormFactorError};
-use crate::geometry::{Patch, Vector};
+use crate::geometry::{ClippedCorner, Patch, Vector, clip};
 use crate::numeric::elementary::{angle, angle_over_sine};
-use crate::numeric::{LANES, Lanes, across, vectorised};
+use crate::numeric::{LANES, Lanes, across, vector_value};
 use glam::DVec3;
 use smallvec::SmallVec;
 use std::f64::consts::{PI, TAU};
@@ -40,16 +41,14 @@ impl View<'_> {
         k: usize,
         points: usize,
         rounding: LambertRounding,
-        work: &mut Work,
+        (blocks, sides): (&mut Vec<Block>, &mut Vec<Side>),
     ) -> ExchangeArea {
         let (over, seen) = (self.shapes[k], self.shapes[1 - k]);
         let origin = over.centre;
         let (rules, count) = self.rules(k, points);
-        let blocks = &mut work.blocks[0];
         blocks.resize(count, Block::default());
         let blocks = blocks.as_mut_slice();
         let (heights, normal) = (self.heights[k], self.polygons[k].normal);
-        let sides = &mut work.sides;
         sides.clear();
         sides.extend(
             seen.edges
@@ -58,15 +57,10 @@ impl View<'_> {
         );
         let (sides, subtended) = (sides.as_slice(), self.subtended(k));
         let additions = blocks.len() as f64;
-        let mut sums = [[0.0; LANES]; 2];
-        let out = &mut sums;
-        vectorised(
-            #[inline(always)]
-            move || {
-                fill(blocks, rules, over, heights, origin);
-                *out = sum(blocks, Vector(normal.to_array()), sides, subtended);
-            },
-        );
+        let sums = vector_value!([[0.0; LANES]; 2], {
+            fill(blocks, rules, over, heights, origin);
+            sum(blocks, Vector(normal.to_array()), sides, subtended)
+        });
         let (value, size) = (-across(sums[0]) / TAU, across(sums[1]) / TAU);
         let truncation = self.truncation(k, points, self.largest);
         // the points themselves are off
@@ -81,7 +75,7 @@ impl View<'_> {
         }
     }
 
-    /// What Lambert's formula over shape `k` loses.
+    /// Bounds the rounding error of Lambert's formula over shape `k`.
     pub(super) fn lambert_rounding(&self, k: usize) -> LambertRounding {
         let (over, seen) = (self.shapes[k], self.shapes[1 - k]);
         let widening = widening(seen.longest_edge, self.gap);
@@ -130,7 +124,7 @@ impl View<'_> {
     }
 }
 
-/// What Lambert's formula loses.
+/// The rounding error of Lambert's formula.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct LambertRounding {
     /// Whatever the terms come to.
@@ -172,29 +166,24 @@ impl Side {
     }
 }
 
-/// `Σ_i w_i F_i` over points on a plane with this normal, anywhere, from an origin that the edges do not have.
+/// `Σ_i w_i F_i` over points on a plane with this normal, anywhere, from an origin that the edges
+/// do not have.
 pub(super) fn integral(blocks: &[Block], normal: DVec3, edges: &[Edge<f64>], origin: DVec3) -> f64 {
     let sides: SmallVec<[Side; 8]> = edges
         .iter()
         .map(|edge| Side::new(edge, normal, origin))
         .collect();
     let (sides, normal) = (sides.as_slice(), Vector(normal.to_array()));
-    let mut sums = [[0.0; LANES]; 2];
-    let out = &mut sums;
-    vectorised(
-        #[inline(always)]
-        move || *out = sum(blocks, normal, sides, Subtended::Wide),
+    let sums = vector_value!(
+        [[0.0; LANES]; 2],
+        sum(blocks, normal, sides, Subtended::Wide)
     );
     -across(sums[0]) / TAU
 }
 
-/// `−2π Σ_i w_i F_i`, and of narrow terms the sum of their magnitudes, lane by lane: vectors summed up here would be taken apart all
-/// along.
+/// `−2π Σ_i w_i F_i`, and of narrow terms the sum of their magnitudes, lane by lane: vectors summed
+/// up here would be taken apart all along.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn sum(blocks: &[Block], normal: Vector<f64>, sides: &[Side], subtended: Subtended) -> [Lanes; 2] {
     let (mut total, mut size) = ([0.0; LANES], [0.0; LANES]);
     for block in blocks {
@@ -212,12 +201,9 @@ fn sum(blocks: &[Block], normal: Vector<f64>, sides: &[Side], subtended: Subtend
     [total, size]
 }
 
-/// `Σ_b (θ/sin θ) n·(a×c)/(|a| |c|)`, and the terms' magnitudes; each edge starts where the one before ends.
+/// `Σ_b (θ/sin θ) n·(a×c)/(|a| |c|)`, and the terms' magnitudes; each edge starts where the one
+/// before ends.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn narrow([x, y, z]: [Lanes; 3], sides: &[Side]) -> (Lanes, Lanes) {
     let (mut sums, mut sizes, mut before) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     if let Some(side) = sides.first() {
@@ -245,10 +231,6 @@ fn narrow([x, y, z]: [Lanes; 3], sides: &[Side]) -> (Lanes, Lanes) {
 
 /// `Σ_b θ n·(a×u)/h`.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn wide([x, y, z]: [Lanes; 3], normal: Vector<f64>, sides: &[Side]) -> Lanes {
     let mut sums = [0.0; LANES];
     for side in sides {
@@ -269,9 +251,12 @@ fn wide([x, y, z]: [Lanes; 3], normal: Vector<f64>, sides: &[Side]) -> Lanes {
 
 /// The fraction of what leaves a point of a surface that reaches a polygon.
 ///
-/// **Arguments** `normal`: unit normal of the surface at `point`; the polygon is clipped at its horizon.
-/// **Returns** a number in `[0, 1]`, dimensionless: 0 if the point is behind the polygon's plane or on it.
-/// **Accuracy** a few ε absolute, unless the point is nearer to the polygon's boundary than ε times its size.
+/// **Arguments** `normal`: unit normal of the surface at `point`; the polygon is clipped at its
+/// horizon.
+/// **Returns** a number in `[0, 1]`, dimensionless: 0 if the point is behind the polygon's plane or
+/// on it.
+/// **Accuracy** a few ε absolute, unless the point is nearer to the polygon's boundary than ε times
+/// its size.
 ///
 /// # Errors
 /// [`FormFactorError::NotAUnitNormal`].
@@ -301,18 +286,16 @@ pub fn point_form_factor(
         return Ok(0.0);
     }
     let heights: Vec<f64> = corners.iter().map(|c| (*c - point).dot(normal)).collect();
-    let n = corners.len();
-    let mut visible = Vec::with_capacity(n + 2);
-    for i in 0..n {
-        let (from, to) = (heights[i], heights[(i + 1) % n]);
-        if from >= 0.0 {
-            visible.push(corners[i] - point);
-        }
-        if (from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0) {
-            let along = corners[(i + 1) % n] - corners[i];
-            visible.push(corners[i] - point + along * (from / (from - to)));
-        }
-    }
+    let mut visible = Vec::with_capacity(corners.len() + 2);
+    clip(&heights, |corner| {
+        visible.push(match corner {
+            ClippedCorner::Kept(i) => corners[i] - point,
+            ClippedCorner::Crossing { edge, share } => {
+                let [from, to] = edge.map(|k| corners[k]);
+                from - point + (to - from) * share
+            }
+        });
+    });
     visible.dedup();
     if visible.len() < 3 {
         return Ok(0.0);
@@ -326,7 +309,7 @@ pub fn point_form_factor(
     Ok(integral(&[block], normal, &edges, DVec3::ZERO).clamp(0.0, 1.0))
 }
 
-/// What two small pieces of surface exchange, per area of both: `cos θ cos θ′ / (π r²)`.
+/// The exchange of two small pieces of surface, per area of both: `cos θ cos θ′ / (π r²)`.
 ///
 /// **Arguments** points, and the unit normals of the surfaces there.
 /// **Returns** a number ≥ 0, per squared unit of length: 0 if either faces away.

@@ -2,18 +2,19 @@
 
 use super::shape::Shape;
 use crate::geometry::{AlignedRectangle, Patch, Rectangle, Vector};
-use crate::numeric::{DoubleDouble, Scalar, vectorised};
+use crate::numeric::{DoubleDouble, Scalar, power_of_two_below, vector_value};
 use glam::DVec3;
 
-/// A planar simple polygon, with its normal to 106 bits and all that does not depend on another polygon.
+/// A planar simple polygon, with its normal to 106 bits and all that does not depend on another
+/// polygon.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Polygon {
     pub(super) shape: Shape,
     pub(super) normal: DVec3,
     pub(super) precise_normal: Vector<DoubleDouble>,
-    /// How far a corner may be off the plane, per distance from it.
+    /// The largest distance of a corner from the plane, per distance along it.
     pub(super) tilt: f64,
-    /// Itself, if it is a rectangle with edges along the coordinate axes.
+    /// The polygon as a rectangle with edges along the coordinate axes, if it is one.
     pub(super) rectangle: Option<AlignedRectangle>,
 }
 
@@ -36,7 +37,7 @@ impl Polygon {
         let size = corners
             .iter()
             .map(|c| (*c - corners[0]).abs().max_element());
-        let inverse_unit = (-size.fold(0.0, f64::max).log2().floor()).exp2();
+        let inverse_unit = 1.0 / power_of_two_below(size.fold(0.0, f64::max));
         let along = |i: usize| {
             points[i]
                 .minus(points[0])
@@ -54,7 +55,8 @@ impl Polygon {
         let diameter = (1..points.len())
             .map(|i| along(i).length().to_f64())
             .fold(0.0, f64::max);
-        // the polygon is at least 2 A/diameter wide: a deviation there turns the plane by so much at most
+        // the polygon is at least 2 A/diameter wide: a deviation there turns the plane by so much
+        // at most
         let tilt = 2.0 * deviation * diameter / length.to_f64();
         let shape = Shape::new(corners, precise_normal)?;
         let has_normal = precise_normal.to_doubles().is_finite();
@@ -85,12 +87,9 @@ impl Polygon {
         self.shape.perimeter
     }
 
-    /// The height of a point above the plane, to 106 bits; to be called where vector code is made, which has fused products.
+    /// The height of a point above the plane, to 106 bits; to be called where vector code is made,
+    /// which has fused products.
     #[inline(always)]
-    #[allow(
-        clippy::inline_always,
-        reason = "the machine code is made where it is called"
-    )]
     pub(super) fn precise_height(&self, point: DVec3) -> DoubleDouble {
         let zero = DoubleDouble::from(0.0);
         let origin = Vector::lifted(self.shape.corners[0], zero);
@@ -99,14 +98,8 @@ impl Polygon {
             .dot(self.precise_normal)
     }
 
-    /// The same, rounded.
+    /// The height of a point above the plane, rounded from 106 bits.
     pub(super) fn height(&self, point: DVec3) -> f64 {
-        let mut height = 0.0;
-        let out = &mut height;
-        vectorised(
-            #[inline(always)]
-            move || *out = self.precise_height(point).to_f64(),
-        );
-        height
+        vector_value!(0.0, self.precise_height(point).to_f64())
     }
 }

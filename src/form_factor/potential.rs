@@ -6,10 +6,11 @@
 //!   ∫ ln|x − y| dy = s1 ln|c| − s0 ln|a| + h θ − L
 //! ```
 //!
-//! In units of u = ε/2: a and c are within u of themselves, the directions within 3 u, s and h within 6 u r, the logarithm of r²
-//! (5 u before it is halved) within 2.5 u + 3 u |ln r|; θ within 5 u sin θ from its cosine, 6 u L/min(|a|,|c|) from its sine
-//! and 5 u θ from its function. With r = min(|a|,|c|), r sin θ ≤ L, and r θ ≤ t L where t = θ/sin θ, or π/2 if that is less (the isosceles triangle has the
-//! longest r for an angle and L: r θ ≤ L θ/(2 sin θ/2)),
+//! In units of u = ε/2: a and c are within u of themselves, the directions within 3 u, s and h
+//! within 6 u r, the logarithm of r² (5 u before it is halved) within 2.5 u + 3 u |ln r|; θ within
+//! 5 u sin θ from its cosine, 6 u L/min(|a|,|c|) from its sine and 5 u θ from its function. With r
+//! = min(|a|,|c|), r sin θ ≤ L, and r θ ≤ t L where t = θ/sin θ, or π/2 if that is less (the
+//! isosceles triangle has the longest r for an angle and L: r θ ≤ L θ/(2 sin θ/2)),
 //!
 //! ```text
 //!   error ≤ u [ 2.5 (|s0| + |s1|) + 18 max r |ln r| + (12 + 12 t) L ]
@@ -18,15 +19,13 @@
 use super::edge::Edge;
 use crate::geometry::Vector;
 use crate::numeric::elementary::{angles, logarithms};
-use crate::numeric::{GaussLegendre, LANES, Lanes, MOST_POINTS, Scalar, across, vectorised};
+use crate::numeric::{
+    GaussLegendre, LANES, Lanes, MOST_POINTS, Scalar, across, vector_value, vectorised,
+};
 
-/// The potential of an edge at a point, from the vectors `a`, `c` to its ends, its direction and length, `ln|a|` and `ln|c|`,
-/// and h and θ.
+/// The potential of an edge at a point, from the vectors `a`, `c` to its ends, its direction and
+/// length, `ln|a|` and `ln|c|`, and h and θ.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub(super) fn potential<S: Scalar + Copy>(
     [a, c]: [Vector<S>; 2],
     direction: Vector<S>,
@@ -37,12 +36,24 @@ pub(super) fn potential<S: Scalar + Copy>(
     c.dot(direction) * logs[1] - a.dot(direction) * logs[0] + height * angle - length
 }
 
+impl<S: Scalar + Copy> Edge<S> {
+    /// The edge's potential at a point.
+    #[inline(always)]
+    pub(super) fn potential(&self, point: Vector<S>, inverse_square: S) -> S {
+        let (a, c) = (self.ends[0].minus(point), self.ends[1].minus(point));
+        let logs = [
+            log_distance(a, inverse_square),
+            log_distance(c, inverse_square),
+        ];
+        let height = a.cross(self.direction).length();
+        let [angle] = S::angles([[&(height * self.length), &a.dot(c)]]);
+        let turn = [height, angle];
+        potential([a, c], self.direction, self.length, logs, turn)
+    }
+}
+
 /// `ln(|a|/unit)` from `1/unit²`, kept finite where `a` is 0.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub(super) fn log_distance<S: Scalar + Copy>(a: Vector<S>, inverse_square: S) -> S {
     let square = scaled_square(a, inverse_square);
     let [log] = S::logarithms([&square]);
@@ -51,10 +62,6 @@ pub(super) fn log_distance<S: Scalar + Copy>(a: Vector<S>, inverse_square: S) ->
 
 /// `|a|²/unit²`, kept above 0.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn scaled_square<S: Scalar + Copy>(a: Vector<S>, inverse_square: S) -> S {
     a.dot(a) * inverse_square + inverse_square.constant(f64::MIN_POSITIVE)
 }
@@ -89,13 +96,14 @@ pub(super) struct Sums {
     pub size: f64,
     /// `Σ |W·u| e`.
     pub error: f64,
-    /// Most additions that a term went through before its vector was summed, and how many such sums there are.
+    /// Most additions that a term went through before its vector was summed, and how many such sums
+    /// there are.
     pub depth: usize,
     pub sums: usize,
 }
 
 /// An edge, and a bound on the error of its potential.
-pub(super) type Seen = (Edge<f64>, f64);
+pub(super) type EdgeWithError = (Edge<f64>, f64);
 
 impl Nodes {
     pub(super) const fn clear(&mut self) {
@@ -131,9 +139,9 @@ impl Nodes {
         );
     }
 
-    /// Sums over all nodes and a chain of edges, each of which starts where the one before ends; afterwards there are no
-    /// nodes.
-    pub(super) fn sum(&mut self, edges: &[Seen], inverse_square: f64, sums: &mut Sums) {
+    /// Sums over all nodes and a chain of edges, each of which starts where the one before ends;
+    /// afterwards there are no nodes.
+    pub(super) fn sum(&mut self, edges: &[EdgeWithError], inverse_square: f64, sums: &mut Sums) {
         if self.len == 0 {
             return;
         }
@@ -145,26 +153,22 @@ impl Nodes {
             self.points[k][rest.clone()].copy_from_slice(&[first; LANES]);
             self.weights[k][rest].copy_from_slice(&[0.0; LANES]);
         }
-        let mut total = [[0.0; LANES]; 3];
-        let (points, weights, out) = (&self.points, &self.weights, &mut total);
-        vectorised(
-            #[inline(always)]
-            move || {
-                let mut sums = [[0.0; LANES]; 3];
-                for pair in 0..blocks / 2 {
-                    let at = 2 * pair * LANES;
-                    let x = [lanes(points, at), lanes(points, at + LANES)];
-                    let w = [lanes(weights, at), lanes(weights, at + LANES)];
-                    add_blocks(&mut sums, x, w, edges, inverse_square);
-                }
-                if blocks % 2 == 1 {
-                    let at = (blocks - 1) * LANES;
-                    let (x, w) = ([lanes(points, at)], [lanes(weights, at)]);
-                    add_blocks(&mut sums, x, w, edges, inverse_square);
-                }
-                *out = sums;
-            },
-        );
+        let (points, weights) = (&self.points, &self.weights);
+        let total = vector_value!([[0.0; LANES]; 3], {
+            let mut sums = [[0.0; LANES]; 3];
+            for pair in 0..blocks / 2 {
+                let at = 2 * pair * LANES;
+                let x = [lanes(points, at), lanes(points, at + LANES)];
+                let w = [lanes(weights, at), lanes(weights, at + LANES)];
+                add_blocks(&mut sums, x, w, edges, inverse_square);
+            }
+            if blocks % 2 == 1 {
+                let at = (blocks - 1) * LANES;
+                let (x, w) = ([lanes(points, at)], [lanes(weights, at)]);
+                add_blocks(&mut sums, x, w, edges, inverse_square);
+            }
+            sums
+        });
         let [value, size, error] = total.map(across);
         sums.value += value;
         sums.size += size;
@@ -176,10 +180,6 @@ impl Nodes {
 }
 
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn lanes([x, y, z]: &[[f64; ROOM]; 3], at: usize) -> [Lanes; 3] {
     let mut lanes = [[0.0; LANES]; 3];
     lanes[0].copy_from_slice(&x[at..at + LANES]);
@@ -190,16 +190,15 @@ fn lanes([x, y, z]: &[[f64; ROOM]; 3], at: usize) -> [Lanes; 3] {
 
 /// Some blocks together, so that none waits for another.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
+#[expect(
     clippy::needless_range_loop,
-    reason = "vector code is made where it is called, of loops over lanes"
+    reason = "vector code is made of loops over lanes"
 )]
 fn add_blocks<const N: usize>(
     [values, sizes, errors]: &mut [Lanes; 3],
     x: [[Lanes; 3]; N],
     w: [[Lanes; 3]; N],
-    edges: &[Seen],
+    edges: &[EdgeWithError],
     inverse_square: f64,
 ) {
     let vector = |[x, y, z]: &[Lanes; 3], l: usize| Vector([x[l], y[l], z[l]]);

@@ -1,10 +1,5 @@
 //! The double contour integral in double-double arithmetic, for what cancels in `f64`.
 
-#![allow(
-    clippy::inline_always,
-    reason = "the machine code is made where it is called"
-)]
-
 use super::ExchangeArea;
 use super::coplanar_edges::{Relation, Rounding, coplanar, relation};
 use super::edge::{Edge, PairIntegral, Precision};
@@ -14,7 +9,7 @@ use crate::numeric::{DoubleDouble, GaussLegendre, SQUARED_EPSILON, Scalar, vecto
 use smallvec::SmallVec;
 use std::f64::consts::TAU;
 
-/// To 106 bits, from corners known that well.
+/// The contour integral to 106 bits, from corners known that well.
 pub(super) fn precise_contour(
     outlines: [&[Vector<DoubleDouble>]; 2],
     wanted: f64,
@@ -27,7 +22,8 @@ pub(super) fn precise_contour(
     exchange
 }
 
-/// Panels are this far from what is singular, as a sum of half-axes: potentials cost more than panels.
+/// Panels are this far from what is singular, as a sum of half-axes: potentials cost more than
+/// panels.
 const APART: f64 = 1.5;
 
 type Edges = SmallVec<[Edge<DoubleDouble>; 4]>;

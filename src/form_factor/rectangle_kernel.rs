@@ -5,50 +5,42 @@
 //!   perpendicular:           A F = ∫∫∫∫ x z / (π (x² + z² + v²)²)
 //! ```
 //!
-//! r² is a sum of squares of single coordinates, so the rules need no points in space; and of two sides along one axis
-//! only the difference of their coordinates matters, with a weight that is piecewise linear:
+//! r² is a sum of squares of single coordinates, so the rules need no points in space; and of two
+//! sides along one axis only the difference of their coordinates matters, with a weight that is
+//! piecewise linear:
 //!
 //! ```text
 //!   ∫∫ f(x − ξ) dx dξ = ∫ w(u) f(u) du,     w(u): length of the x in [x0, x1] with x − u in [ξ0, ξ1]
 //! ```
 //!
-//! On each piece w stands where a polygon's Jacobian does in the truncation bound of [`gauss_points`](super::gauss_points),
-//! at most twice its mean there, and no piece is longer than the longer side. Nothing cancels.
+//! On each piece w stands where a polygon's Jacobian does in the truncation bound of
+//! [`gauss_points`](super::gauss_points), at most twice its mean there, and no piece is longer than
+//! the longer side. Nothing cancels.
 
 use super::ExchangeArea;
 use super::gauss_points::Lines;
+use super::layout::Layout;
 use crate::geometry::Span;
 use crate::numeric::{GaussLegendre, vectorised};
 use std::f64::consts::PI;
 
 /// Points per side beyond which other routes are cheaper.
 const MOST: usize = 8;
-/// And points of a difference.
+/// Points of a difference.
 const MOST_NODES: usize = 3 * MOST;
 
-/// Four sides, two of each rectangle: `[x, ξ]` and `[y, η]` for parallel ones, a depth each and `[y, η]` for perpendicular
-/// ones; and the heights of one over the other's plane.
-pub(crate) enum Sides<'a> {
-    Parallel {
-        sides: [[&'a Span; 2]; 2],
-        distance: f64,
-    },
-    Perpendicular {
-        depths: [&'a Span; 2],
-        widths: [&'a Span; 2],
-    },
-}
-
-/// The exchange area in the spans' unit, if few points are certain to leave an error below `tolerance`, relative.
-pub(crate) fn exchange_area(sides: &Sides, tolerance: f64) -> Option<ExchangeArea> {
-    let spans = match sides {
-        Sides::Parallel {
-            sides: [[x, xi], [y, eta]],
+/// The exchange area in the spans' unit, if few points are certain to leave an error below
+/// `tolerance`, relative.
+pub(super) fn exchange_by_rules(layout: &Layout<f64>, tolerance: f64) -> Option<ExchangeArea> {
+    let spans = match layout {
+        Layout::Parallel {
+            spans: [[x, xi], [y, eta]],
             ..
         } => [*x, *xi, *y, *eta],
-        Sides::Perpendicular {
+        Layout::Perpendicular {
             depths: [x, z],
             widths: [y, eta],
+            ..
         } => [*x, *z, *y, *eta],
     };
     let lengths = spans.map(|span| *span.length());
@@ -59,17 +51,18 @@ pub(crate) fn exchange_area(sides: &Sides, tolerance: f64) -> Option<ExchangeAre
         let most = (b.upper() - a.lower()).max(a.upper() - b.lower());
         [least * least, most * most]
     };
-    let (least, most, heights) = match sides {
-        Sides::Parallel {
-            sides: [[x, xi], [y, eta]],
+    let (least, most, heights) = match layout {
+        Layout::Parallel {
+            spans: [[x, xi], [y, eta]],
             distance,
         } => {
-            let (u, v, z2) = (apart(x, xi), apart(y, eta), distance * distance);
+            let (u, v, z2) = (apart(x, xi), apart(y, eta), *distance * *distance);
             (u[0] + v[0] + z2, u[1] + v[1] + z2, [[z2, z2]; 2])
         }
-        Sides::Perpendicular {
+        Layout::Perpendicular {
             depths,
             widths: [y, eta],
+            ..
         } => {
             let v = apart(y, eta);
             let squares =
@@ -89,9 +82,9 @@ pub(crate) fn exchange_area(sides: &Sides, tolerance: f64) -> Option<ExchangeAre
         height,
         jacobian,
     };
-    let directions = match sides {
-        Sides::Parallel { .. } => [(4.0, lines(0.0, 0.5)), (0.0, lines(0.0, 0.0))],
-        Sides::Perpendicular { depths: [x, z], .. } => {
+    let directions = match layout {
+        Layout::Parallel { .. } => [(4.0, lines(0.0, 0.5)), (0.0, lines(0.0, 0.0))],
+        Layout::Perpendicular { depths: [x, z], .. } => {
             let slope = |depth: &Span| 0.5 * depth.length() / depth.upper();
             [
                 (2.0, lines(0.0, 0.5)),
@@ -119,14 +112,14 @@ pub(crate) fn exchange_area(sides: &Sides, tolerance: f64) -> Option<ExchangeAre
         outer[count] = [square, factor];
         count += 1;
     };
-    match sides {
-        Sides::Parallel { distance, .. } => {
-            let z2 = distance * distance;
+    match layout {
+        Layout::Parallel { distance, .. } => {
+            let z2 = *distance * *distance;
             differences([spans[0], spans[1]], rule, |u, weight| {
                 push(u * u + z2, weight * z2)
             });
         }
-        Sides::Perpendicular { .. } => {
+        Layout::Perpendicular { .. } => {
             let (x, z) = (spans[0], spans[1]);
             for (s, ws) in rule.nodes.iter().zip(&rule.weights) {
                 let x = x.lower() + 0.5 * x.length() * (1.0 + s);

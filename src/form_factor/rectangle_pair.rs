@@ -5,14 +5,10 @@
 //!
 //! **Not covered**: rectangles turned against each other; occlusion.
 
-#![allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
-
-use super::parallel::{self, strip_exchange};
-use super::perpendicular::{self, Plate, strip_exchange_at_depth, strip_exchange_at_width};
-use super::rectangle_kernel::{self, Sides};
+use super::layout::Layout;
+use super::parallel::strip_exchange;
+use super::perpendicular::{Plate, strip_exchange_at_depth, strip_exchange_at_width};
+use super::rectangle_kernel::exchange_by_rules;
 use super::{Exchange, ExchangeArea, FormFactorError};
 use crate::geometry::{
     AlignedRectangle, Extent, GeometryError, Offsets, Placement, Rectangle, Span, SplitAxis,
@@ -32,9 +28,9 @@ pub struct RectanglePair<S = f64> {
 enum Second<S> {
     /// Nothing of it is visible from anywhere on the first one's plane.
     Dark,
-    /// In a parallel plane.
+    /// It lies in a parallel plane.
     Parallel { spans: [Span<S>; 2], distance: S },
-    /// In the plane where the coordinate along `across` is `plane`; its front is where that
+    /// It lies in the plane where the coordinate along `across` is `plane`; its front is where that
     /// coordinate is larger (`faces_along`) or smaller. Its width runs along the other axis.
     Perpendicular {
         across: SplitAxis,
@@ -53,7 +49,7 @@ impl RectanglePair {
         Self::placed(&Placement::try_new(first, second)?)
     }
 
-    /// The same of rectangles with edges along the coordinate axes.
+    /// The pair of two rectangles with edges along the coordinate axes.
     #[inline(always)]
     pub(super) fn along_axes(
         first: &AlignedRectangle,
@@ -92,43 +88,18 @@ impl RectanglePair {
         }
     }
 
-    /// The same by Gauss rules along the sides, if few points are certain to leave a relative error below `tolerance`: for
-    /// rectangles far from each other.
+    /// The exchange area by Gauss rules along the sides, if few points are certain to leave a
+    /// relative error below `tolerance`: for rectangles far from each other.
     pub(super) fn exchange_by_rules(&self, tolerance: f64) -> Option<ExchangeArea> {
-        let exchange = match &self.second {
-            Second::Dark => return None,
-            Second::Parallel {
-                spans: [xi, eta],
-                distance,
-            } => {
-                let [x, y] = &self.first;
-                let sides = Sides::Parallel {
-                    sides: [[x, xi], [y, eta]],
-                    distance: *distance,
-                };
-                rectangle_kernel::exchange_area(&sides, tolerance)?
-            }
-            Second::Perpendicular {
-                across,
-                plane,
-                faces_along,
-                plate,
-            } => {
-                let depth = self.depth(*across, plane, *faces_along).ok()??;
-                let sides = Sides::Perpendicular {
-                    depths: [&depth, plate.depth()],
-                    widths: [&self.first[other(*across) as usize], plate.width()],
-                };
-                rectangle_kernel::exchange_area(&sides, tolerance)?
-            }
-        };
+        let exchange = self.with_layout(|layout| exchange_by_rules(layout, tolerance));
+        let exchange = exchange.ok()???;
         let unit_area = self.unit * self.unit;
         let [value, error_bound] = [exchange.value, exchange.error_bound].map(|x| x * unit_area);
         (value.is_normal() && error_bound.is_finite())
             .then_some(ExchangeArea { value, error_bound })
     }
 
-    /// The same pair, as placed, in numbers of the type and precision of `like`.
+    /// Lifts the pair, as placed, to numbers of the type and precision of `like`.
     #[must_use]
     pub fn lifted<S: Scalar>(&self, like: &S) -> RectanglePair<S> {
         RectanglePair {
@@ -243,13 +214,35 @@ impl<S: Scalar> RectanglePair<S> {
         self.in_range(exchange.value * along.length())
     }
 
-    /// What the two exchange, in units of their frame; `None` if nothing; to be called where vector code is made.
+    /// The sum over corners in units of the frame; `None` if nothing is exchanged. To be called
+    /// where vector code is made.
     #[inline(always)]
     fn exchange(&self) -> Result<Option<Exchange<S>>, FormFactorError> {
+        let exchange = self.with_layout(
+            #[inline(always)]
+            |layout| layout.form().map(Some),
+        );
+        exchange?.unwrap_or(Ok(None))
+    }
+
+    /// Hands over the layout of what faces each other, in units of the frame; `None` if there is
+    /// nothing.
+    #[inline(always)]
+    fn with_layout<T>(
+        &self,
+        answer: impl FnOnce(&Layout<S>) -> T,
+    ) -> Result<Option<T>, FormFactorError> {
         match &self.second {
             Second::Dark => Ok(None),
-            Second::Parallel { spans, distance } => {
-                parallel::form(&self.first, spans, distance).map(Some)
+            Second::Parallel {
+                spans: [xi, eta],
+                distance,
+            } => {
+                let [x, y] = &self.first;
+                Ok(Some(answer(&Layout::Parallel {
+                    spans: [[x, xi], [y, eta]],
+                    distance,
+                })))
             }
             Second::Perpendicular {
                 across,
@@ -258,16 +251,19 @@ impl<S: Scalar> RectanglePair<S> {
                 plate,
             } => match self.depth(*across, plane, *faces_along)? {
                 Some(depth) => {
-                    let width = self.first[other(*across) as usize].clone();
-                    let first = Plate::try_new(depth, width)?;
-                    Ok(Some(perpendicular::form(&first, plate)))
+                    let widths = [&self.first[other(*across) as usize], plate.width()];
+                    Ok(Some(answer(&Layout::Perpendicular {
+                        depths: [&depth, plate.depth()],
+                        widths,
+                        offsets: &Offsets::between(widths[0], widths[1]),
+                    })))
                 }
                 None => Ok(None),
             },
         }
     }
 
-    /// In squared units of length, if that is a number.
+    /// Converts a value to squared units of length, if it stays a number.
     fn in_range(&self, value: S) -> Result<S, FormFactorError> {
         let value = value.clone() * &value.constant(self.unit * self.unit);
         if value.to_f64().is_finite() {

@@ -1,7 +1,5 @@
 //! The routes to a form factor, by name.
 
-use super::ExchangeArea;
-
 /// How a pair's exchange area was found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
@@ -39,13 +37,4 @@ impl Route {
             Self::DoubleDouble => "double-double",
         }
     }
-}
-
-/// An exchange area, and the route that found it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Answer {
-    /// The value and the bound on its error.
-    pub exchange: ExchangeArea,
-    /// The route.
-    pub route: Route,
 }

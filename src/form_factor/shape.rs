@@ -6,24 +6,26 @@
 //! ```
 
 use super::edge::Edge;
-use crate::geometry::{Vector, triangulated};
+use crate::geometry::{Vector, is_convex, triangulated};
 use crate::numeric::{DoubleDouble, Scalar, vectorised};
 use glam::DVec3;
 use smallvec::SmallVec;
 
-/// Four corners of a cell, as indices of the outline's corners; the last two are equal in a triangle.
+/// Four corners of a cell, as indices of the outline's corners; the last two are equal in a
+/// triangle.
 pub(super) type Cell = [usize; 4];
 
 /// An outline in a plane, counter-clockwise seen from its front.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Shape {
     pub corners: SmallVec<[DVec3; 4]>,
-    /// From each corner to the next.
+    /// The edges from each corner to the next.
     pub edges: SmallVec<[Edge<f64>; 4]>,
     pub cells: SmallVec<[Cell; 1]>,
     /// `J0, Js, Jt` of each cell, from 106 bits.
     pub jacobians: SmallVec<[[f64; 3]; 1]>,
-    /// The largest Jacobian of a cell over its mean, and how much one changes along half a line, over its largest.
+    /// The largest Jacobian of a cell over its mean, and how much one changes along half a line,
+    /// over its largest.
     pub peak: f64,
     pub slope: f64,
     pub area: f64,
@@ -39,8 +41,8 @@ pub(super) struct Shape {
 }
 
 impl Shape {
-    /// The outline with these corners, in a plane with this normal. Consecutive corners that coincide are taken as one;
-    /// `None` if fewer than three are left.
+    /// The outline with these corners, in a plane with this normal. Consecutive corners that
+    /// coincide are taken as one; `None` if fewer than three are left.
     pub(super) fn new(corners: &[DVec3], normal: Vector<DoubleDouble>) -> Option<Self> {
         let mut distinct: SmallVec<[DVec3; 4]> = corners.into();
         distinct.dedup();
@@ -52,7 +54,7 @@ impl Shape {
         if n < 3 {
             return None;
         }
-        let cells: SmallVec<[Cell; 1]> = if is_convex(&corners, normal) {
+        let cells: SmallVec<[Cell; 1]> = if goes_round_convexly(&corners, normal.to_doubles()) {
             (1..n - 1)
                 .step_by(2)
                 .map(|i| [0, i, i + 1, (i + 2).min(n - 1)])
@@ -115,8 +117,8 @@ impl Shape {
     }
 }
 
-/// Half the longest line `s = const` or `t = const` of a cell: one that joins points of two opposite sides is at most the
-/// longer of the other two.
+/// Half the longest line `s = const` or `t = const` of a cell: one that joins points of two
+/// opposite sides is at most the longer of the other two.
 fn half_length(corners: &[DVec3], cells: &[Cell]) -> f64 {
     let longest = |cell: &Cell| {
         let [a, b, c, d] = cell.map(|i| corners[i]);
@@ -128,18 +130,14 @@ fn half_length(corners: &[DVec3], cells: &[Cell]) -> f64 {
     0.5 * cells.iter().map(longest).fold(0.0, f64::max).sqrt()
 }
 
-fn is_convex(corners: &[DVec3], normal: Vector<DoubleDouble>) -> bool {
-    let n = corners.len();
-    n == 3
-        || (0..n).all(|i| {
-            let [a, b, c] = [0, 1, 2].map(|k| corners[(i + k) % n]);
-            (b - a).cross(c - b).dot(normal.to_doubles()) >= 0.0
-        }) && turns_once(corners, normal)
+/// Is a polygon convex, and does it go round once only?
+fn goes_round_convexly(corners: &[DVec3], normal: DVec3) -> bool {
+    corners.len() == 3 || is_convex(corners, normal, 0.0) && turns_once(corners, normal)
 }
 
 /// Does a polygon that never turns right go round once only? (A star goes round more often.)
-fn turns_once(corners: &[DVec3], normal: Vector<DoubleDouble>) -> bool {
-    let (n, normal) = (corners.len(), normal.to_doubles());
+fn turns_once(corners: &[DVec3], normal: DVec3) -> bool {
+    let n = corners.len();
     n == 4
         || (1..n - 1).all(|i| {
             (corners[i] - corners[0])
@@ -151,10 +149,6 @@ fn turns_once(corners: &[DVec3], normal: Vector<DoubleDouble>) -> bool {
 
 /// `J0, Js, Jt`: the corners' Jacobians are products of the sides that meet there.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "the machine code is made where it is called"
-)]
 fn jacobian([a, b, c, d]: [DVec3; 4], normal: Vector<DoubleDouble>) -> [f64; 3] {
     let (like, is_triangle) = (DoubleDouble::from(0.0), c == d);
     let (a, b) = (Vector::lifted(a, like), Vector::lifted(b, like));

@@ -1,18 +1,21 @@
-//! What a line of points of one plane sends to a polygon: the rate at which an exchange area grows as a cut moves.
+//! What a line of points of one plane sends to a polygon: the rate at which an exchange area grows
+//! as a cut moves.
 //!
 //! ```text
 //!   ∂(A F)/∂t = breadth · ∫ F_x ds          over the cut line, x on it (Leibniz), F_x by Lambert's formula
 //! ```
 //!
-//! The polygon is clipped once at the plane, the line at the polygon's plane; then F_x is analytic in s up to the zeros of
-//! r² (a corner c of the polygon) and of h² (the line of its edge u) in the complex plane,
+//! The polygon is clipped once at the plane, the line at the polygon's plane; then F_x is analytic
+//! in s up to the zeros of r² (a corner c of the polygon) and of h² (the line of its edge u) in the
+//! complex plane,
 //!
 //! ```text
 //!   |c − x(s)|² = 0,     |(c − x(s)) × u|² = 0
 //! ```
 //!
-//! and the line is halved until each piece of half-length l lies inside ellipses with `|z − m + l| + |z − m − l| ≥ 3 l` for all
-//! of them, ρ ≥ 2.6: 20 Gauss points leave 2.6^(−40) = 2e-17 of the largest |F|.
+//! and the line is halved until each piece of half-length l lies inside ellipses with
+//! `|z − m + l| + |z − m − l| ≥ 3 l` for all of them, ρ ≥ 2.6: 20 Gauss points leave 2.6^(−40) =
+//! 2e-17 of the largest |F|.
 //!
 //! **Not covered**: a bound on the error; measured, a few ε of the line's length.
 
@@ -20,23 +23,25 @@ use super::Polygon;
 use super::edge::Edge;
 use super::gauss_points::Block;
 use super::point_to_polygon::integral;
-use crate::geometry::Vector;
+use crate::geometry::{Vector, clipped};
 use crate::numeric::{GaussLegendre, LANES};
 use glam::DVec3;
 
 /// Gauss points per piece.
 const POINTS: usize = 20;
 
-/// Pieces shorter than this share of the line are not halved again: what Gauss misses of them counts less than ε, and their
-/// middles are still apart from their ends.
+/// Pieces shorter than this share of the line are not halved again: what Gauss misses of them
+/// counts less than ε, and their middles are still apart from their ends.
 const SHORTEST: f64 = 1.0 / (1_u64 << 46) as f64;
 
 impl Polygon {
-    /// `∫ F_x ds`: what the points of a segment in the plane of `self` send to `other`, per width of the segment.
+    /// `∫ F_x ds`: what the points of a segment in the plane of `self` send to `other`, per width
+    /// of the segment.
     ///
     /// **Arguments** `segment`: its ends, in the plane of `self`.
     /// **Returns** a length ≥ 0.
-    /// **Accuracy** a few ε of the segment's length, measured by `strips_are_derivatives_of_exchange_areas`.
+    /// **Accuracy** a few ε of the segment's length, measured by
+    /// `strips_are_derivatives_of_exchange_areas`.
     #[must_use]
     pub fn segment_exchange(&self, segment: [DVec3; 2], other: &Self) -> f64 {
         let visible = self.in_front(other);
@@ -87,19 +92,10 @@ impl Polygon {
     /// The corners of what of `other` lies in front of this plane.
     fn in_front(&self, other: &Self) -> Vec<DVec3> {
         let corners = &other.shape.corners;
-        let n = corners.len();
         let heights: Vec<f64> = corners.iter().map(|corner| self.height(*corner)).collect();
-        let mut visible = Vec::with_capacity(n + 2);
-        for i in 0..n {
-            let (from, to) = (heights[i], heights[(i + 1) % n]);
-            if from >= 0.0 {
-                visible.push(corners[i]);
-            }
-            if (from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0) {
-                let along = corners[(i + 1) % n] - corners[i];
-                visible.push(corners[i] + along * (from / (from - to)));
-            }
-        }
+        let mut visible = clipped(corners, &heights, |from, to, share| {
+            from + (to - from) * share
+        });
         visible.dedup();
         if visible.len() > 1 && visible.first() == visible.last() {
             visible.pop();
@@ -120,7 +116,8 @@ fn in_front([start, end]: [DVec3; 2], [from, to]: [f64; 2]) -> Option<[DVec3; 2]
     (left[0].distance(left[1]) > 0.0).then_some(left)
 }
 
-/// Zeros `s ± i h` of the squared distances to corners and to the lines of edges, along a line through 0.
+/// Zeros `s ± i h` of the squared distances to corners and to the lines of edges, along a line
+/// through 0.
 fn complex_zeros(corners: &[DVec3], direction: DVec3) -> Vec<[f64; 2]> {
     let n = corners.len();
     let mut zeros = Vec::with_capacity(2 * n);

@@ -1,4 +1,5 @@
-//! A pair as the routes see it: what of each polygon is in front of the other's plane, and measures of both.
+//! A pair as the routes see it: what of each polygon is in front of the other's plane, and measures
+//! of both.
 
 use super::gauss_points::{Lines, Rules};
 use super::horizon::{Heights, Off, Side, side_of};
@@ -7,7 +8,7 @@ use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
 use glam::DVec3;
 use std::f64::consts::PI;
 
-/// What of a pair is in front of the other's plane, with measures that the choice rests on.
+/// The parts of a pair in front of each other's planes, with measures that the choice rests on.
 pub(super) struct View<'a> {
     pub polygons: [&'a Polygon; 2],
     pub shapes: [&'a Shape; 2],
@@ -16,14 +17,14 @@ pub(super) struct View<'a> {
     pub gap: f64,
     /// An upper bound on all distances.
     pub reach: f64,
-    /// What corners may be off.
+    /// Bounds on the displacement of corners.
     pub off: Off,
     /// The largest height of each.
     highest: [f64; 2],
     /// `area × area × h_max g_max / (π gap⁴)`.
     pub largest: f64,
-    /// What that changes at most, per length: by flux through ribbons; for polygons apart, relative to the value, by other
-    /// heights, and by other areas and distances.
+    /// What that changes at most, per length: by flux through ribbons; for polygons apart, relative
+    /// to the value, by other heights, and by other areas and distances.
     ribbons: f64,
     /// The most that a point of either receives, per area.
     received: f64,
@@ -34,7 +35,8 @@ pub(super) struct View<'a> {
     pub tolerance: f64,
 }
 
-/// What `route` makes of a pair; nothing is asked of it if one polygon is behind the other's plane, or in it.
+/// Clips a pair and hands it to `route`, which is not asked if one polygon is behind the other's
+/// plane, or in it.
 pub(super) fn seen(
     polygons: [&Polygon; 2],
     tolerance: f64,
@@ -108,7 +110,8 @@ impl<'a> View<'a> {
         } else {
             f64::INFINITY
         };
-        // heights h weighted by the kernel K: Σ K/Σ h K is at most 1/h_min, and at most (K_max/K_min)/h_mean
+        // heights h weighted by the kernel K: Σ K/Σ h K is at most 1/h_min, and at most
+        // (K_max/K_min)/h_mean
         let sensitivities = spans.map(|span| (1.0 / span.least).min(spread / span.mean));
         let received = |shape: &Shape| (shape.area / (PI * gap * gap)).min(1.0);
         let ribbons = first.perimeter * received(second) + second.perimeter * received(first);
@@ -138,8 +141,9 @@ impl<'a> View<'a> {
         }
     }
 
-    /// What corners that are off may change. The kernel takes its heights from the corners', which are exact where a clip put
-    /// them on the plane; for all others a corner out of place is at another height, too.
+    /// Bounds the change of the exchange area caused by displaced corners. The kernel takes its
+    /// heights from the corners', which are exact where a clip put them on the plane; for all
+    /// others a corner out of place is at another height, too.
     pub(super) fn slack(&self, off: Off, value: f64, route: Route) -> f64 {
         let Off {
             height,
@@ -164,7 +168,8 @@ impl<'a> View<'a> {
             + strip * grazing * self.received
     }
 
-    /// What points off by `place` may change: heights and distances, but no area.
+    /// Bounds the change caused by points displaced by `place`: of heights and distances, but no
+    /// area.
     pub(super) fn moved(&self, place: f64, value: f64) -> f64 {
         let relative = self.by_height + 8.0 / self.gap;
         (place * self.ribbons).min(place * relative * value.abs())
@@ -239,7 +244,8 @@ fn farthest(first: &Shape, second: &Shape) -> f64 {
     square.sqrt()
 }
 
-/// How far two planes across this direction are apart, each touching one of the polygons; negative if they are not.
+/// The distance of two planes across this direction, each touching one of the polygons; negative
+/// if they do not part them.
 fn apart(first: &Shape, second: &Shape, direction: DVec3) -> f64 {
     let (mut end, mut start) = (f64::NEG_INFINITY, f64::INFINITY);
     for corner in &first.corners {
@@ -251,8 +257,9 @@ fn apart(first: &Shape, second: &Shape, direction: DVec3) -> f64 {
     start - end
 }
 
-/// A bound on `θ/sin θ` for the angle θ that an edge subtends at a distance: with h = tan(θ/2) it is `(1 + h²) atan h / h`, and
-/// `atan h ≤ h − h³/3 + h⁵/5`; beyond a right angle only that θ is at most π.
+/// A bound on `θ/sin θ` for the angle θ that an edge subtends at a distance: with h = tan(θ/2) it
+/// is `(1 + h²) atan h / h`, and `atan h ≤ h − h³/3 + h⁵/5`; beyond a right angle only that θ is at
+/// most π.
 pub(super) fn widening(length: f64, distance: f64) -> f64 {
     let half = 0.5 * length / distance;
     let square = half * half;

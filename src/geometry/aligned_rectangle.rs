@@ -1,9 +1,12 @@
-//! Rectangles with edges along the coordinate axes, ready to be placed beside others.
+//! Rectangles with edges along the coordinate axes: recognised, bounded, and ready to be placed
+//! beside others.
 
-use super::{Rectangle, SplitAxis};
+use super::{Patch, Rectangle, SplitAxis};
 use crate::numeric::DoubleDouble;
+use glam::DVec3;
 
-/// A rectangle whose edges u and v run along coordinate axes: what its place beside another needs, made once.
+/// A rectangle whose edges u and v run along coordinate axes: what its place beside another needs,
+/// made once.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AlignedRectangle {
     /// The corner `v0`.
@@ -39,7 +42,21 @@ impl AlignedRectangle {
 }
 
 impl Rectangle {
-    /// The same, ready to be placed beside others; `None` unless the edges run along the coordinate axes.
+    /// The coordinate axes along which the edges run, as indices; `None` if they do not.
+    #[must_use]
+    pub fn axes(&self) -> Option<[usize; 2]> {
+        let along = |edge: DVec3| match edge.to_array().map(|x| x.abs() > 0.0) {
+            [true, false, false] => Some(0),
+            [false, true, false] => Some(1),
+            [false, false, true] => Some(2),
+            _ => None,
+        };
+        let [u, v] = SplitAxis::ALL.map(|axis| self.edge(axis));
+        Some([along(u)?, along(v)?])
+    }
+
+    /// The rectangle, ready to be placed beside others; `None` unless its edges run along the
+    /// coordinate axes.
     #[must_use]
     pub fn aligned(&self) -> Option<AlignedRectangle> {
         let [u, v] = self.axes()?;
@@ -56,6 +73,47 @@ impl Rectangle {
             sides,
             axes: [u, v, 3 - u - v],
             signs: [signs[0], signs[1], handedness * signs[0] * signs[1]],
+        })
+    }
+}
+
+/// A box that is flat along one coordinate axis: a rectangle whose corners lie exactly at its ends.
+///
+/// An [`AlignedRectangle`] is known by three of its corners, and the fourth may be off by a
+/// rounding; here it is not.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FlatBox {
+    /// The coordinate axis along the normal.
+    pub axis: usize,
+    /// Does the normal point along this axis (else against it)?
+    pub faces_along: bool,
+    /// The smallest coordinates.
+    pub lower: [f64; 3],
+    /// The largest coordinates.
+    pub upper: [f64; 3],
+}
+
+impl FlatBox {
+    /// The box that a patch is; `None` if it is not exactly one.
+    #[must_use]
+    pub fn of(patch: &Patch) -> Option<Self> {
+        let [u, v] = Rectangle::try_from(patch).ok()?.axes()?;
+        let corners: [DVec3; 4] = patch.corners().try_into().ok()?;
+        let [v0, v1, v2, v3] = corners.map(|corner| corner.to_array());
+        let mut opposite = v0;
+        (opposite[u], opposite[v]) = (v1[u], v3[v]);
+        let mut gaps = v2.iter().zip(&opposite).map(|(x, end)| (x - end).abs());
+        if gaps.any(|gap| gap > 0.0) {
+            return None;
+        }
+        // −0 and 0 are one line
+        let ends = |end: fn(f64, f64) -> f64| [0, 1, 2].map(|k| end(v0[k], v2[k]) + 0.0);
+        let axis = 3 - u - v;
+        Some(Self {
+            axis,
+            faces_along: patch.normal()[axis] > 0.0,
+            lower: ends(f64::min),
+            upper: ends(f64::max),
         })
     }
 }

@@ -5,21 +5,26 @@
 //!   position of a point x:   t = (g·x − min g·v)/(max g·v − min g·v),   g in the plane, across the lines
 //! ```
 //!
-//! In a parallelogram v0 is at 0 and the far edge at 1 on both axes. Heights that agree to [`SAME_LINE`] count as equal.
+//! In a parallelogram v0 is at 0 and the far edge at 1 on both axes. Heights that agree to
+//! [`SAME_LINE`] count as equal.
 //!
 //! **Not covered**: curved cuts; lines at another angle; a polygon whose corner v0 is straight.
 
+use super::clip::clipped;
+use super::convexity::is_convex;
 use super::{GeometryError, Patch, SplitAxis, triangulated};
 use glam::DVec3;
 
 /// Positions nearer than this are one line.
 const SAME_LINE: f64 = 1e-13;
 
-/// The least sine of the angle at v0, and the largest between a line and a plane that counts as parallel to it.
+/// The least sine of the angle at v0, and the largest between a line and a plane that counts as
+/// parallel to it.
 const SMALLEST_ANGLE: f64 = 1e-9;
 const PARALLEL: f64 = 1e-12;
 
-/// A polygon with a family of parallel lines across it, each with its relative position from 0 to 1.
+/// A polygon with a family of parallel lines across it, each with its relative position from 0 to
+/// 1.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CutLines {
     corners: Vec<DVec3>,
@@ -77,12 +82,7 @@ impl CutLines {
             let same = known.find(|known| (position - **known).abs() <= SAME_LINE);
             positions.push(same.copied().unwrap_or(position));
         }
-        let turn = |i: usize| {
-            let [a, b, c] = [i, i + 1, i + 2].map(|k| corners[k % n]);
-            let (e, f) = (b - a, c - b);
-            e.cross(f).dot(normal) >= -PARALLEL * e.length() * f.length()
-        };
-        let pieces = if (0..n).all(turn) {
+        let pieces = if is_convex(&corners, normal, PARALLEL) {
             vec![(0..n).collect()]
         } else {
             let triangles = triangulated(&corners, normal);
@@ -125,16 +125,16 @@ impl CutLines {
     /// Convex polygons that make up the part between two positions.
     ///
     /// # Errors
-    /// [`GeometryError::PositionOutOfRange`] unless `0 ≤ from < to ≤ 1`; [`GeometryError::NoArea`] or
-    /// [`GeometryError::NotPlanar`] if it is too thin for the rounding of its corners.
+    /// [`GeometryError::PositionOutOfRange`] unless `0 ≤ from < to ≤ 1`; [`GeometryError::NoArea`]
+    /// or [`GeometryError::NotPlanar`] if it is too thin for the rounding of its corners.
     pub fn part(&self, from: f64, to: f64) -> Result<Vec<Patch>, GeometryError> {
         Self::check(from, to)?;
         let mut parts = Vec::new();
         let mut nothing = None;
         for piece in &self.pieces {
             let outline = piece.iter().map(|i| (self.corners[*i], self.positions[*i]));
-            let above = clipped(&outline.collect::<Vec<_>>(), |t| t - from);
-            let between = clipped(&above, |t| to - t);
+            let above = part_where(|t| t - from, &outline.collect::<Vec<_>>());
+            let between = part_where(|t| to - t, &above);
             if between.len() < 3 {
                 continue;
             }
@@ -191,7 +191,8 @@ impl CutLines {
         level.map(|(a, _)| *a).collect()
     }
 
-    /// The position of the line that lies in a plane, if the lines are parallel to it and it meets the polygon's.
+    /// The position of the line that lies in a plane, if the lines are parallel to it and it meets
+    /// the polygon's.
     #[must_use]
     pub fn in_plane(&self, origin: DVec3, normal: DVec3) -> Option<f64> {
         let slope = self.across.dot(normal) * self.breadth;
@@ -226,22 +227,11 @@ impl CutLines {
     }
 }
 
-/// What of a convex outline has a height ≥ 0; each corner comes with its position.
-fn clipped(outline: &[(DVec3, f64)], height: impl Fn(f64) -> f64) -> Vec<(DVec3, f64)> {
-    let mut kept = Vec::with_capacity(outline.len() + 2);
-    for (i, (corner, position)) in outline.iter().enumerate() {
-        let (next, next_position) = outline[(i + 1) % outline.len()];
-        let (here, there) = (height(*position), height(next_position));
-        if here >= 0.0 {
-            kept.push((*corner, *position));
-        }
-        if (here > 0.0 && there < 0.0) || (here < 0.0 && there > 0.0) {
-            let share = here / (here - there);
-            kept.push((
-                *corner + (next - *corner) * share,
-                position + (next_position - position) * share,
-            ));
-        }
-    }
-    kept
+/// The part of a convex outline where `height`, a function of the position, is ≥ 0; each corner
+/// comes with its position.
+fn part_where(height: impl Fn(f64) -> f64, outline: &[(DVec3, f64)]) -> Vec<(DVec3, f64)> {
+    let heights: Vec<f64> = outline.iter().map(|(_, t)| height(*t)).collect();
+    clipped(outline, &heights, |(corner, t), (next, next_t), share| {
+        (corner + (next - corner) * share, t + (next_t - t) * share)
+    })
 }

@@ -38,7 +38,7 @@ pub enum GeometryError {
     NotPlanar {
         /// The corner farthest from the plane.
         corner: usize,
-        /// Its distance.
+        /// The corner's distance from the plane.
         deviation: f64,
         /// The distance over the diameter.
         relative: f64,
@@ -56,7 +56,7 @@ pub enum GeometryError {
     /// Four right-angled corners were needed.
     #[error("the polygon is not a rectangle: {reason}")]
     NotARectangle {
-        /// Which property fails, with its number.
+        /// The property that fails, with its number.
         reason: String,
     },
     /// Two rectangles do not have their edges along three common axes.
@@ -90,7 +90,7 @@ pub enum GeometryError {
     /// A relative position outside its range.
     #[error("relative position {position} is not inside {lower} … {upper}")]
     PositionOutOfRange {
-        /// As given.
+        /// The position as given.
         position: f64,
         /// Smallest position allowed.
         lower: f64,

@@ -2,13 +2,16 @@
 //!
 //! A [`Patch`] is a planar simple polygon; a [`Rectangle`] is recognised from one, cut into
 //! parts, and placed beside another by [`Placement`]; on one axis [`Span`]s lie to each other by
-//! [`Offsets`]. What lies between two patches is their [`Shaft`]; [`side_of_plane`] is exact. Lengths are in any one unit.
+//! [`Offsets`]. What lies between two patches is their [`Shaft`]. Lengths are in any one unit.
 //!
 //! **Not here**: anything radiometric.
 
 mod aligned_rectangle;
+mod clip;
 mod convex_pieces;
+mod convexity;
 mod cut_lines;
+mod ears;
 mod error;
 mod offsets;
 mod patch;
@@ -16,14 +19,17 @@ mod placement;
 mod quarters;
 mod rectangle;
 mod shaft;
-mod side;
 mod span;
 mod triangulation;
 mod uniform_line;
 mod vector;
 
-pub use aligned_rectangle::AlignedRectangle;
+pub use aligned_rectangle::{AlignedRectangle, FlatBox};
+pub(crate) use clip::{ClippedCorner, clip, clipped};
+pub use convexity::convex_hull;
+pub(crate) use convexity::is_convex;
 pub use cut_lines::CutLines;
+pub(crate) use ears::EarClipper;
 pub use error::GeometryError;
 pub use offsets::Offsets;
 pub use patch::Patch;
@@ -31,7 +37,6 @@ pub use placement::{Extent, Placement};
 pub use quarters::quartered;
 pub use rectangle::{Rectangle, SplitAxis};
 pub use shaft::{Outline, Plane, Shaft};
-pub use side::{Side, side_of_plane};
 pub use span::Span;
 pub use triangulation::triangulated;
 pub(crate) use uniform_line::line_through_sphere;

@@ -5,8 +5,8 @@ use crate::numeric::Scalar;
 
 /// The differences of two spans' ends, kept apart from the ends themselves.
 ///
-/// Over intervals `x − x` is not 0 unless it is known to be the same x: where two spans share an end, or all of
-/// their length, only this says so.
+/// Over intervals `x − x` is not 0 unless it is known to be the same x: where two spans share an
+/// end, or all of their length, only this says so.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Offsets<S = f64> {
     differences: [[S; 2]; 2],
@@ -14,8 +14,8 @@ pub struct Offsets<S = f64> {
 }
 
 impl<S: Scalar> Offsets<S> {
-    /// From the differences themselves: `differences[i][k]` is end i of the first span less end k of the second, lower
-    /// ends first; `lengths` are theirs.
+    /// Offsets made of the differences themselves: `differences[i][k]` is end i of the first span
+    /// less end k of the second, lower ends first; `lengths` are theirs.
     #[must_use]
     pub const fn new(differences: [[S; 2]; 2], lengths: [S; 2]) -> Self {
         Self {
@@ -24,13 +24,9 @@ impl<S: Scalar> Offsets<S> {
         }
     }
 
-    /// Those of two spans on one axis.
+    /// The offsets of two spans on one axis.
     #[inline(always)]
     #[must_use]
-    #[allow(
-        clippy::inline_always,
-        reason = "vector code is made where it is called"
-    )]
     pub fn between(first: &Span<S>, second: &Span<S>) -> Self {
         let difference = |a: &S, b: &S| a.clone() - b;
         let row = |end| {
@@ -63,13 +59,9 @@ impl<S: Scalar> Offsets<S> {
         &self.lengths[1]
     }
 
-    /// The same, or with first and second exchanged.
+    /// Exchanges first and second, unless they are to stay.
     #[inline(always)]
     #[must_use]
-    #[allow(
-        clippy::inline_always,
-        reason = "vector code is made where it is called"
-    )]
     pub fn swapped_unless(&self, stays: bool) -> Self {
         let [[a, b], [c, d]] = &self.differences;
         let [first, second] = &self.lengths;

@@ -10,7 +10,7 @@
 
 use super::GeometryError;
 use crate::geometry::Vector;
-use crate::numeric::{DoubleDouble, Scalar, tolerance};
+use crate::numeric::{DoubleDouble, Scalar, power_of_two_near, tolerance};
 use glam::{DVec2, DVec3};
 
 /// A planar simple polygon with its area and unit normal.
@@ -54,7 +54,7 @@ impl Patch {
             .map(|c| c.distance(origin))
             .fold(0.0, f64::max);
         // in units of a power of two near the diameter, so that products stay in range
-        let unit = diameter.log2().round().exp2();
+        let unit = power_of_two_near(diameter);
         // to 106 bits: in doubles the normal of a sliver is off by ε over its thinness
         let like = DoubleDouble::from(0.0);
         let lifted = |point: DVec3| Vector::lifted(point / unit, like);
@@ -140,7 +140,8 @@ impl Patch {
 }
 
 fn segments_meet((a, b): (DVec2, DVec2), (c, d): (DVec2, DVec2)) -> bool {
-    // seen along the first, the second may lie beside it: rounding leaves collinear edges on either side of each other
+    // seen along the first, the second may lie beside it: rounding leaves collinear edges on either
+    // side of each other
     let along = b - a;
     let [s, e] = [(c - a).dot(along), (d - a).dot(along)];
     if s.max(e) < 0.0 || s.min(e) > along.length_squared() {

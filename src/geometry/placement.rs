@@ -8,7 +8,7 @@
 //! overflow nor underflow; [`Placement::unit`] undoes it exactly.
 
 use super::{AlignedRectangle, GeometryError, Rectangle, Span, SplitAxis};
-use crate::numeric::tolerance;
+use crate::numeric::{power_of_two_below, power_of_two_near, tolerance};
 
 /// The extent of a rectangle along one axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,7 +26,8 @@ pub struct Placement {
     pub first: [Span; 2],
     /// The second rectangle's extent along u, v and the normal; [`Extent::Flat`] in one of them.
     pub second: [Extent; 3],
-    /// Does the second rectangle's normal point along the axis in which it is flat (else against it)?
+    /// Does the second rectangle's normal point along the axis in which it is flat (else against
+    /// it)?
     pub faces_along: bool,
     /// Length of one unit of the spans: a power of two.
     pub unit: f64,
@@ -35,8 +36,8 @@ pub struct Placement {
 impl Placement {
     /// Places `second` in the frame of `first`.
     ///
-    /// Coordinates within [`tolerance::ALIGNMENT`] of a plane of the frame are put on it, unless all edges run along the
-    /// coordinate axes: then coordinates are taken as they are.
+    /// Coordinates within [`tolerance::ALIGNMENT`] of a plane of the frame are put on it, unless
+    /// all edges run along the coordinate axes: then coordinates are taken as they are.
     ///
     /// # Errors
     /// [`GeometryError::NotAligned`] if the edges do not run along three common axes;
@@ -112,13 +113,14 @@ impl Placement {
             .flat_map(|(lower, upper)| [lower.abs(), upper.abs()])
             .chain(lengths)
             .fold(0.0, f64::max);
-        let unit = extent.log2().round().exp2();
+        let unit = power_of_two_near(extent);
         let second = [0, 1, 2].map(|k| {
             let (lower, upper) = ranges[k];
             if k == flat {
                 return Ok(Extent::Flat(snap(k, 0.5 * (lower + upper)) / unit));
             }
-            // one edge runs along this axis, the other across it: the edge knows its own length best
+            // one edge runs along this axis, the other across it: the edge knows its own length
+            // best
             let along = SplitAxis::ALL.map(|axis| second.edge(axis).dot(axes[k]).abs());
             let length = along[0].max(along[1]) / unit;
             Span::with_length(snap(k, lower) / unit, length).map(Extent::Long)
@@ -136,15 +138,12 @@ impl Placement {
         })
     }
 
-    /// Rectangles with edges along the coordinate axes: nothing is turned, so only differences are rounded.
+    /// Rectangles with edges along the coordinate axes: nothing is turned, so only differences are
+    /// rounded.
     ///
     /// # Errors
     /// [`GeometryError::EmptySpan`] if the sizes differ by more than `f64` can hold.
     #[inline(always)]
-    #[allow(
-        clippy::inline_always,
-        reason = "its parts go on to the next step in registers"
-    )]
     pub fn along_axes(
         first: &AlignedRectangle,
         second: &AlignedRectangle,
@@ -161,8 +160,8 @@ impl Placement {
         for (start, side) in places {
             extent = extent.max(start.abs()).max((start + side).abs());
         }
-        // the power of two at or below it, and its inverse: a product with that is as exact as a quotient
-        let unit = f64::from_bits(extent.to_bits() & 0x7ff0_0000_0000_0000);
+        // a unit and its inverse: a product with that is as exact as a quotient
+        let unit = power_of_two_below(extent);
         let inverse = 1.0 / unit;
         let extent_along = |k: usize| {
             let (start, side) = places[k];

@@ -7,14 +7,15 @@
 //!   concave polygon        its triangles
 //! ```
 //!
-//! Parts of a parallelogram are parallelograms of half its size. Neighbours that share an edge share the middle of it, to the
-//! last bit.
+//! Parts of a parallelogram are parallelograms of half its size. Neighbours that share an edge
+//! share the middle of it, to the last bit.
 
+use super::convexity::is_convex;
 use super::{GeometryError, Patch, triangulated};
 use glam::DVec3;
 
-/// Bends of less than this count as convex.
-const STRAIGHT: f64 = -1e-12;
+/// The largest sine of a bend that counts as none.
+const STRAIGHT: f64 = 1e-12;
 
 /// The parts of a polygon, fronts on the same side; the same area in all.
 ///
@@ -37,17 +38,12 @@ pub fn quartered(patch: &Patch) -> Result<Vec<Patch>, GeometryError> {
     let middles: Vec<DVec3> = (0..n)
         .map(|i| middle(corners[i], corners[(i + 1) % n]))
         .collect();
-    let is_convex = (0..n).all(|i| {
-        let [a, b, c] = [i, i + 1, i + 2].map(|k| corners[k % n]);
-        let (into, out) = (b - a, c - b);
-        into.cross(out).dot(patch.normal()) >= STRAIGHT * into.length() * out.length()
-    });
     let parts: Vec<Vec<DVec3>> = if n == 3 {
         let at_corner = |i: usize| vec![corners[i], middles[i], middles[(i + 2) % 3]];
         let mut parts: Vec<_> = (0..3).map(at_corner).collect();
         parts.push(middles);
         parts
-    } else if is_convex {
+    } else if is_convex(corners, patch.normal(), STRAIGHT) {
         let centre = if n == 4 {
             middle(middles[0], middles[2])
         } else {

@@ -64,19 +64,6 @@ impl Rectangle {
         self.edges[axis as usize]
     }
 
-    /// The coordinate axes along which the edges run, as indices; `None` if they do not.
-    #[must_use]
-    pub fn axes(&self) -> Option<[usize; 2]> {
-        let along = |edge: DVec3| match edge.to_array().map(|x| x.abs() > 0.0) {
-            [true, false, false] => Some(0),
-            [false, true, false] => Some(1),
-            [false, false, true] => Some(2),
-            _ => None,
-        };
-        let [u, v] = self.edges;
-        Some([along(u)?, along(v)?])
-    }
-
     /// Unit normal, towards the front.
     #[must_use]
     pub fn normal(&self) -> DVec3 {

@@ -5,10 +5,11 @@
 //!   S   = interior of the union of all segments from i⁺ to j⁺
 //! ```
 //!
-//! `k` takes something from what i and j exchange if and only if it meets `S`. For convex i and j `S` is the interior of
-//! the convex hull of `i⁺ ∪ j⁺`; a point of k in it lies on a segment between inner points of both, and so do all points
-//! nearby, so that pairs of points of positive measure do not see each other. If k meets the hull's boundary only,
-//! they have measure zero. Concave polygons are taken as their convex pieces.
+//! `k` takes something from what i and j exchange if and only if it meets `S`. For convex i and j
+//! `S` is the interior of the convex hull of `i⁺ ∪ j⁺`; a point of k in it lies on a segment
+//! between inner points of both, and so do all points nearby, so that pairs of points of positive
+//! measure do not see each other. If k meets the hull's boundary only, they have measure zero.
+//! Concave polygons are taken as their convex pieces.
 //!
 //! **The test.** Two convex bodies C and K penetrate each other by
 //!
@@ -16,26 +17,29 @@
 //!   depth(C, K) = min over unit vectors n of  max_K n·x − min_C n·x
 //! ```
 //!
-//! the length of the shortest shift that parts them; it is ≤ 0 if and only if a plane parts them. The minimum is
-//! attained at a face of the difference body: at the normal of a face of C or of K, or at the cross product of an edge of C
-//! and an edge of K. All of them are tried.
+//! the length of the shortest shift that parts them; it is ≤ 0 if and only if a plane parts them.
+//! The minimum is attained at a face of the difference body: at the normal of a face of C or of K,
+//! or at the cross product of an edge of C and an edge of K. All of them are tried.
 //!
-//! **Noise.** If every corner is off by at most δ, the depth is off by at most 2δ, however small the patches are
-//! and however far apart. So a k whose depth is at most the `noise` given counts as touching, and this is the only
-//! tolerance. Directions that are not quite the minimising one only make the depth found too large, by rounding
-//! errors of a few ε of the coordinates; noise is meant to be chosen above them. What is guaranteed:
+//! **Noise.** If every corner is off by at most δ, the depth is off by at most 2δ, however small
+//! the patches are and however far apart. So a k whose depth is at most the `noise` given counts as
+//! touching, and this is the only tolerance. Directions that are not quite the minimising one only
+//! make the depth found too large, by rounding errors of a few ε of the coordinates; noise is meant
+//! to be chosen above them. What is guaranteed:
 //!
 //! * a k that enters S by more than `noise` (and rounding errors) is found;
-//! * a k that would not enter S if every corner were moved by less than half of what `noise` leaves above rounding
-//!   errors is not.
+//! * a k that would not enter S if every corner were moved by less than half of what `noise` leaves
+//!   above rounding errors is not.
 //!
-//! A patch that rises over the other one's plane by no more than `noise` counts as lying in it; a shaft that is thinner
-//! than `noise` cannot be entered.
+//! A patch that rises over the other one's plane by no more than `noise` counts as lying in it; a
+//! shaft that is thinner than `noise` cannot be entered.
 //!
-//! Reference: Gilbert, Johnson, "Distance functions and their application to robot path planning in the presence of
-//! obstacles", *IEEE Journal of Robotics and Automation* 1 (1985), 21–30, for the difference body.
+//! Reference: Gilbert, Johnson, "Distance functions and their application to robot path planning in
+//! the presence of obstacles", *IEEE Journal of Robotics and Automation* 1 (1985), 21–30, for the
+//! difference body.
 
 use super::Patch;
+use super::clip::clipped;
 use super::convex_pieces::convex_pieces;
 use glam::DVec3;
 
@@ -55,7 +59,7 @@ impl Plane {
         (point - self.origin).dot(self.normal)
     }
 
-    /// The same plane with its front on the other side.
+    /// The plane with its front on the other side.
     #[must_use]
     pub fn reversed(&self) -> Self {
         Self {
@@ -76,8 +80,8 @@ pub struct Outline {
 impl Outline {
     /// The patch in units of `unit`, in the plane given (in these units, facing as the patch does).
     ///
-    /// **Arguments** `unit`: a power of two near the largest coordinate, so that products neither over- nor
-    /// underflow.
+    /// **Arguments** `unit`: a power of two near the largest coordinate, so that products neither
+    /// over- nor underflow.
     #[must_use]
     pub fn new(patch: &Patch, unit: f64, plane: Plane) -> Self {
         let corners: Vec<DVec3> = patch.corners().iter().map(|c| *c / unit).collect();
@@ -122,7 +126,8 @@ impl Outline {
             .any(|corner| plane.height(*corner) > noise)
     }
 
-    /// The pieces' parts in front of a plane; pieces that do not rise above it by more than `noise` are left out.
+    /// The pieces' parts in front of a plane; pieces that do not rise above it by more than `noise`
+    /// are left out.
     fn above(&self, plane: &Plane, noise: f64) -> Vec<Vec<DVec3>> {
         let pieces = self.pieces.iter();
         pieces
@@ -130,7 +135,8 @@ impl Outline {
             .collect()
     }
 
-    /// Do two patches that lie in one plane overlap, by more than `noise` in every direction of the plane?
+    /// Do two patches that lie in one plane overlap, by more than `noise` in every direction of the
+    /// plane?
     #[must_use]
     pub fn overlaps(&self, other: &Self, noise: f64) -> bool {
         let normal = self.plane.normal;
@@ -153,8 +159,8 @@ pub struct Shaft {
 }
 
 impl Shaft {
-    /// The shaft between two patches; `None` if they exchange nothing: no part of one is in front of the other's plane
-    /// by more than `noise`, or the other way round.
+    /// The shaft between two patches; `None` if they exchange nothing: no part of one is in front
+    /// of the other's plane by more than `noise`, or the other way round.
     #[must_use]
     pub fn between(first: &Outline, second: &Outline, noise: f64) -> Option<Self> {
         let rises =
@@ -197,7 +203,8 @@ impl Shaft {
     }
 }
 
-/// The part of a convex polygon in front of a plane; `None` if it does not rise above it by more than `noise`.
+/// The part of a convex polygon in front of a plane; `None` if it does not rise above it by more
+/// than `noise`.
 fn above(piece: &[DVec3], plane: &Plane, noise: f64) -> Option<Vec<DVec3>> {
     let heights: Vec<f64> = piece.iter().map(|corner| plane.height(*corner)).collect();
     if !heights.iter().any(|height| *height > noise) {
@@ -207,18 +214,7 @@ fn above(piece: &[DVec3], plane: &Plane, noise: f64) -> Option<Vec<DVec3>> {
     if !heights.iter().any(|height| *height < -noise) {
         return Some(piece.to_vec());
     }
-    let n = piece.len();
-    let mut part = Vec::with_capacity(n + 1);
-    for i in 0..n {
-        let (from, to) = (heights[i], heights[(i + 1) % n]);
-        if from >= 0.0 {
-            part.push(piece[i]);
-        }
-        if (from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0) {
-            part.push(piece[i].lerp(piece[(i + 1) % n], from / (from - to)));
-        }
-    }
-    Some(part)
+    Some(clipped(piece, &heights, DVec3::lerp))
 }
 
 fn edges(polygon: &[DVec3]) -> impl Iterator<Item = DVec3> + Clone {
@@ -226,9 +222,10 @@ fn edges(polygon: &[DVec3]) -> impl Iterator<Item = DVec3> + Clone {
     (0..n).map(move |i| polygon[(i + 1) % n] - polygon[i])
 }
 
-/// Every direction in which the depth of `k` in the hull of `a ∪ b` can be smallest, the likely ones first: the normals of
-/// the three planes; of the planes through an edge of `a` or `b` and a corner of the other; the cross products of the
-/// edges of `k` with the edges of the hull, which are edges of `a`, of `b`, or run from one to the other.
+/// Every direction in which the depth of `k` in the hull of `a ∪ b` can be smallest, the likely
+/// ones first: the normals of the three planes; of the planes through an edge of `a` or `b` and a
+/// corner of the other; the cross products of the edges of `k` with the edges of the hull, which
+/// are edges of `a`, of `b`, or run from one to the other.
 fn directions<'a>(
     a: &'a [DVec3],
     b: &'a [DVec3],

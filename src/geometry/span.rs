@@ -3,10 +3,11 @@
 use super::GeometryError;
 use crate::numeric::Scalar;
 
-/// From `lower` to `upper`, `lower < upper`, with its length kept apart.
+/// The interval from `lower` to `upper`, `lower < upper`, with its length kept apart.
 ///
-/// Far from the origin `upper − lower` would lose digits of a short length that is known exactly. The ends are
-/// then rounded, and a length below ε of the ends is lost in them: error bounds count the ends as given.
+/// Far from the origin `upper − lower` would lose digits of a short length that is known exactly.
+/// The ends are then rounded, and a length below ε of the ends is lost in them: error bounds count
+/// the ends as given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span<S = f64> {
     lower: S,
@@ -15,7 +16,8 @@ pub struct Span<S = f64> {
 }
 
 impl Span {
-    /// The same span as numbers of the type and precision of `like`: lower end and length exactly as given.
+    /// Lifts the span to numbers of the type and precision of `like`: lower end and length exactly
+    /// as given.
     #[must_use]
     pub fn lifted<S: Scalar>(&self, like: &S) -> Span<S> {
         let [lower, length] = [self.lower, self.length].map(|end| like.constant(end));
@@ -27,10 +29,6 @@ impl Span {
     }
 }
 
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 impl<S: Scalar> Span<S> {
     /// The span between two points in increasing order.
     ///
@@ -99,8 +97,9 @@ impl<S: Scalar> Span<S> {
         &self.length
     }
 
-    /// The part at and above `floor`; `None` if nothing of positive length is left. Over intervals the comparison must be
-    /// certain: a span that may or may not reach above `floor` counts as nothing.
+    /// The part at and above `floor`; `None` if nothing of positive length is left. Over intervals
+    /// the comparison must be certain: a span that may or may not reach above `floor` counts as
+    /// nothing.
     #[must_use]
     #[inline(always)]
     pub fn above(&self, floor: &S) -> Option<Self> {
@@ -111,7 +110,7 @@ impl<S: Scalar> Span<S> {
         }
     }
 
-    /// The same span moved by `shift`.
+    /// The span moved by `shift`.
     #[must_use]
     #[inline(always)]
     pub fn shifted(&self, shift: &S) -> Self {
@@ -123,7 +122,8 @@ impl<S: Scalar> Span<S> {
         }
     }
 
-    /// The same span seen from `origin` in the opposite direction: `origin − upper … origin − lower`.
+    /// The span seen from `origin` in the opposite direction:
+    /// `origin − upper … origin − lower`.
     #[must_use]
     #[inline(always)]
     pub fn mirrored(&self, origin: &S) -> Self {

@@ -3,14 +3,15 @@
 use glam::DVec3;
 use std::f64::consts::TAU;
 
-/// A point and the unit direction of a line through the sphere of this radius around the origin; the point is the nearest to the origin.
+/// A point and the unit direction of a line through the sphere of this radius around the origin;
+/// the point is the nearest to the origin.
 ///
 /// ```text
 ///   direction uniform on the sphere (z uniform, by Archimedes);   point uniform on the disk across it
 /// ```
 ///
-/// For uniform numbers this is the density of lines that motions leave alone: a line meets a flat piece of surface within the sphere in
-/// proportion to its area, whatever its place and direction.
+/// For uniform numbers this is the density of lines that motions leave alone: a line meets a flat
+/// piece of surface within the sphere in proportion to its area, whatever its place and direction.
 ///
 /// **Arguments** `radius` ≥ 0; four numbers from 0 to 1: two for the direction, two for the point.
 ///

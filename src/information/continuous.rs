@@ -142,7 +142,7 @@ pub(super) fn in_own_unit<'p>(
     polygons: impl Iterator<Item = &'p Patch> + Clone,
 ) -> Result<Vec<Patch>, (usize, GeometryError)> {
     let total_area = compensated_sum(polygons.clone().map(Patch::area));
-    let unit = (0.5 * total_area.log2()).round().exp2();
+    let unit = crate::numeric::power_of_two_near(total_area.sqrt());
     let scaled = polygons.enumerate().map(|(index, polygon)| {
         let corners = polygon.corners().iter().map(|corner| *corner / unit);
         Patch::try_new(corners.collect()).map_err(|source| (index, source))

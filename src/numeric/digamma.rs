@@ -23,7 +23,8 @@ const COEFFICIENTS: [f64; 7] = [
 /// `ψ(x)`.
 ///
 /// **Arguments** `x` > 0.
-/// **Accuracy** absolute error below 16 ε (1 + |ψ|), held by `digamma_agrees_with_harmonic_numbers`.
+/// **Accuracy** absolute error below 16 ε (1 + |ψ|), held by
+/// `digamma_agrees_with_harmonic_numbers`.
 ///
 /// # Examples
 /// ```

@@ -1,4 +1,5 @@
-//! The dilogarithm `Li₂(z) = −∫₀^z ln(1 − t)/t dt`, where integrals of logarithms over polygons need it.
+//! The dilogarithm `Li₂(z) = −∫₀^z ln(1 − t)/t dt`, where integrals of logarithms over polygons
+//! need it.
 //!
 //! ```text
 //!   Li₂(z) = u − u²/4 + Σ_k B_2k u^(2k+1)/(2k+1)!,     u = −ln(1 − z),  |u| < 2π
@@ -6,8 +7,8 @@
 //!   ∫₀^t ln(1 + 2q cos 2s + q²) ds = −Im Li₂(−q e^(2it)),     0 ≤ q ≤ 1,  |t| ≤ π/2
 //! ```
 //!
-//! The reflection is taken where the real part of z is above ½; then |u| < 1.05 (0.7 for real z), and the terms of the
-//! series shrink by 36 each.
+//! The reflection is taken where the real part of z is above ½; then |u| < 1.05 (0.7 for real z),
+//! and the terms of the series shrink by 36 each.
 //!
 //! **Not covered**: |z| > 1.
 //!

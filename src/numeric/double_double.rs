@@ -6,21 +6,17 @@
 //!   atan t: c = t rounded to 1/32, u = (t − c)/(1 + t c):           atan c + Σ (−1)^i u^(2i+1)/(2i+1)
 //! ```
 //!
-//! Sums and products are within 4 ε², quotients and roots within 16 ε², functions within 64 ε² (held by
-//! `double_doubles_keep_their_bound`), as long as nothing leaves the range of `f64`.
+//! Sums and products are within 4 ε², quotients and roots within 16 ε², functions within 64 ε²
+//! (held by `double_doubles_keep_their_bound`), as long as nothing leaves the range of `f64`.
 //!
 //! Everything is inlined, so that code made for a processor with fused multiply-add has it inside.
 //!
 //! **Not covered**: infinities, and magnitudes below 1e-290, whose low halves are lost.
 //!
-//! Reference: Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
-//! arithmetic", *ACM Trans. Math. Softw.* 44 (2017), 15.
+//! Reference: Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks
+//! of double-word arithmetic", *ACM Trans. Math. Softw.* 44 (2017), 15.
 
-#![allow(
-    clippy::inline_always,
-    reason = "the machine code is made where it is called"
-)]
-
+use super::expansion::two_sum;
 use super::{Interval, Scalar};
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -41,9 +37,7 @@ impl DoubleDouble {
     #[must_use]
     #[inline(always)]
     pub fn sum(a: f64, b: f64) -> Self {
-        let high = a + b;
-        let other = high - a;
-        let low = (a - (high - other)) + (b - other);
+        let (high, low) = two_sum(a, b);
         Self { high, low }
     }
 
@@ -60,7 +54,7 @@ impl DoubleDouble {
         self.high
     }
 
-    /// What the leading double leaves.
+    /// The rest beside the leading double.
     #[must_use]
     pub const fn low(self) -> f64 {
         self.low

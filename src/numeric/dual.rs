@@ -1,4 +1,5 @@
-//! A number with its derivative: what a formula over [`Scalar`] becomes when its slope is wanted too.
+//! A number with its derivative: what a formula over [`Scalar`] becomes when its slope is wanted
+//! too.
 //!
 //! ```text
 //!   (x, x′) ∘ f = (f(x), f′(x) x′)
@@ -40,7 +41,8 @@ impl<S: Scalar> Dual<S> {
         }
     }
 
-    /// A function's value and its derivative there, by the chain rule; a slope that is exactly 0 stays so.
+    /// A function's value and its derivative there, by the chain rule; a slope that is exactly 0
+    /// stays so.
     fn through(&self, value: S, derivative: impl FnOnce() -> S) -> Self {
         let slope = if self.slope.is_zero() {
             self.slope.clone()
@@ -51,14 +53,14 @@ impl<S: Scalar> Dual<S> {
     }
 }
 
-/// By value alone.
+/// Compares values alone.
 impl<S: Scalar> PartialEq for Dual<S> {
     fn eq(&self, other: &Self) -> bool {
         self.value == other.value
     }
 }
 
-/// By value alone.
+/// Orders by value alone.
 impl<S: Scalar> PartialOrd for Dual<S> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         self.value.partial_cmp(&other.value)

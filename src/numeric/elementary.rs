@@ -6,16 +6,17 @@
 //!   θ/sin θ: a polynomial in 1 − cos θ, whose Taylor coefficients are 2^k k!²/(2k+1)!
 //! ```
 //!
-//! Only `+ − × ÷ √` and bit shifts, in a fixed order: the same bits on every machine, and a loop over them
-//! is compiled to vector instructions. The error bounds are measured:
+//! Only `+ − × ÷ √` and bit shifts, in a fixed order: the same bits on every machine, and a loop
+//! over them is compiled to vector instructions. The error bounds are measured:
 //! `elementary_functions_keep_their_bound` sees 0.6 of them at most against 192 bits.
 //!
 //! **Not covered**: correct rounding; two infinite coordinates.
 //!
-//! Sources: the split of `ln` and its seven coefficients are those of FreeBSD's `e_log.c` (Sun Microsystems,
-//! 1993); the eleven of `atan` are a minimax fit of `(atan(√z)/√z − 1)/z` on `[0, tan²(π/8)]` by Remez exchange
-//! in 60 digits, relative error 1.3e-18 of the angle; the ten of `atanh` one of `(2 atanh(√z)/√z − 2)/z` on `[0, 1/9]`, relative
-//! error 3.4e-18 of the logarithm; the fourteen of θ/sin θ a fit of the same kind on `[0, ½]`, relative error 4.9e-18.
+//! Sources: the split of `ln` and its seven coefficients are those of FreeBSD's `e_log.c` (Sun
+//! Microsystems, 1993); the eleven of `atan` are a minimax fit of `(atan(√z)/√z − 1)/z` on
+//! `[0, tan²(π/8)]` by Remez exchange in 60 digits, relative error 1.3e-18 of the angle; the ten of
+//! `atanh` one of `(2 atanh(√z)/√z − 2)/z` on `[0, 1/9]`, relative error 3.4e-18 of the logarithm;
+//! the fourteen of θ/sin θ a fit of the same kind on `[0, ½]`, relative error 4.9e-18.
 
 /// Error bound of [`ln`], relative.
 pub const LN_ERROR: f64 = 1.0 * f64::EPSILON;
@@ -25,8 +26,9 @@ pub const ANGLE_ERROR: f64 = 2.0 * f64::EPSILON;
 /// Error bound of [`angle_over_sine`], relative, beside that of its argument.
 pub const ANGLE_OVER_SINE_ERROR: f64 = 1.0 * f64::EPSILON;
 
-/// Error bound of [`ln_ratio`], relative: half an ε for the sum, the quotient and the last addition each; the first two count
-/// 1.08 times, by the condition of atanh up to ⅓, and what is added last is below a twentieth of the sum.
+/// Error bound of [`ln_ratio`], relative: half an ε for the sum, the quotient and the last addition
+/// each; the first two count 1.08 times, by the condition of atanh up to ⅓, and what is added last
+/// is below a twentieth of the sum.
 pub const LN_RATIO_ERROR: f64 = 2.0 * f64::EPSILON;
 
 const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
@@ -88,10 +90,6 @@ const ANGLE_OVER_SINE: [f64; 15] = [
 /// **Accuracy** within [`LN_ERROR`].
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn ln(x: f64) -> f64 {
     log_of(x, 0.0)
 }
@@ -99,16 +97,14 @@ pub fn ln(x: f64) -> f64 {
 /// Error bound of [`rough_ln`], absolute.
 pub const ROUGH_LN_ERROR: f64 = 1e-4;
 
-/// `ln x` to four digits, for `x > 0` that is normal: for plans, and for bounds with its error added.
+/// `ln x` to four digits, for `x > 0` that is normal: for plans, and for bounds with its error
+/// added.
 ///
-/// With x = 2^k m and `m = (3 + t)/2`, `ln m = ln(3/2) + ln(1 + t/3)`, whose Chebyshev series has the terms
-/// `±2 q^n/n T_n(t)`, q = 3 − √8; those from the fifth on are left out, 2 Σ q^n/n = 7.2e-5.
+/// With x = 2^k m and `m = (3 + t)/2`, `ln m = ln(3/2) + ln(1 + t/3)`, whose Chebyshev series has
+/// the terms `±2 q^n/n T_n(t)`, q = 3 − √8; those from the fifth on are left out, 2 Σ q^n/n =
+/// 7.2e-5.
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn rough_ln(x: f64) -> f64 {
     let bits = x.to_bits();
     let k = f64::from_bits(0x4330_0000_0000_0000 | bits >> 52) - (4_503_599_627_370_496.0 + 1023.0);
@@ -118,16 +114,12 @@ pub fn rough_ln(x: f64) -> f64 {
     k * std::f64::consts::LN_2 + (0.405_457 + t * series)
 }
 
-/// Natural logarithms of numbers that are positive, finite and normal, step by step for all of them, so that none waits for
-/// another; of other numbers anything.
+/// Natural logarithms of numbers that are positive, finite and normal, step by step for all of
+/// them, so that none waits for another; of other numbers anything.
 ///
 /// **Accuracy** within [`LN_ERROR`].
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn logarithms<const N: usize>(x: [f64; N]) -> [f64; N] {
     let mut splits = [Split::default(); N];
     for i in 0..N {
@@ -144,10 +136,6 @@ pub const ROUGH_EXP2_ERROR: f64 = 1.1e-4;
 /// A cubic through four Chebyshev nodes on `[−½, ½]`.
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn rough_exp2(x: f64) -> f64 {
     // rounds to an integer, which is in its low bits
     const ROUND: f64 = 6_755_399_441_055_744.0;
@@ -159,10 +147,6 @@ pub fn rough_exp2(x: f64) -> f64 {
 
 /// `ln x` plus something small.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn log_of(x: f64, small: f64) -> f64 {
     const TWO_TO_54: f64 = 18_014_398_509_481_984.0;
     let subnormal = x < f64::MIN_POSITIVE;
@@ -183,10 +167,6 @@ struct Split {
 }
 
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn split(x: f64) -> Split {
     // the bits of √½ taken off, so that the exponent turns over there and not at 1
     const SQRT_HALF: u64 = 0x3fe6_a09e_667f_3bcd;
@@ -201,10 +181,6 @@ fn split(x: f64) -> Split {
 
 /// The logarithms, each plus something small.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn logarithms_of<const N: usize>(splits: [Split; N], small: [f64; N]) -> [f64; N] {
     let (mut s, mut z, mut w) = ([0.0; N], [0.0; N], [0.0; N]);
     for i in 0..N {
@@ -238,10 +214,6 @@ fn logarithms_of<const N: usize>(splits: [Split; N], small: [f64; N]) -> [f64; N
 /// **Accuracy** within [`LN_ERROR`]: what `1 + x` loses is added to its logarithm.
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn ln_1p(x: f64) -> f64 {
     let sum = 1.0 + x;
     let lost = if x < 1.0 {
@@ -259,18 +231,16 @@ pub fn ln_1p(x: f64) -> f64 {
     )
 }
 
-/// `ln(to/from)` from what the two differ by, for `0 < from ≤ to`: with `y = 2^k from` in `(to/2, to]`,
-/// `k ln 2 + 2 atanh((to − y)/(to + y))`, where `to − y` is exact, and is the difference itself if k = 0.
+/// `ln(to/from)` from what the two differ by, for `0 < from ≤ to`: with `y = 2^k from` in
+/// `(to/2, to]`, `k ln 2 + 2 atanh((to − y)/(to + y))`, where `to − y` is exact, and is the
+/// difference itself if k = 0.
 ///
-/// **Arguments** `difference`: `to − from`, to its own precision; `from` and `to` normal, `to` below `from` by rounding at most.
+/// **Arguments** `difference`: `to − from`, to its own precision; `from` and `to` normal, `to`
+/// below `from` by rounding at most.
 /// **Returns** NaN for other arguments.
 /// **Accuracy** within [`LN_RATIO_ERROR`].
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn ln_ratio(difference: f64, from: f64, to: f64) -> f64 {
     const C: [f64; 10] = ATANH;
     const SIGNIFICAND: u64 = 0x000f_ffff_ffff_ffff;
@@ -296,25 +266,19 @@ pub fn ln_ratio(difference: f64, from: f64, to: f64) -> f64 {
 /// The angle of the point `(x, y)` from the positive x axis, in `[−π, π]`.
 ///
 /// **Arguments** not both infinite; the angle of the origin is 0, or π where `x` is −0.
-/// **Accuracy** within [`ANGLE_ERROR`]; 1e-12 where both are subnormal, which [`Scalar::atan2`](super::Scalar::atan2) scales first.
+/// **Accuracy** within [`ANGLE_ERROR`]; 1e-12 where both are subnormal, which
+/// [`Scalar::atan2`](super::Scalar::atan2) scales first.
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn angle(y: f64, x: f64) -> f64 {
     let [angle] = angles([[y, x]]);
     angle
 }
 
-/// The same of several points `[y, x]`, step by step for all of them, so that none waits for another.
+/// The angles of several points `[y, x]`, step by step for all of them, so that none waits for
+/// another.
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn angles<const N: usize>(points: [[f64; 2]; N]) -> [f64; N] {
     use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
     const TAN_PI_8: f64 = 0.414_213_562_373_095_03;
@@ -362,13 +326,10 @@ pub fn angles<const N: usize>(points: [[f64; 2]; N]) -> [f64; N] {
 
 /// `θ/sin θ` from `cos θ`, for angles up to 60°: `cos θ` from ½ to 1, or above by rounding.
 ///
-/// **Accuracy** within [`ANGLE_OVER_SINE_ERROR`]; an argument off by δ changes it by 0.44 δ at most.
+/// **Accuracy** within [`ANGLE_OVER_SINE_ERROR`]; an argument off by δ changes it by 0.44 δ at
+/// most.
 #[inline(always)]
 #[must_use]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 pub fn angle_over_sine(cosine: f64) -> f64 {
     const C: [f64; 15] = ANGLE_OVER_SINE;
     let z = 1.0 - cosine;

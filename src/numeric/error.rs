@@ -15,9 +15,9 @@ pub enum NumericError {
     /// The function took a value that is not finite.
     #[error("the function is {value} at {position}")]
     NotFinite {
-        /// Where it was evaluated.
+        /// The place of evaluation.
         position: f64,
-        /// What it returned.
+        /// The value returned.
         value: f64,
     },
     /// The function does not change sign between the ends.

@@ -1,8 +1,8 @@
 //! Exact sums and products of doubles.
 //!
-//! An expansion is an unevaluated sum of doubles whose significands do not overlap. Sums and products
-//! of expansions are exact as long as nothing over- or underflows, so that a difference like
-//! `J_k w − J w_k` keeps every digit however much of it cancels.
+//! An expansion is an unevaluated sum of doubles whose significands do not overlap. Sums and
+//! products of expansions are exact as long as nothing over- or underflows, so that a difference
+//! like `J_k w − J w_k` keeps every digit however much of it cancels.
 //!
 //! **Not covered**: quotients; products below about 1e-290, whose last bits leave `f64`'s range.
 //!
@@ -111,8 +111,9 @@ impl Mul for &Expansion {
     }
 }
 
-/// `a + b` rounded, and what the rounding lost, exactly.
-pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
+/// The rounded sum `a + b`, and the rounding error, exactly (Knuth).
+#[inline(always)]
+pub(crate) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
     let from_b = sum - a;
     (sum, (a - (sum - from_b)) + (b - from_b))

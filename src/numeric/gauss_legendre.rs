@@ -1,4 +1,4 @@
-//! Gauss–Legendre rules to 106 bits.
+//! Gauss–Legendre rules to 106 bits, and their nodes in other number types.
 //!
 //! ```text
 //!   ∫_{−1}^{1} f ≈ Σ w_i f(x_i),   P_n(x_i) = 0,   w_i = 2 / ((1 − x_i²) P_n′(x_i)²)
@@ -9,6 +9,7 @@
 //! Reference: Trefethen, *Approximation Theory and Approximation Practice*, 2013, theorem 19.3.
 
 use super::{DoubleDouble, LANES, Lanes, Scalar};
+use std::ops::{Div, Mul, Sub};
 use std::sync::OnceLock;
 
 /// The largest rule.
@@ -21,7 +22,8 @@ pub struct GaussLegendre {
     pub nodes: Vec<f64>,
     /// The weights; their sum is 2.
     pub weights: Vec<f64>,
-    /// Nodes and weights side by side in vectors, of which the last is filled up with weights of 0 at 0.
+    /// Nodes and weights side by side in vectors, of which the last is filled up with weights of 0
+    /// at 0.
     pub lanes: Vec<[Lanes; 2]>,
     /// Nodes and weights to 106 bits.
     pub precise: Vec<[DoubleDouble; 2]>,
@@ -30,7 +32,8 @@ pub struct GaussLegendre {
 impl GaussLegendre {
     /// The rule with `points` nodes, computed once.
     ///
-    /// **Arguments** `points` from 1 to [`MOST_POINTS`]; more are taken as [`MOST_POINTS`], none as 1.
+    /// **Arguments** `points` from 1 to [`MOST_POINTS`]; more are taken as [`MOST_POINTS`], none as
+    /// 1.
     #[must_use]
     pub fn with(points: usize) -> &'static Self {
         static RULES: [OnceLock<GaussLegendre>; MOST_POINTS + 1] =
@@ -40,7 +43,8 @@ impl GaussLegendre {
     }
 
     fn new(points: usize) -> Self {
-        let precise: Vec<[DoubleDouble; 2]> = (0..points).map(|i| node(points, i)).collect();
+        let precise: Vec<[DoubleDouble; 2]> =
+            (0..points).map(|i| legendre_node(points, i)).collect();
         let nodes: Vec<f64> = precise.iter().map(|[x, _]| x.to_f64()).collect();
         let weights: Vec<f64> = precise.iter().map(|[_, w]| w.to_f64()).collect();
         let filled = |numbers: &[f64]| {
@@ -59,35 +63,47 @@ impl GaussLegendre {
     }
 }
 
-/// Node `i` of `n`, and its weight, by Newton's method from Tricomi's estimate.
-#[allow(clippy::cast_precision_loss, reason = "at most MOST_POINTS")]
-fn node(n: usize, i: usize) -> [DoubleDouble; 2] {
-    let one = DoubleDouble::from(1.0);
+/// The number types for which nodes can be computed.
+pub(crate) trait NodeNumber:
+    Copy + From<f64> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
+{
+    /// Newton steps from two digits to all that the type holds; each doubles the digits.
+    const STEPS: usize;
+}
+
+impl NodeNumber for DoubleDouble {
+    // three would do
+    const STEPS: usize = 6;
+}
+
+/// Computes node `i` of the rule with `n` points, in increasing order, and its weight, by Newton's
+/// method from Tricomi's estimate.
+#[must_use]
+#[allow(clippy::cast_precision_loss, reason = "some points")]
+pub(crate) fn legendre_node<T: NodeNumber>(n: usize, i: usize) -> [T; 2] {
+    let one = T::from(1.0);
     let estimate = -(std::f64::consts::PI * (i as f64 + 0.75) / (n as f64 + 0.5)).cos();
-    let mut x = DoubleDouble::from(estimate);
+    let mut x = T::from(estimate);
     let mut slope = one;
-    // each step doubles the digits; three would do
-    for _ in 0..6 {
+    for _ in 0..T::STEPS {
         let (value, derivative) = legendre(n, x);
         x = x - value / derivative;
         slope = derivative;
     }
-    let weight = DoubleDouble::from(2.0) / ((one - x * x) * slope * slope);
+    let weight = T::from(2.0) / ((one - x * x) * slope * slope);
     [x, weight]
 }
 
 /// `P_n(x)` and its derivative, by the three-term recurrence.
-#[allow(clippy::cast_precision_loss, reason = "at most MOST_POINTS")]
-fn legendre(n: usize, x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
-    let one = DoubleDouble::from(1.0);
+#[allow(clippy::cast_precision_loss, reason = "some points")]
+fn legendre<T: NodeNumber>(n: usize, x: T) -> (T, T) {
+    let one = T::from(1.0);
     let (mut before, mut value) = (one, x);
     for k in 2..=n {
         let k = k as f64;
-        let next = (DoubleDouble::from(2.0 * k - 1.0) * x * value
-            - DoubleDouble::from(k - 1.0) * before)
-            / DoubleDouble::from(k);
+        let next = (T::from(2.0 * k - 1.0) * x * value - T::from(k - 1.0) * before) / T::from(k);
         (before, value) = (value, next);
     }
-    let slope = DoubleDouble::from(n as f64) * (x * value - before) / (x * x - one);
+    let slope = T::from(n as f64) * (x * value - before) / (x * x - one);
     (value, slope)
 }

@@ -15,21 +15,22 @@ use nalgebra::{DMatrix, DVector};
 /// A local maximum, with the derivative that is left there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Maximum {
-    /// Where the derivative changes sign from plus to minus.
+    /// The place where the derivative changes sign from plus to minus.
     pub position: f64,
     /// The function's value there.
     pub value: f64,
     /// The derivative's value there: what is left of zero.
     pub residual: f64,
-    /// How often the derivative was evaluated.
+    /// The number of evaluations of the derivative.
     pub evaluations: u64,
 }
 
 /// The highest maximum of `function` inside `(lower, upper)`.
 ///
-/// The derivative is scanned at the ends of `intervals` equal pieces, and by powers of two towards either
-/// end. The ends themselves are never evaluated, and within 2⁻⁸ of them a point where the derivative is not
-/// finite is passed over. Of maxima that are equal within rounding the leftmost is returned.
+/// The derivative is scanned at the ends of `intervals` equal pieces, and by powers of two towards
+/// either end. The ends themselves are never evaluated, and within 2⁻⁸ of them a point where the
+/// derivative is not finite is passed over. Of maxima that are equal within rounding the leftmost
+/// is returned.
 ///
 /// # Errors
 /// [`NumericError::NoInteriorMaximum`] if the derivative never turns from plus to minus, and
@@ -124,17 +125,19 @@ pub fn maximum_of_many(
     maximum_by_derivatives(derivatives, start)
 }
 
-/// A maximum in several ordered coordinates `0 < t_1 < … < t_n < 1`, by Newton's method for gradient and Hessian.
+/// A maximum in several ordered coordinates `0 < t_1 < … < t_n < 1`, by Newton's method for
+/// gradient and Hessian.
 ///
-/// Steps are damped so that no coordinate passes its neighbour, and climb where the Hessian is not negative definite; the method ends
-/// where a step no longer moves anything beyond rounding, and only at a negative definite Hessian.
+/// Steps are damped so that no coordinate passes its neighbour, and climb where the Hessian is not
+/// negative definite; the method ends where a step no longer moves anything beyond rounding, and
+/// only at a negative definite Hessian.
 ///
-/// **Accuracy** each coordinate as far as the gradient's rounding over its curvature lets it be seen:
-/// about [`tolerance::AT_REST`] for curvatures of order one. A local maximum near the start.
+/// **Accuracy** each coordinate as far as the gradient's rounding over its curvature lets it be
+/// seen: about [`tolerance::AT_REST`] for curvatures of order one. A local maximum near the start.
 ///
 /// # Errors
-/// [`NumericError::NotFinite`]; [`NumericError::NotConverged`] if the steps do not die out, or end at
-/// something else than a maximum.
+/// [`NumericError::NotFinite`]; [`NumericError::NotConverged`] if the steps do not die out, or end
+/// at something else than a maximum.
 pub fn maximum_by_derivatives(
     derivatives: impl Fn(&[f64]) -> (DVector<f64>, DMatrix<f64>),
     start: Vec<f64>,
@@ -173,7 +176,8 @@ pub fn maximum_by_derivatives(
     })
 }
 
-/// Newton's step with the curvatures' magnitudes: uphill in every principal direction, away from saddles.
+/// Newton's step with the curvatures' magnitudes: uphill in every principal direction, away from
+/// saddles.
 fn climbing(symmetric: DMatrix<f64>, slope: &DVector<f64>) -> DVector<f64> {
     let principal = symmetric.symmetric_eigen();
     let least = f64::EPSILON * principal.eigenvalues.amax().max(f64::MIN_POSITIVE);

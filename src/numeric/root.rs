@@ -17,12 +17,12 @@ use std::cell::Cell;
 /// A root, with what is left of the function there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Root {
-    /// Where the function changes sign, within two units in the last place of the
+    /// The place where the function changes sign, within two units in the last place of the
     /// position as far as the function's own rounding lets that be seen.
     pub position: f64,
     /// The function's value there.
     pub residual: f64,
-    /// How often the function was evaluated.
+    /// The number of evaluations of the function.
     pub evaluations: u64,
 }
 

@@ -1,8 +1,8 @@
 //! The number type a closed form is written over.
 //!
-//! A formula takes `S: Scalar` and builds its constants from its arguments
-//! (`x.constant(0.5)`), so that a type may carry its own precision. Comparisons may be undecided for an
-//! interval: whichever branch a formula then takes must be right, if less accurate.
+//! A formula takes `S: Scalar` and builds its constants from its arguments (`x.constant(0.5)`), so
+//! that a type may carry its own precision. Comparisons may be undecided for an interval: whichever
+//! branch a formula then takes must be right, if less accurate.
 //!
 //! **Not covered**: complex numbers; trigonometric functions other than `atan2`.
 
@@ -27,7 +27,8 @@ pub trait Scalar:
     + for<'a> Mul<&'a Self, Output = Self>
     + for<'a> Div<&'a Self, Output = Self>
 {
-    /// Do sums carry the magnitude of their terms, as a measure of rounding? An enclosure has no use for it.
+    /// Do sums carry the magnitude of their terms, as a measure of rounding? An enclosure has no
+    /// use for it.
     const TRACKS_ROUNDING: bool = true;
 
     /// The number `value`, exactly, at the precision of `self`.
@@ -62,13 +63,10 @@ pub trait Scalar:
     /// Angle of the point `(x, self)` from the positive x axis, in `(−π, π]`.
     #[must_use]
     fn atan2(&self, x: &Self) -> Self;
-    /// Logarithms of numbers that are positive, finite and normal: as [`ln`](Self::ln), but faster together.
+    /// Logarithms of numbers that are positive, finite and normal: as [`ln`](Self::ln), but faster
+    /// together.
     #[inline(always)]
     #[must_use]
-    #[allow(
-        clippy::inline_always,
-        reason = "vector code is made where it is called"
-    )]
     fn logarithms<const N: usize>(numbers: [&Self; N]) -> [Self; N] {
         // a loop: what a closure does is not compiled for the processor at hand
         let mut logarithms = numbers.map(Clone::clone);
@@ -77,14 +75,10 @@ pub trait Scalar:
         }
         logarithms
     }
-    /// The angles of several points `[y, x]`, of which none is subnormal in both coordinates: as [`atan2`](Self::atan2), but
-    /// faster together.
+    /// The angles of several points `[y, x]`, of which none is subnormal in both coordinates: as
+    /// [`atan2`](Self::atan2), but faster together.
     #[inline(always)]
     #[must_use]
-    #[allow(
-        clippy::inline_always,
-        reason = "vector code is made where it is called"
-    )]
     fn angles<const N: usize>(points: [[&Self; 2]; N]) -> [Self; N] {
         let mut angles = points.map(|[y, _]| y.clone());
         for (angle, [_, x]) in angles.iter_mut().zip(points) {
@@ -102,12 +96,9 @@ pub trait Scalar:
     #[must_use]
     fn x_ln_x(&self) -> Self;
 
-    /// Does some work; if numbers of this type fit a processor's vectors, compiled for those that it has.
+    /// Does some work; if numbers of this type fit a processor's vectors, compiled for those that
+    /// it has.
     #[inline(always)]
-    #[allow(
-        clippy::inline_always,
-        reason = "vector code is made where it is called"
-    )]
     fn vectorised<T>(work: impl FnOnce() -> T) -> T {
         work()
     }

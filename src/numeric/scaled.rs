@@ -1,5 +1,5 @@
-//! Doubles taken apart into significand and power of two, so that products and quotients of tiny and huge
-//! ones neither overflow nor underflow on the way.
+//! Doubles taken apart into significand and power of two, so that products and quotients of tiny
+//! and huge ones neither overflow nor underflow on the way.
 //!
 //! **Not covered**: negative numbers.
 

@@ -4,24 +4,25 @@
 //! (c) the paper prints that many digits (those come with the claims, as data).
 
 /// Relative error of [`divergence_kernel`](super::divergence_kernel): (a) at |x| = 1/4 the plain
-/// form cancels (1+x)·ln(1+x) against x, a factor 9 on 2 ε; the series form stays below. Measured by
-/// `divergence_kernel_keeps_its_digits`.
+/// form cancels (1+x)·ln(1+x) against x, a factor 9 on 2 ε; the series form stays below. Measured
+/// by `divergence_kernel_keeps_its_digits`.
 pub const DIVERGENCE_KERNEL: f64 = 24.0 * f64::EPSILON;
 
-/// Two maxima nearer than this in relative height count as one: (a) form factors that differ in the third
-/// digit turn their ε into some thousand ε of the gain.
+/// Two maxima nearer than this in relative height count as one: (a) form factors that differ in the
+/// third digit turn their ε into some thousand ε of the gain.
 pub const EQUAL_MAXIMA: f64 = 1e-12;
 
-/// Steps of the maximisation in several coordinates: (b) 64 parts of two unit squares take fewer than a
-/// third, measured by `many_parts_come_to_rest`.
+/// Steps of the maximisation in several coordinates: (b) 64 parts of two unit squares take fewer
+/// than a third, measured by `many_parts_come_to_rest`.
 pub const NEWTON_STEPS: u32 = 60;
 
-/// Movement below which a maximum counts as found, on a scale of 1: (a) derivatives rounded to a few ε
-/// over curvatures of order one let a coordinate tremble by that much, twice over with its neighbours.
+/// Movement below which a maximum counts as found, on a scale of 1: (a) derivatives rounded to a
+/// few ε over curvatures of order one let a coordinate tremble by that much, twice over with its
+/// neighbours.
 pub const AT_REST: f64 = 64.0 * f64::EPSILON;
 
-/// Steps below this that no longer shrink are the gradient's rounding: (a) a Newton step of 1e-8 is followed
-/// by one near 1e-16 where the third derivative is moderate.
+/// Steps below this that no longer shrink are the gradient's rounding: (a) a Newton step of 1e-8 is
+/// followed by one near 1e-16 where the third derivative is moderate.
 pub const TREMBLING: f64 = 1e-9;
 
 /// Deviation from a plane, relative to a patch's diameter, up to which it counts as planar: the
@@ -33,26 +34,27 @@ pub const PLANARITY: f64 = 1e-12;
 /// over for a difference, and the frame another two.
 pub const ALIGNMENT: f64 = 16.0 * f64::EPSILON;
 
-/// The factor of ε in the running bound of the rectangle closed forms: (a) each term takes at most 22 roundings of ε/2, function
-/// values counted with theirs (`form_factor::parallel`, `perpendicular`), and the sum 8 more (`form_factor::exchange`). Held by
+/// The factor of ε in the running bound of the rectangle closed forms: (a) each term takes at most
+/// 22 roundings of ε/2, function values counted with theirs (`form_factor::parallel`,
+/// `perpendicular`), and the sum 8 more (`form_factor::exchange`). Held by
 /// `parallel_bound_is_never_below_the_error` and `perpendicular_bound_is_never_below_the_error`.
 pub const RECTANGLE_TERMS: f64 = 15.0;
 
-/// Relative asymmetry that a joint matrix built from weights and transition probabilities may
-/// have before it counts as irreversible: (a) w, P and their product carry half an ε each, 3 ε over both
+/// Relative asymmetry that a joint matrix built from weights and transition probabilities may have
+/// before it counts as irreversible: (a) w, P and their product carry half an ε each, 3 ε over both
 /// sides; five times that for weights and probabilities that were themselves computed.
 pub const RECIPROCITY: f64 = 16.0 * f64::EPSILON;
 
-/// Absolute error of an optimal position on a scale of 1: (b) `cuts_agree_with_their_references` and the
-/// reference tests of the splits hold it.
+/// Absolute error of an optimal position on a scale of 1: (b) `cuts_agree_with_their_references`
+/// and the reference tests of the splits hold it.
 pub const POSITION: f64 = 1e-14;
 
 /// Relative error of a gain at well separated form factors: (b) held by the reference tests of the
 /// splits and of §4.2.
 pub const GAIN: f64 = 1e-13;
 
-/// Absolute error of an optimal position where parts are computed as polygons, on a scale of 1, if the gain is well
-/// curved: (b) held by `turned_scenes_of_the_paper_have_the_papers_cuts`.
+/// Absolute error of an optimal position where parts are computed as polygons, on a scale of 1, if
+/// the gain is well curved: (b) held by `turned_scenes_of_the_paper_have_the_papers_cuts`.
 pub const POLYGON_POSITION: f64 = 1e-12;
 
 /// Relative error of a gain there, at well separated form factors: (b) held by the same test.
@@ -62,8 +64,8 @@ pub const POLYGON_GAIN: f64 = 1e-12;
 /// `regular_grids_agree_with_29_digits`.
 pub const GRID_INFORMATION: f64 = 1e-13;
 
-/// Deviation of an identity between sums of entropies of at most 10 bits each: (a) some hundred terms
-/// of ε each, relative to 10.
+/// Deviation of an identity between sums of entropies of at most 10 bits each: (a) some hundred
+/// terms of ε each, relative to 10.
 pub const IDENTITY: f64 = 1e-12;
 
 /// Deviation of row sums and of additivity of rectangle exchange areas near to each other: (a) a
@@ -74,36 +76,41 @@ pub const CLOSURE: f64 = 1e-12;
 /// difference of two equal form factors computed apart.
 pub const VANISHING_GAIN: f64 = 1e-27;
 
-/// Absolute error of a gain in bits where entries below 1e-290 of the sum take part: (a) such an entry enters
-/// with at most itself times the logarithm of the smallest double, and products of it may be lost.
+/// Absolute error of a gain in bits where entries below 1e-290 of the sum take part: (a) such an
+/// entry enters with at most itself times the logarithm of the smallest double, and products of it
+/// may be lost.
 pub const TINY_GAIN: f64 = 1e-280;
 
-/// Rounding of a scene's mutual information I, times 2 + I bits: (a) the kernel's 24 ε on terms ≥ 0; 2 ε of
-/// `Σ J |log2(J/q)|` ≤ I + 1.07 for the argument of the kernel; areas within 4 ε change q by 12 ε and the sum by
-/// `Σ |q − J|` ≤ 2 of that over ln 2. Measured by `information_errors_are_bounds`.
+/// Rounding of a scene's mutual information I, times 2 + I bits: (a) the kernel's 24 ε on terms ≥
+/// 0; 2 ε of `Σ J |log2(J/q)|` ≤ I + 1.07 for the argument of the kernel; areas within 4 ε change q
+/// by 12 ε and the sum by `Σ |q − J|` ≤ 2 of that over ln 2. Measured by
+/// `information_errors_are_bounds`.
 pub const INFORMATION: f64 = 32.0 * f64::EPSILON;
 
-/// Depth, relative to the largest coordinate of a scene, up to which a patch that enters the solid between two others
-/// counts as touching it: (a) a corner that was rotated and shifted carries at most six roundings of ε/2 of up to √3 times
-/// the largest coordinate, 6 ε, and the depth of two bodies changes by at most twice that; a plane put through three corners
-/// far apart leaves the others at up to 5 times it, on either side, 60 ε, and heights take 4 ε. Held by
+/// Depth, relative to the largest coordinate of a scene, up to which a patch that enters the solid
+/// between two others counts as touching it: (a) a corner that was rotated and shifted carries at
+/// most six roundings of ε/2 of up to √3 times the largest coordinate, 6 ε, and the depth of two
+/// bodies changes by at most twice that; a plane put through three corners far apart leaves the
+/// others at up to 5 times it, on either side, 60 ε, and heights take 4 ε. Held by
 /// `rotated_rooms_have_no_blocker`.
 pub const TOUCHING: f64 = 64.0 * f64::EPSILON;
 
-/// How deep a patch may seem to enter the solid between two others if corners deviate from their planes by 1:
-/// (a) a quadrilateral with one corner off by δ shows a deviation of δ/4 on each side of its mean plane, and the depth of two
-/// bodies changes by at most 2 δ.
+/// How deep a patch may seem to enter the solid between two others if corners deviate from their
+/// planes by 1: (a) a quadrilateral with one corner off by δ shows a deviation of δ/4 on each side
+/// of its mean plane, and the depth of two bodies changes by at most 2 δ.
 pub const DEPTH_PER_DEVIATION: f64 = 8.0;
 
-/// Relative error bound of radiosities for the exchange areas as given, stiff scenes included: a few ε, measured by
-/// `stiff_scenes_keep_their_digits`.
+/// Relative error bound of radiosities for the exchange areas as given, stiff scenes included: a
+/// few ε, measured by `stiff_scenes_keep_their_digits`.
 pub const RADIOSITY: f64 = 1e-14;
 
-/// Part of a face that may be left open by the patches that cover it: (a) corners read from twelve decimals are off by
-/// 1e-12 of the diameter, and a face of many patches has some hundred of them around it.
+/// Part of a face that may be left open by the patches that cover it: (a) corners read from twelve
+/// decimals are off by 1e-12 of the diameter, and a face of many patches has some hundred of them
+/// around it.
 pub const COVERED: f64 = 1e-10;
 
-/// What a corrected estimate from samples may take off for cells not met, in standard errors, if an interval is to be given: (b) a
-/// fifth of it is missing yet, measured by `a_fifth_is_missing_of_what_is_taken_off`, and a bias of a fifth of the standard error
-/// leaves 94.5 % of the 95 % covered.
+/// What a corrected estimate from samples may take off for cells not met, in standard errors, if an
+/// interval is to be given: (b) a fifth of it is missing yet, measured by
+/// `a_fifth_is_missing_of_what_is_taken_off`, and a bias of a fifth of the standard error leaves
+/// 94.5 % of the 95 % covered.
 pub const UNSEEN: f64 = 1.0;

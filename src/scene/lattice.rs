@@ -15,7 +15,8 @@
 //! **Not covered**: other polygons, and scenes with so many lines that the tables would outgrow the pairs.
 
 use super::NamedPatch;
-use crate::numeric::tolerance;
+use crate::geometry::FlatBox;
+use crate::numeric::{tolerance, two_sum};
 use std::collections::{BTreeMap, HashMap};
 use std::hash::Hash;
 
@@ -79,7 +80,10 @@ type Lines = [usize; 2];
 impl Lattice {
     /// The lattice of a scene, if its tables are small beside its pairs.
     pub(super) fn of(patches: &[NamedPatch]) -> Option<Self> {
-        let boxes: Vec<Option<FlatBox>> = patches.iter().map(FlatBox::of).collect();
+        let boxes: Vec<Option<FlatBox>> = patches
+            .iter()
+            .map(|patch| FlatBox::of(&patch.shape))
+            .collect();
         let mut lines: [Vec<f64>; 3] = [Vec::new(), Vec::new(), Vec::new()];
         for flat in boxes.iter().flatten() {
             for (axis, lines) in lines.iter_mut().enumerate() {
@@ -149,59 +153,6 @@ const fn others(axis: usize) -> [usize; 2] {
     [(axis + 1) % 3, (axis + 2) % 3]
 }
 
-/// A rectangle with edges exactly along the axes.
-#[derive(Debug, Clone, Copy)]
-struct FlatBox {
-    axis: usize,
-    faces_up: bool,
-    lower: [f64; 3],
-    upper: [f64; 3],
-}
-
-impl FlatBox {
-    fn of(patch: &NamedPatch) -> Option<Self> {
-        let corners: [[f64; 3]; 4] = patch
-            .shape
-            .corners()
-            .iter()
-            .map(glam::DVec3::to_array)
-            .collect::<Vec<_>>()
-            .try_into()
-            .ok()?;
-        let ends = |axis: usize, best: fn(f64, f64) -> f64| {
-            // −0 and 0 are one line
-            corners
-                .iter()
-                .map(|c| c[axis])
-                .reduce(best)
-                .map(|x| x + 0.0)
-        };
-        let mut lower = [0.0; 3];
-        let mut upper = [0.0; 3];
-        for axis in 0..3 {
-            lower[axis] = ends(axis, f64::min)?;
-            upper[axis] = ends(axis, f64::max)?;
-        }
-        let is_flat = |axis: &usize| lower[*axis].total_cmp(&upper[*axis]).is_eq();
-        let axis = (0..3).find(is_flat)?;
-        // neighbouring corners differ along one axis only, and end where the rectangle ends
-        let same = |a: f64, b: f64| (a - b).abs() <= 0.0;
-        for (corner, next) in (0..4).map(|k| (corners[k], corners[(k + 1) % 4])) {
-            let moves = others(axis).map(|k| !same(corner[k], next[k]));
-            let ends = others(axis).map(|k| same(corner[k], lower[k]) || same(corner[k], upper[k]));
-            if moves[0] == moves[1] || ends != [true; 2] {
-                return None;
-            }
-        }
-        Some(Self {
-            axis,
-            faces_up: patch.shape.normal()[axis] > 0.0,
-            lower,
-            upper,
-        })
-    }
-}
-
 /// The differences between the lines of each axis, numbered: equal ones alike, with a sign.
 #[derive(Debug)]
 struct Differences {
@@ -221,11 +172,7 @@ impl Differences {
         let mut sizes = vec![(0.0, 0.0)];
         for lines in lines {
             for (k, line) in lines.iter().enumerate() {
-                sizes.extend(
-                    lines[..k]
-                        .iter()
-                        .map(|below| exact_difference(*line, *below)),
-                );
+                sizes.extend(lines[..k].iter().map(|below| two_sum(*line, -below)));
             }
         }
         sizes.sort_by(|(one, _), (other, _)| one.total_cmp(other));
@@ -272,13 +219,6 @@ impl Differences {
     }
 }
 
-/// `upper − lower`, rounded, and what rounding took from it (Knuth).
-fn exact_difference(upper: f64, lower: f64) -> (f64, f64) {
-    let size = upper - lower;
-    let taken = upper - size;
-    (size, (upper - (size + taken)) + (taken - lower))
-}
-
 /// What the tables are made from.
 #[derive(Debug, Default)]
 struct Tables {
@@ -315,7 +255,7 @@ impl Tables {
                 let plane = (
                     flat.axis,
                     line(flat.axis, flat.lower[flat.axis]),
-                    flat.faces_up,
+                    flat.faces_along,
                 );
                 let next = self.planes.len();
                 let number = *plane_numbers.entry(plane).or_insert(next);

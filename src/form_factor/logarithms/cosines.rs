@@ -6,10 +6,12 @@ use crate::numeric::{
     CompensatedSum, GaussLegendre, dilogarithm_deficit, dilogarithm_of_complement,
 };
 
-/// Shortest panels, relative to the root of the exchange area: the integrand is bounded, so that only the square of the length counts.
+/// Shortest panels, relative to the root of the exchange area: the integrand is bounded, so that
+/// only the square of the length counts.
 const SHORTEST: f64 = 1e-8;
 
-/// A constant added to the integrand of (a) changes nothing, so that it is counted from its value where r is far above h, or where r is h.
+/// A constant added to the integrand of (a) changes nothing, so that it is counted from its value
+/// where r is far above h, or where r is h.
 #[derive(Debug, Clone, Copy)]
 enum Level {
     /// `Li₂(1 − h²/r²) − π²/6`, small for r ≫ h.
@@ -18,13 +20,15 @@ enum Level {
     Above,
 }
 
-/// Where the lowest point is higher than this part of the farthest distance, `h²/r²` is nearer to 1 than to 0.
+/// Where the lowest point is higher than this part of the farthest distance, `h²/r²` is nearer to 1
+/// than to 0.
 const ABOVE: f64 = 0.7;
 
 impl Side {
     /// `∮∮ Li₂(1 − h²/r²) dl·dl'`, h the height over this plane, and the sum of the magnitudes.
     ///
-    /// **Arguments** `flat`: heights up to it are 0; `exchange`: the exchange area, which sets the scale of what may be left out.
+    /// **Arguments** `flat`: heights up to it are 0; `exchange`: the exchange area, which sets the
+    /// scale of what may be left out.
     pub(super) fn cosine_part(
         &self,
         other: &Self,
@@ -68,8 +72,8 @@ impl Side {
     }
 }
 
-/// `∫∫ Li₂(1 − h²/r²)` along two edges, counted from the level; h starts at `height[0]` and grows by `height[1]` along the outer one, and is
-/// singular at 0.
+/// `∫∫ Li₂(1 − h²/r²)` along two edges, counted from the level; h starts at `height[0]` and grows
+/// by `height[1]` along the outer one, and is singular at 0.
 fn edge_pair(
     outer: &Edge,
     inner: &Edge,

@@ -1,4 +1,5 @@
-//! The part of the distance: (c) by Euler's identity where the planes meet, (b) where they are nearly parallel.
+//! The part of the distance: (c) by Euler's identity where the planes meet, (b) where they are
+//! nearly parallel.
 
 use super::panels::{REACH, Singularities, over_panels, to_plane};
 use super::side::Side;
@@ -8,11 +9,11 @@ use crate::numeric::{CompensatedSum, GaussLegendre, imaginary_dilogarithm};
 use glam::DVec3;
 use std::f64::consts::{LN_2, TAU};
 
-/// What a shortest panel may hold, relative to the exchange area, but for a logarithm.
+/// The most that a shortest panel may hold, relative to the exchange area, but for a logarithm.
 const SHORTEST: f64 = 1e-15;
 
-/// Smallest triangles, relative to the polygon's size: a polygon that close to its own size over the other is left to the estimate
-/// of the error.
+/// Smallest triangles, relative to the polygon's size: a polygon that close to its own size over
+/// the other is left to the estimate of the error.
 const SMALLEST: f64 = 1e-3;
 
 impl Side {
@@ -33,7 +34,8 @@ impl Side {
         ]
     }
 
-    /// Where the planes meet, below the corner nearest to that line: distances from there vanish for most edges that touch.
+    /// Where the planes meet, below the corner nearest to that line: distances from there vanish
+    /// for most edges that touch.
     fn meeting_point(&self, other: &Self) -> DVec3 {
         let cosine = self.normal.dot(other.normal);
         let sine = self.normal.cross(other.normal).length_squared();
@@ -120,9 +122,11 @@ impl Side {
         (0.5 * received + logarithm + cosine * spread) / TAU
     }
 
-    /// `∫ F_x ln(h(x)/h) dA_x` over this polygon for its heights h(x) over the plane of the other: (b).
+    /// `∫ F_x ln(h(x)/h) dA_x` over this polygon for its heights h(x) over the plane of the other:
+    /// (b).
     ///
-    /// Triangles are quartered until they are short against the distance to the other's edges, where `F_x` is singular.
+    /// Triangles are quartered until they are short against the distance to the other's edges,
+    /// where `F_x` is singular.
     pub(super) fn by_heights(&self, other: &Self, height: f64, gauss: &GaussLegendre) -> f64 {
         let corners = |indices: [usize; 3]| indices.map(|k| self.corners[k]);
         let triangles = triangulated(&self.corners, self.normal).into_iter();

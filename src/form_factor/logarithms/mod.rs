@@ -5,18 +5,20 @@
 //!   ∫∫ F ln F = C + C' − 2 R − E ln π
 //! ```
 //!
-//! The integrands are singular where the polygons touch; none of them is evaluated. With h(z) the height of a point of the
-//! second outline over the plane of the first, `H dφ` with `H = ∫_c¹ c ln c dc` is the inner integral of C around a point, and the
-//! outer one goes to the first outline by the divergence theorem, because `H/ρ` has a primitive in the plane:
+//! The integrands are singular where the polygons touch; none of them is evaluated. With h(z) the
+//! height of a point of the second outline over the plane of the first, `H dφ` with
+//! `H = ∫_c¹ c ln c dc` is the inner integral of C around a point, and the outer one goes to the
+//! first outline by the divergence theorem, because `H/ρ` has a primitive in the plane:
 //!
 //! ```text
 //!   C = −E/2 + (1/8π) ∮∮ Li₂(1 − h(z)²/r²) dl·dl'                                                         (a)
 //!   R = ∫ F_x ln h(x) dA_x − C',     h(x) = r cos θ' the height of x over the second plane               (b)
 //! ```
 //!
-//! In (b) ln h is constant for parallel planes, and nearly so for nearly parallel ones, where a rule in two dimensions does what little is left.
-//! Where the planes meet, `F ln r` is homogeneous but for the logarithm about any point o of the line in which they meet, and Euler's
-//! identity takes the outer integral to the edges, at the distances p from o:
+//! In (b) ln h is constant for parallel planes, and nearly so for nearly parallel ones, where a
+//! rule in two dimensions does what little is left. Where the planes meet, `F ln r` is homogeneous
+//! but for the logarithm about any point o of the line in which they meet, and Euler's identity
+//! takes the outer integral to the edges, at the distances p from o:
 //!
 //! ```text
 //!   2 R = −E + Σ_e p_e ∫_e m'(x) dl + Σ_e' p_e' ∫_e' m(y) dl,     m'(x) = ∫ F ln r dA_y                      (c)
@@ -24,15 +26,19 @@
 //!   ∫ dA_y/r² = Σ_b ∫_b ½ ln((cos²t + λ²)/cos²t) dt,     λ = |p_b|/d, with the sign of p_b                    (e)
 //! ```
 //!
-//! The integrals in (d) and (e) are imaginary parts of the [dilogarithm](crate::numeric::imaginary_dilogarithm). What is left,
-//! one dimension in (c) and two in (a), is done by Gauss rules on panels short against the distance of the nearest singularity.
-//! For (d) take `∮ (ln r/r²) r × dl'` and Stokes' theorem: the kernel `1/r²` without a logarithm is Lambert's formula.
+//! The integrals in (d) and (e) are imaginary parts of the
+//! [dilogarithm](crate::numeric::imaginary_dilogarithm). What is left, one dimension in (c) and two
+//! in (a), is done by Gauss rules on panels short against the distance of the nearest singularity.
+//! For (d) take `∮ (ln r/r²) r × dl'` and Stokes' theorem: the kernel `1/r²` without a logarithm is
+//! Lambert's formula.
 //!
-//! **Errors** are *estimates*: the change from a smaller rule on the same panels, and the rounding of what cancels.
+//! **Errors** are *estimates*: the change from a smaller rule on the same panels, and the rounding
+//! of what cancels.
 //!
 //! **Not covered**: polygons that reach behind each other's plane.
 //!
-//! Reference: (c), (d) as Schröder and Hanrahan, *On the form factor between two polygons*, SIGGRAPH 1993, do for F.
+//! Reference: (c), (d) as Schröder and Hanrahan, *On the form factor between two polygons*,
+//! SIGGRAPH 1993, do for F.
 
 mod cosines;
 mod distances;
@@ -49,8 +55,8 @@ use std::f64::consts::PI;
 /// Points of the rule on a panel, and of the one that its error is estimated by.
 const POINTS: [usize; 2] = [13, 10];
 
-/// Planes count as nearly parallel where heights of one polygon over the other's plane vary by at most this part: Euler's identity would lose
-/// more than a digit there.
+/// Planes count as nearly parallel where heights of one polygon over the other's plane vary by at
+/// most this part: Euler's identity would lose more than a digit there.
 const LEVEL: f64 = 0.05;
 
 /// The relative error asked for of the exchange area.
@@ -77,9 +83,10 @@ impl Logarithms {
         first + second - 2.0 * self.distance + self.exchange.value * (unit / PI).ln()
     }
 
-    /// Of two polygons, each in front of the other's plane.
+    /// The logarithms of two polygons, each in front of the other's plane.
     ///
-    /// **Accuracy** about 1e-14 of the exchange area for polygons of moderate shape, touching or not; `error_estimate` says what cancels.
+    /// **Accuracy** about 1e-14 of the exchange area for polygons of moderate shape, touching or
+    /// not; `error_estimate` says what cancels.
     ///
     /// # Errors
     /// [`FormFactorError::BehindPlane`] if one reaches behind the plane of the other; those of

@@ -4,12 +4,12 @@ use super::side::Edge;
 use crate::numeric::{CompensatedSum, GaussLegendre, tolerance};
 use glam::DVec3;
 
-/// Half a panel is at most this part of the distance to the nearest singularity: (a) with ρ = 2.5 + √5.25 = 4.79 the rule of 13
-/// points leaves 2e-18.
+/// Half a panel is at most this part of the distance to the nearest singularity: (a) with ρ = 2.5 +
+/// √5.25 = 4.79 the rule of 13 points leaves 2e-18.
 pub(super) const REACH: f64 = 0.4;
 
-/// The integral from 0 to `length`, on panels at most [`REACH`] of the distance to the nearest singularity each way, but not
-/// shorter than `shortest`, nor than what places are known to.
+/// The integral from 0 to `length`, on panels at most [`REACH`] of the distance to the nearest
+/// singularity each way, but not shorter than `shortest`, nor than what places are known to.
 pub(super) fn over_panels(
     length: f64,
     shortest: f64,
@@ -34,8 +34,9 @@ pub(super) fn over_panels(
     sum.total()
 }
 
-/// Where an integral along an edge is singular as a function of the place on a path: at the ends of the edge, and where the lines are
-/// nearest, as far off the real line as their distance over the sine of their angle.
+/// The places on a path at which an integral along an edge is singular: at the ends of the edge,
+/// and where the lines are nearest, as far off the real line as their distance over the sine of
+/// their angle.
 pub(super) struct Singularities {
     ends: [DVec3; 2],
     /// The place on the path, and the distance off it.
@@ -67,7 +68,8 @@ impl Singularities {
     }
 }
 
-/// How far along a path the plane is that it rises from: `height` at its start, `slope` along it.
+/// The distance along a path to the plane that it rises from: `height` at its start, `slope` along
+/// it.
 pub(super) fn to_plane([start, slope]: [f64; 2], s: f64) -> f64 {
     if slope.abs() > f64::EPSILON {
         (start / slope + s).abs()

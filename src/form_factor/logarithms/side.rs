@@ -27,7 +27,8 @@ pub(super) struct Side {
     pub(super) corners: Vec<DVec3>,
     pub(super) edges: Vec<Edge>,
     pub(super) normal: DVec3,
-    /// Heights below are rounding: so little of an edge is that low that the logarithm does not count.
+    /// Heights below are rounding: so little of an edge is that low that the logarithm does not
+    /// count.
     pub(super) least: f64,
 }
 

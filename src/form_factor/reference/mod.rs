@@ -5,12 +5,14 @@
 //! ```
 //!
 //! Both polygons are cut into strips along the line where their planes meet (`section`); two strips
-//! exchange a closed form, and what is left is a twofold integral over u and v (`strips`), by Gauss rules on parts that
-//! shrink towards the singular points (`panels`). No contour, no logarithm and no solid angle occurs: nothing is shared
-//! with the fast routes. Every pass is repeated finer and with the two polygons' parts exchanged; the
-//! difference is the error *estimate*, which is no bound.
+//! exchange a closed form, and what is left is a twofold integral over u and v (`strips`), by Gauss
+//! rules on parts that shrink towards the singular points (`panels`). No contour, no logarithm and
+//! no solid angle occurs: nothing is shared with the fast routes. Every pass is repeated finer and
+//! with the two polygons' parts exchanged; the difference is the error *estimate*, which is no
+//! bound.
 //!
-//! **Not covered**: occlusion; corners are taken exactly as given, and off-plane corners by their projection.
+//! **Not covered**: occlusion; corners are taken exactly as given, and off-plane corners by their
+//! projection.
 
 mod panels;
 mod section;
@@ -18,6 +20,7 @@ mod strips;
 
 use super::FormFactorError;
 use crate::geometry::Patch;
+use crate::numeric::power_of_two_near;
 use crate::numeric::wide::Wide;
 use glam::DVec3;
 use panels::Fineness;
@@ -117,12 +120,12 @@ fn decimal(value: Number, digits: usize) -> String {
 /// Passes before giving up.
 const MOST_PASSES: usize = 6;
 
-/// The exchange area of two patches, corners exact, to about `relative` of itself; 0 if one is behind the plane of the other or in
-/// it.
+/// The exchange area of two patches, corners exact, to about `relative` of itself; 0 if one is
+/// behind the plane of the other or in it.
 ///
 /// **Arguments** `relative`: wanted relative error, 1e-30 … 1e-3.
-/// **Accuracy**: the estimate returned is usually far above the error; it may exceed `relative` if six passes do
-/// not reach that.
+/// **Accuracy**: the estimate returned is usually far above the error; it may exceed `relative` if
+/// six passes do not reach that.
 ///
 /// # Errors
 /// [`FormFactorError::OutOfRange`] if the value leaves the range of `f64`.
@@ -185,7 +188,7 @@ fn scale(corners: Vec<DVec3>) -> f64 {
         .iter()
         .map(|c| (*c - origin).abs().max_element())
         .fold(0.0, f64::max);
-    size.log2().round().exp2()
+    power_of_two_near(size)
 }
 
 /// The value to a factor of three or so, from above.

@@ -4,9 +4,10 @@
 //!   a rule of n points errs by about M ρ^(−2n),  ρ = a + √(a² − 1),  a = (|z − lower| + |z − upper|)/(upper − lower)
 //! ```
 //!
-//! for the singularity z with the smallest ρ, where M is the size of the part's integral. A part whose rule would
-//! be long is bisected; towards a singularity on the range the parts shrink until M is below the error allowed.
-//! This is an estimate: the size and the constant are taken for granted, and tested by a second pass.
+//! for the singularity z with the smallest ρ, where M is the size of the part's integral. A part
+//! whose rule would be long is bisected; towards a singularity on the range the parts shrink until
+//! M is below the error allowed. This is an estimate: the size and the constant are taken for
+//! granted, and tested by a second pass.
 
 /// A part of a range, as distances from its start, with the points of its rule.
 #[derive(Debug, Clone, Copy)]
@@ -15,7 +16,7 @@ pub(super) struct Panel {
     pub order: usize,
 }
 
-/// How finely a pass divides.
+/// The fineness with which a pass divides.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Fineness {
     /// Longest rule.
@@ -24,7 +25,8 @@ pub(super) struct Fineness {
     pub spare: usize,
 }
 
-/// The parts of `[0, 1]`; `size` bounds the integral over a part, and an error of `allowed` is of no account in each.
+/// The parts of `[0, 1]`; `size` bounds the integral over a part, and an error of `allowed` is of
+/// no account in each.
 pub(super) fn panels(
     singularities: &[(f64, f64)],
     size: impl Fn(f64, f64) -> f64,

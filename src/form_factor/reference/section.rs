@@ -5,9 +5,10 @@
 //!   x = u e_P + s d,   y = v e_Q + t d        (e_P = n_P × d, e_Q = n_Q × d)
 //! ```
 //!
-//! The height of y over the plane of P depends on v alone, that of x over the plane of Q on u alone: what lies
-//! behind the other's plane is cut off by ending the range of v or u. Between two neighbouring corners (in u or v) a
-//! polygon is a few trapezoids, whose ends s are linear in u: a *slab*.
+//! The height of y over the plane of P depends on v alone, that of x over the plane of Q on u
+//! alone: what lies behind the other's plane is cut off by ending the range of v or u. Between two
+//! neighbouring corners (in u or v) a polygon is a few trapezoids, whose ends s are linear in u: a
+//! *slab*.
 
 use crate::numeric::wide::Wide;
 use glam::DVec3;
@@ -39,7 +40,7 @@ pub(super) struct Slab<const N: usize> {
 }
 
 impl<const N: usize> Slab<N> {
-    /// What all its trapezoids measure along d at `u`.
+    /// The extent of all its trapezoids along d at `u`.
     pub(super) fn extent(&self, u: Wide<N>) -> Wide<N> {
         let ends = self.lines.iter().map(|line| {
             let value = line.value(u);
@@ -48,7 +49,7 @@ impl<const N: usize> Slab<N> {
         ends.fold(Wide::ZERO, |sum, end| sum + end)
     }
 
-    /// Its area.
+    /// The area.
     pub(super) fn area(&self) -> Wide<N> {
         let [lower, upper] = self.ends;
         self.extent((lower + upper).scaled(-1)) * (upper - lower)
@@ -75,7 +76,7 @@ pub(super) struct Section<const N: usize> {
     pub outer: Vec<Slab<N>>,
     /// The u of the foot of the perpendicular from the outer line v on the inner plane.
     pub foot: Linear<N>,
-    /// Its length: the height of v over the inner plane.
+    /// The height of v over the inner plane.
     pub height: Linear<N>,
     /// The height of u over the outer plane.
     pub facing: Linear<N>,
@@ -146,7 +147,8 @@ impl<const N: usize> Plate<N> {
     }
 }
 
-/// What is smaller than 2 to this power times the bits, relative to the size of the pair, is rounding.
+/// What is smaller than 2 to this power times the bits, relative to the size of the pair, is
+/// rounding.
 const fn negligible_power<const N: usize>() -> i64 {
     // two thirds of the digits
     -((N * 128 / 3) as i64)

@@ -18,7 +18,7 @@ use super::section::{Line, Section, Slab};
 use crate::numeric::wide::{Wide, gauss_rule};
 use std::f64::consts::PI;
 
-/// What a pass is asked for.
+/// The demands on a pass.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pass {
     /// Absolute error that is of no account, in the units of the pair.
@@ -68,7 +68,7 @@ impl<const N: usize> Section<N> {
         sum
     }
 
-    /// From `start` on for a signed `length`.
+    /// The outer integral from `start` on for a signed `length`.
     fn outer_half(
         &self,
         inner: &Slab<N>,
@@ -131,7 +131,7 @@ impl<const N: usize> Section<N> {
         }
     }
 
-    /// Where the inner integral is singular as a function of v.
+    /// The places where the inner integral is singular as a function of v.
     fn outer_singularities(&self, inner: &Slab<N>, outer: &Slab<N>) -> Vec<Singularity<N>> {
         let mut found = Vec::new();
         for u in inner.ends {
@@ -157,7 +157,7 @@ impl<const N: usize> Section<N> {
         found
     }
 
-    /// Where the lines of two edges come closest, if that is beside the inner edge.
+    /// The place where the lines of two edges come closest, if that is beside the inner edge.
     fn crossing(&self, inner: &Slab<N>, end: &Line<N>, line: &Line<N>) -> Option<Singularity<N>> {
         let one = Wide::new(1.0);
         // coordinates (along d, u, height over the inner plane)
@@ -311,7 +311,7 @@ impl<const N: usize> Strip<'_, N> {
         (sum * self.height).scaled(-1)
     }
 
-    /// From w = `start` on.
+    /// The inner integral from w = `start` on.
     fn spread_part(
         &self,
         start: Wide<N>,

@@ -1,7 +1,7 @@
 //! Sums, products and quotients of intervals.
 //!
-//! Each end of a result is one operation on ends, chosen by signs; a product takes four only where both factors
-//! have both signs.
+//! Each end of a result is one operation on ends, chosen by signs; a product takes four only where
+//! both factors have both signs.
 
 use super::{Direction, Endpoint, Interval};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -54,7 +54,7 @@ fn quotient<E: Endpoint>(x: &E, y: &E, direction: Direction) -> E {
     }
 }
 
-/// Where an interval lies, seen from 0.
+/// The side of 0 on which an interval lies.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Side {
     /// All ≥ 0.

@@ -16,7 +16,7 @@ pub(super) const WORD: u32 = 64;
 pub(super) const LN_2_HEAD: f64 = 2_977_044_471.0 / 4_294_967_296.0;
 /// Entries per unit in the table of logarithms.
 pub(super) const LN_STEPS: i32 = 64;
-/// Its first and last entry: for numbers from 3/4 to 3/2.
+/// The table's first and last entry: for numbers from 3/4 to 3/2.
 pub(super) const LN_ENTRIES: RangeInclusive<i32> = -16..=32;
 /// Entries per unit in the table of arc tangents.
 pub(super) const ATAN_STEPS: i32 = 32;

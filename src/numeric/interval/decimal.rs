@@ -18,8 +18,8 @@ const CHUNK: usize = 15;
 const LONGEST: i32 = 332_000;
 
 impl Interval {
-    /// The decimal number `text`, rounded outwards to `bits` bits; `None` if it is not a plain decimal
-    /// with an optional exponent.
+    /// The decimal number `text`, rounded outwards to `bits` bits; `None` if it is not a plain
+    /// decimal with an optional exponent.
     #[must_use]
     pub fn parse(text: &str, bits: u32) -> Option<Self> {
         let text = text.trim();
@@ -56,8 +56,9 @@ impl Interval {
         Some(if is_negative { -value } else { value })
     }
 
-    /// The ends as decimal numbers, rounded outwards two digits beyond the first in which they differ; `None`
-    /// for an interval without bounds, or with more than some hundred thousand digits before the point.
+    /// The ends as decimal numbers, rounded outwards two digits beyond the first in which they
+    /// differ; `None` for an interval without bounds, or with more than some hundred thousand
+    /// digits before the point.
     ///
     /// # Examples
     /// ```
@@ -92,7 +93,7 @@ impl Interval {
         Some(DecimalBounds { lower, upper })
     }
 
-    /// How many decimals behind the point the width leaves certain.
+    /// The number of decimals behind the point that the width leaves certain.
     #[must_use]
     pub fn certain_decimals(&self) -> u32 {
         let width = self.upper.plus(&self.lower.negated(), Direction::Up);

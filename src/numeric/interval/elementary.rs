@@ -1,8 +1,9 @@
 //! Elementary functions of intervals, from the four operations alone.
 //!
-//! Each function is evaluated at the ends (all are monotone by pieces) by an argument reduction and a
-//! power series in interval arithmetic, with [`GUARD_BITS`] more bits, in whole words. What a series leaves out is one more interval:
-//! the Horner scheme starts from an enclosure of the whole tail.
+//! Each function is evaluated at the ends (all are monotone by pieces) by an argument reduction and
+//! a power series in interval arithmetic, with [`GUARD_BITS`] more bits, in whole words. What a
+//! series leaves out is one more interval: the Horner scheme starts from an enclosure of the whole
+//! tail.
 //!
 //! ```text
 //!   ln m = ln c + 2 atanh z,   c = 1 + i/64,  z = (m − c)/(m + c),  |z| ≤ 1/192
@@ -21,7 +22,7 @@ use std::ops::RangeInclusive;
 
 /// More bits than the result has, where the ends can hold them.
 const GUARD_BITS: u32 = 32;
-/// How often the argument of an exponential is halved.
+/// The number of times that the argument of an exponential is halved.
 const HALVINGS: i32 = 8;
 
 /// The nearest whole number among `entries`.
@@ -31,8 +32,8 @@ fn nearest(value: f64, entries: RangeInclusive<i32>) -> i32 {
     nearest.clamp(*entries.start(), *entries.end())
 }
 
-/// Functions of one end, as enclosures to within a few units in the last place; the guard bits come from
-/// [`Interval::with_guard`].
+/// Functions of one end, as enclosures to within a few units in the last place; the guard bits come
+/// from [`Interval::with_guard`].
 impl<E: Endpoint> Interval<E> {
     pub(super) fn guarded(end: &E) -> E {
         let bits = (end.bits() + GUARD_BITS).next_multiple_of(WORD);
@@ -106,7 +107,8 @@ impl<E: Endpoint> Interval<E> {
                 }
             };
         }
-        // every halving is a squaring later, which doubles the error: none where there are no guard bits
+        // every halving is a squaring later, which doubles the error: none where there are no guard
+        // bits
         let halvings = if end.bits() > f64::MANTISSA_DIGITS {
             HALVINGS
         } else {
@@ -261,7 +263,8 @@ impl<E: Endpoint> Scalar for Interval<E> {
     fn exp_m1(&self) -> Self {
         self.rising(Self::with_guard(Self::exp_m1_of))
     }
-    /// Where the half-line x ≤ 0, y = 0 is touched the angle may jump, and every angle is returned.
+    /// The angle may jump where the half-line x ≤ 0, y = 0 is touched; then every angle is
+    /// returned.
     fn atan2(&self, x: &Self) -> Self {
         let zero = self.lower.constant(0.0);
         let half_pi = || self.pi().scaled(-1);

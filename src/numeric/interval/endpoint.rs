@@ -4,7 +4,7 @@ use super::super::expansion::two_sum;
 use std::cmp::Ordering;
 use std::fmt::Debug;
 
-/// Which way an inexact result is rounded.
+/// The direction in which an inexact result is rounded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
     /// Towards −∞.
@@ -25,7 +25,8 @@ impl Direction {
 /// A number type with directed rounding: `f64`, [`Precise`](super::Precise).
 ///
 /// An operation returns a number on the given side of the exact result, exactly it where it is
-/// representable. The ends ±∞ are numbers like others; the interval types never ask for ∞ − ∞ or 0 · ∞.
+/// representable. The ends ±∞ are numbers like others; the interval types never ask for ∞ − ∞ or 0
+/// · ∞.
 pub trait Endpoint: Clone + Debug + PartialOrd + 'static {
     /// The number `value`, exactly, at the precision of `self`.
     #[must_use]
@@ -58,7 +59,7 @@ pub trait Endpoint: Clone + Debug + PartialOrd + 'static {
     /// A double on the given side.
     fn to_double(&self, direction: Direction) -> f64;
 
-    /// Where it lies seen from 0; `Equal` of NaN.
+    /// The side of 0 on which it lies; `Equal` for NaN.
     fn sign(&self) -> Ordering {
         let sign = self.partial_cmp(&self.constant(0.0));
         sign.unwrap_or(Ordering::Equal)
@@ -71,8 +72,8 @@ pub trait Endpoint: Clone + Debug + PartialOrd + 'static {
     fn is_finite(&self) -> bool;
 }
 
-/// A double that is off by less than one unit in the last place, moved outwards, but never past 0: an underflow
-/// keeps its sign.
+/// A double that is off by less than one unit in the last place, moved outwards, but never past 0:
+/// an underflow keeps its sign.
 fn outward(value: f64, direction: Direction) -> f64 {
     match direction {
         Direction::Down if value == 0.0 && value.is_sign_positive() => value,
@@ -82,8 +83,8 @@ fn outward(value: f64, direction: Direction) -> f64 {
     }
 }
 
-/// `value` if the exact result lies on the wanted side of it (`residual` = exact − value, by sign), else its
-/// neighbour.
+/// `value` if the exact result lies on the wanted side of it (`residual` = exact − value, by sign),
+/// else its neighbour.
 fn rounded(value: f64, residual: f64, direction: Direction) -> f64 {
     let is_short = match direction {
         Direction::Down => residual < 0.0,

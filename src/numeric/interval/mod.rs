@@ -1,19 +1,21 @@
-//! Intervals that contain every value their expression can take: the layer that may say *enclosure*.
+//! Intervals that contain every value their expression can take: the layer that may say
+//! *enclosure*.
 //!
 //! An operation on intervals returns an interval that contains the results for all numbers in its
-//! operands, with ends rounded outwards. A formula written over [`Scalar`](super::Scalar) becomes an enclosure of its exact
-//! value by being evaluated here.
+//! operands, with ends rounded outwards. A formula written over [`Scalar`](super::Scalar) becomes
+//! an enclosure of its exact value by being evaluated here.
 //!
 //! ```text
 //!   Interval<f64>       53 bits, fast: for searching
 //!   Interval<Precise>   any number of bits, on astro-float: for tightening
 //! ```
 //!
-//! Where an operation is not defined on a part of an operand (division by an interval that contains 0, the
-//! logarithm or root of one that reaches below 0) that part counts for nothing or the result is the whole
-//! line; no operation fails. Comparisons are certain: `a < b` holds if every number in a is smaller than every
-//! number in b, and two intervals are equal only if both are the same single number. A branch of a formula taken
-//! on a comparison must therefore be right, if less accurate, on the other side too.
+//! Where an operation is not defined on a part of an operand (division by an interval that contains
+//! 0, the logarithm or root of one that reaches below 0) that part counts for nothing or the result
+//! is the whole line; no operation fails. Comparisons are certain: `a < b` holds if every number in
+//! a is smaller than every number in b, and two intervals are equal only if both are the same
+//! single number. A branch of a formula taken on a comparison must therefore be right, if less
+//! accurate, on the other side too.
 //!
 //! **Not covered**: decorations of IEEE 1788; complex numbers.
 //!
@@ -169,7 +171,7 @@ impl<E: Endpoint> Interval<E> {
         })
     }
 
-    /// The same numbers with ends of `bits` bits, rounded outwards.
+    /// An enclosure of the interval with ends of `bits` bits, rounded outwards.
     #[must_use]
     pub fn with_precision(&self, bits: u32) -> Self {
         Self {
@@ -220,7 +222,8 @@ impl<E: Endpoint> Interval<E> {
         lower.hull(&at(&self.upper))
     }
 
-    /// The image under a function that rises on the whole interval, given as an enclosure at each end.
+    /// The image under a function that rises on the whole interval, given as an enclosure at each
+    /// end.
     fn rising(&self, at: impl Fn(&E) -> Self) -> Self {
         let lower = at(&self.lower);
         if self.is_point() {

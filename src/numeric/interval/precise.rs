@@ -1,7 +1,8 @@
 //! Interval ends of any precision, on `astro-float`.
 //!
-//! Only its four operations and its comparisons are used, rounded down or up; the elementary functions of
-//! an interval are built from these (`elementary`), and the library's own are the tests' independent judge.
+//! Only its four operations and its comparisons are used, rounded down or up; the elementary
+//! functions of an interval are built from these (`elementary`), and the library's own are the
+//! tests' independent judge.
 
 use super::endpoint::{Direction, Endpoint};
 use astro_float_num::{BigFloat, RoundingMode, Sign};
@@ -24,8 +25,8 @@ const fn mode(direction: Direction) -> RoundingMode {
     }
 }
 
-/// Powers of two of a finite number, to either side. The library's own range is wider by a factor of eight, so that
-/// no operation on such numbers over- or underflows before it is looked at.
+/// Powers of two of a finite number, to either side. The library's own range is wider by a factor
+/// of eight, so that no operation on such numbers over- or underflows before it is looked at.
 const LARGEST_POWER: i32 = 1 << 28;
 
 /// `value` with `bits` bits: the library keeps whole words.

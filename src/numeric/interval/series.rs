@@ -1,10 +1,10 @@
-//! Power series of intervals: what is left out is one more interval, an enclosure of the whole tail, from which
-//! the Horner scheme starts.
+//! Power series of intervals: what is left out is one more interval, an enclosure of the whole
+//! tail, from which the Horner scheme starts.
 
 use super::{Direction, Endpoint, Interval};
 use crate::numeric::Scalar;
 
-/// How many terms of a series in z², |z| < 2^(exponent + 1), reach the last bit.
+/// The number of terms with which a series in z², |z| < 2^(exponent + 1), reaches the last bit.
 pub(super) fn terms<E: Endpoint>(z: &Interval<E>, available: usize) -> usize {
     let largest = if z.upper.negated() < z.lower {
         &z.upper
@@ -20,8 +20,8 @@ pub(super) fn terms<E: Endpoint>(z: &Interval<E>, available: usize) -> usize {
     count.min((available - 3) / 2)
 }
 
-/// `1/3 + s/5 + s²/7 + …` for |s| ≤ 1/2, of which `terms` terms are summed; `tail` times 1/(2k+3) encloses what
-/// follows term k.
+/// `1/3 + s/5 + s²/7 + …` for |s| ≤ 1/2, of which `terms` terms are summed; `tail` times 1/(2k+3)
+/// encloses what follows term k.
 pub(super) fn odd_series<E: Endpoint>(
     s: &Interval<E>,
     terms: usize,
@@ -86,7 +86,7 @@ pub(super) fn exponential_tail<E: Endpoint>(
     exponential_series(r, count, reciprocals)
 }
 
-/// The same by `count` terms, the last of which encloses all that follow.
+/// The exponential by `count` terms, the last of which encloses all that follow.
 pub(super) fn exponential_series<E: Endpoint>(
     r: &Interval<E>,
     count: usize,
@@ -104,8 +104,9 @@ mod tests {
     use super::super::constants::Constants;
     use super::*;
 
-    /// With few terms the tails show, which all the terms hide below the last bit: each enclosure contains that by
-    /// more terms, and is no wider than its tail, 1/(2k+3)·|s|ᵏ or 3/2·|r|ᵏ⁻¹/k!, and some units.
+    /// With few terms the tails show, which all the terms hide below the last bit: each enclosure
+    /// contains that by more terms, and is no wider than its tail, 1/(2k+3)·|s|ᵏ or 3/2·|r|ᵏ⁻¹/k!,
+    /// and some units.
     #[test]
     fn few_terms_of_a_series_enclose_many() {
         let reciprocals = &Constants::of(&0.0).reciprocals;

@@ -16,7 +16,7 @@ use std::rc::Rc;
 /// Entries of the table of arc tangents per unit.
 const STEPS: u32 = 512;
 
-/// What depends on the precision only.
+/// Tables that depend on the precision only.
 struct Tables<const N: usize> {
     /// atan(i/512) for i up to 512.
     atan: Vec<Wide<N>>,
@@ -28,7 +28,7 @@ thread_local! {
     static TABLES: RefCell<HashMap<usize, Rc<dyn Any>>> = RefCell::default();
 }
 
-/// What `make` gives for N words, made once per thread and kept in `cache`.
+/// Returns the value of `make` for N words, made once per thread and kept in `cache`.
 pub(super) fn kept<T: 'static>(
     cache: &'static std::thread::LocalKey<RefCell<HashMap<usize, Rc<dyn Any>>>>,
     key: usize,
@@ -67,10 +67,11 @@ impl<const N: usize> Tables<N> {
     }
 }
 
-/// atan r, |r| ≤ 2⁻⁹ (the table's first steps lose a bit per term, which the two spare terms make up for).
+/// atan r, |r| ≤ 2⁻⁹ (the table's first steps lose a bit per term, which the two spare terms make
+/// up for).
 ///
-/// With q = r² as a fixed point fraction it is `r − r q (1/3 − q (1/5 − …))`, every bracket in (0, 1): no number needs
-/// its exponent moved.
+/// With q = r² as a fixed point fraction it is `r − r q (1/3 − q (1/5 − …))`, every bracket in (0,
+/// 1): no number needs its exponent moved.
 fn by_series<const N: usize>(r: Wide<N>, series: &[[u64; N]]) -> Wide<N> {
     let square = r.square().fraction();
     let bracket = series.iter().rev().copied();

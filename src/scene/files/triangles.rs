@@ -8,7 +8,7 @@
 //!
 //! **Not covered**: an outline that no ears of positive area divide, as with three neighbouring corners on one line.
 
-use crate::geometry::{GeometryError, Patch};
+use crate::geometry::{EarClipper, GeometryError, Patch};
 use glam::{DVec2, DVec3};
 
 /// The patches of a face: itself if it is planar, else, if asked for, its triangles.
@@ -44,26 +44,20 @@ fn triangulated(corners: &[DVec3]) -> Result<Vec<Patch>, GeometryError> {
         .iter()
         .map(|c| DVec2::new(c.dot(across), c.dot(up)))
         .collect();
-    let mut left: Vec<usize> = (0..corners.len()).collect();
+    let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
+    let mut clipper = EarClipper::new(&flat, side);
     let mut triangles = Vec::with_capacity(corners.len() - 2);
-    while left.len() > 3 {
-        let n = left.len();
-        let ears = (0..n).filter(|k| is_ear(&flat, &left, *k));
-        let mut first = None;
-        let mut hull = None;
-        for k in ears {
-            first = first.or(Some(k));
-            if has_all_in_front(&local, &left, k) {
-                hull = Some(k);
-                break;
-            }
-        }
+    while clipper.left().len() > 3 {
+        let of_hull =
+            |place: &usize| has_all_in_front(&local, clipper.left(), clipper.triangle(*place));
+        let ear = clipper
+            .ears()
+            .find(of_hull)
+            .or_else(|| clipper.ears().next());
         // with rounding a sliver may be no ear although it is one: any corner keeps the outline closed
-        let k = hull.or(first).unwrap_or(0);
-        triangles.push(around(&left, k));
-        left.remove(k);
+        triangles.push(clipper.cut(ear.unwrap_or(0)));
     }
-    triangles.push([left[0], left[1], left[2]]);
+    triangles.extend(<[usize; 3]>::try_from(clipper.left()));
     // in the order of the outline
     triangles.sort_unstable_by_key(|triangle| {
         let mut sorted = *triangle;
@@ -78,26 +72,8 @@ fn triangulated(corners: &[DVec3]) -> Result<Vec<Patch>, GeometryError> {
     patches.collect()
 }
 
-/// The corner at this place of the outline between its neighbours.
-fn around(left: &[usize], k: usize) -> [usize; 3] {
-    let n = left.len();
-    [left[(k + n - 1) % n], left[k], left[(k + 1) % n]]
-}
-
-fn is_ear(flat: &[DVec2], left: &[usize], k: usize) -> bool {
-    let triangle = around(left, k);
-    let [a, b, c] = triangle.map(|k| flat[k]);
-    let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
-    side(a, b, c) > 0.0
-        && left
-            .iter()
-            .filter(|k| !triangle.contains(k))
-            .map(|k| flat[*k])
-            .all(|p| side(a, b, p) < 0.0 || side(b, c, p) < 0.0 || side(c, a, p) < 0.0)
-}
-
-fn has_all_in_front(corners: &[DVec3], left: &[usize], k: usize) -> bool {
-    let triangle = around(left, k);
+/// Does the plane of a triangle have all corners that are left in front?
+fn has_all_in_front(corners: &[DVec3], left: &[usize], triangle: [usize; 3]) -> bool {
     let [a, b, c] = triangle.map(|k| corners[k]);
     let normal = (b - a).cross(c - a);
     left.iter()
