@@ -1,0 +1,4 @@
+//! Chains of visibility and of light.
+
+mod brightness;
+mod refusals;

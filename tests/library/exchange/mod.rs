@@ -1,0 +1,6 @@
+//! What the rows of a scene exchange: sums over parts, plans, closed rooms.
+
+mod bases;
+mod closure;
+mod plan;
+mod rows;

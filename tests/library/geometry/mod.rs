@@ -1,0 +1,3 @@
+//! Planes and outlines.
+
+mod sides;

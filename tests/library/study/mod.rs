@@ -1,0 +1,3 @@
+//! Studies, as far as they are claims of the library.
+
+mod refinement;
