@@ -100,24 +100,42 @@ fn curves_are_where_the_data_say() {
     }
 }
 
-/// Every function is used by a claim, and its input is used by the function.
+/// Every function is used by a claim.
 #[test]
 fn every_computation_has_a_claim() {
-    for (name, compute) in computations() {
+    let computed = computed();
+    for (name, _) in computations() {
         let uses = |claim: &Claim| match &claim.task {
             Task::Compute { computation, .. } => computation == name,
             Task::Proved { .. } | Task::NotChecked { .. } => false,
         };
-        assert!(computed().iter().any(uses), "{name} has no claim");
-        if name != "limit_of_the_discontinuity_line" {
+        assert!(computed.iter().any(uses), "{name} has no claim");
+    }
+}
+
+/// Every function that a claim gives numbers to refuses to go without them.
+#[test]
+fn every_computation_uses_its_input() {
+    let (mut tried, computed) = (0, computed());
+    for (name, compute) in computations() {
+        let takes_numbers = |claim: &Claim| match &claim.task {
+            Task::Compute {
+                computation, input, ..
+            } => computation == name && *input != Inputs::default(),
+            Task::Proved { .. } | Task::NotChecked { .. } => false,
+        };
+        if computed.iter().any(takes_numbers) {
             assert!(
                 compute(&Inputs::default()).is_err(),
                 "{name} ignores its input"
             );
+            tried += 1;
         }
     }
+    assert!(tried > 10, "{tried} functions take numbers");
 }
 
+/// The first computed claim, with or without a printed number, of a complete or an open configuration.
 fn example(printed: Option<&str>, complete: bool) -> Claim {
     let mut claim = computed().remove(0);
     claim.printed = printed.map(|text| Printed::parse(text).unwrap());
@@ -125,106 +143,87 @@ fn example(printed: Option<&str>, complete: bool) -> Claim {
     claim
 }
 
-/// The table of the rule, cell by cell.
+const COMPLETE: bool = true;
+const OPEN: bool = false;
+
+/// A number beside the printed 0.40, which stands for [0.395, 0.405]: value, error, evidence, verdict.
+const NUMBERS: [(bool, f64, f64, Evidence, Verdict); 8] = [
+    (
+        COMPLETE,
+        0.399,
+        1e-3,
+        Evidence::Estimate,
+        Verdict::Supported,
+    ),
+    (COMPLETE, 0.399, 1e-3, Evidence::Bound, Verdict::Supported),
+    (
+        COMPLETE,
+        0.399,
+        1e-3,
+        Evidence::Enclosure,
+        Verdict::Confirmed,
+    ),
+    (COMPLETE, 0.399, 1e-3, Evidence::Proof, Verdict::Confirmed),
+    // it overlaps
+    (
+        COMPLETE,
+        0.394,
+        2e-3,
+        Evidence::Enclosure,
+        Verdict::Undecided,
+    ),
+    (COMPLETE, 0.38, 1e-3, Evidence::Estimate, Verdict::Undecided),
+    (COMPLETE, 0.38, 1e-3, Evidence::Enclosure, Verdict::Refuted),
+    (OPEN, 0.38, 1e-3, Evidence::Enclosure, Verdict::Undecided),
+];
+
 #[test]
-fn verdicts_follow_the_rule() {
-    let with = |mut finding: Finding, evidence| {
+fn a_number_is_judged_by_its_evidence() {
+    for (complete, value, error, evidence, verdict) in NUMBERS {
+        let mut finding = Finding::value(value, error);
         finding.evidence = evidence;
-        finding
-    };
-    let number = |value, error, evidence| with(Finding::value(value, error), evidence);
-    let printed = |complete| example(Some("0.40"), complete);
-    let cases = [
-        (
-            true,
-            number(0.399, 1e-3, Evidence::Estimate),
-            Verdict::Supported,
-        ),
-        (
-            true,
-            number(0.399, 1e-3, Evidence::Bound),
-            Verdict::Supported,
-        ),
-        (
-            true,
-            number(0.399, 1e-3, Evidence::Enclosure),
-            Verdict::Confirmed,
-        ),
-        (
-            true,
-            number(0.399, 1e-3, Evidence::Proof),
-            Verdict::Confirmed,
-        ),
-        (
-            true,
-            number(0.394, 2e-3, Evidence::Enclosure),
-            Verdict::Undecided,
-        ), // overlap
-        (
-            true,
-            number(0.38, 1e-3, Evidence::Estimate),
-            Verdict::Undecided,
-        ),
-        (
-            true,
-            number(0.38, 1e-3, Evidence::Enclosure),
-            Verdict::Refuted,
-        ),
-        (
-            false,
-            number(0.38, 1e-3, Evidence::Enclosure),
-            Verdict::Undecided,
-        ),
-    ];
-    for (complete, finding, expected) in cases {
-        assert_eq!(
-            Verdict::of(&printed(complete), &finding),
-            expected,
-            "{finding:?}"
-        );
+        let found = Verdict::of(&example(Some("0.40"), complete), &finding);
+        assert_eq!(found, verdict, "{complete} {finding:?}");
     }
-    // an enclosure is compared with the exact decimal ends, where a double would not tell
+}
+
+/// A statement in words: whether it holds, evidence, verdict.
+const STATEMENTS: [(bool, bool, Evidence, Verdict); 5] = [
+    (COMPLETE, true, Evidence::Sample, Verdict::Supported),
+    (COMPLETE, true, Evidence::Proof, Verdict::Confirmed),
+    (COMPLETE, false, Evidence::Sample, Verdict::Undecided),
+    (COMPLETE, false, Evidence::Enclosure, Verdict::Refuted),
+    (OPEN, false, Evidence::Enclosure, Verdict::Undecided),
+];
+
+#[test]
+fn a_statement_is_judged_by_its_evidence() {
+    for (complete, holds, evidence, verdict) in STATEMENTS {
+        let mut finding = Finding::statement(holds, 0.0, 0.0);
+        finding.evidence = evidence;
+        let found = Verdict::of(&example(None, complete), &finding);
+        assert_eq!(found, verdict, "{complete} {finding:?}");
+    }
+}
+
+/// Where doubles would not tell: the end of [0.395, 0.405] itself, 1e-26 inside of it, and a third.
+#[test]
+fn enclosures_are_compared_with_the_exact_decimal_ends() {
     let third = Interval::precise(1.0, 128) / Interval::precise(3.0, 128);
-    let [touching, inside] = ["0.395", "0.39500000000000000000000001"];
-    for (enclosure, expected) in [
-        (Interval::parse(touching, 128).unwrap(), Verdict::Undecided),
-        (Interval::parse(inside, 128).unwrap(), Verdict::Confirmed),
+    let parsed = |text| Interval::parse(text, 128).unwrap();
+    for (enclosure, verdict) in [
+        (parsed("0.395"), Verdict::Undecided),
+        (parsed("0.39500000000000000000000001"), Verdict::Confirmed),
         (third, Verdict::Refuted),
     ] {
         let finding = Finding::enclosed(enclosure);
-        assert_eq!(
-            Verdict::of(&printed(true), &finding),
-            expected,
-            "{finding:?}"
-        );
+        let found = Verdict::of(&example(Some("0.40"), COMPLETE), &finding);
+        assert_eq!(found, verdict, "{finding:?}");
     }
-    let statement = |holds, evidence| with(Finding::statement(holds, 0.0, 0.0), evidence);
-    let words = |complete| example(None, complete);
-    let cases = [
-        (true, statement(true, Evidence::Sample), Verdict::Supported),
-        (true, statement(true, Evidence::Proof), Verdict::Confirmed),
-        (true, statement(false, Evidence::Sample), Verdict::Undecided),
-        (
-            true,
-            statement(false, Evidence::Enclosure),
-            Verdict::Refuted,
-        ),
-        (
-            false,
-            statement(false, Evidence::Enclosure),
-            Verdict::Undecided,
-        ),
-    ];
-    for (complete, finding, expected) in cases {
-        assert_eq!(
-            Verdict::of(&words(complete), &finding),
-            expected,
-            "{finding:?}"
-        );
-    }
-    // a number without a printed one to compare with decides nothing
-    assert_eq!(
-        Verdict::of(&words(true), &Finding::value(1.0, 0.0)),
-        Verdict::Undecided
-    );
+}
+
+#[test]
+fn a_number_without_a_printed_one_decides_nothing() {
+    let found = Verdict::of(&example(None, COMPLETE), &Finding::value(1.0, 0.0));
+    assert_eq!(found, Verdict::Undecided);
 }

@@ -2,6 +2,7 @@
 
 mod continuous;
 mod divergence;
+mod known_values;
 mod negative_controls;
 #[cfg(feature = "proptest")]
 mod refinement;

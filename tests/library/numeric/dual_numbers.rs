@@ -1,82 +1,42 @@
 //! The slope of a dual number is the derivative, over doubles and enclosed over intervals, once and twice over.
 
-use crate::support::intervals::{Judge, misses, power_of_two};
+use crate::support::intervals::{self, Judge, OPERATIONS, misses, power_of_two};
 use infoscene::numeric::{Dual, Interval, Scalar};
 use proptest::prelude::*;
 
-/// Every operation of [`Scalar`] on the line `(x + t, y + c t)`.
+/// An operation of [`Scalar`] on the line `(x + t, y + c t)`.
 #[derive(Debug, Clone, Copy)]
 enum Operation {
+    OfIntervals(intervals::Operation),
     Negate,
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    Sqrt,
-    Ln,
-    Ln1p,
-    Exp,
-    ExpM1,
-    Atan2,
-    DivergenceKernel,
-    XLnX,
-    Abs,
-    Square,
     Constants,
 }
 
-const OPERATIONS: [Operation; 16] = {
-    use Operation::{
-        Abs, Add, Atan2, Constants, DivergenceKernel, Divide, Exp, ExpM1, Ln, Ln1p, Multiply,
-        Negate, Sqrt, Square, Subtract, XLnX,
-    };
-    [
-        Negate,
-        Add,
-        Subtract,
-        Multiply,
-        Divide,
-        Sqrt,
-        Ln,
-        Ln1p,
-        Exp,
-        ExpM1,
-        Atan2,
-        DivergenceKernel,
-        XLnX,
-        Abs,
-        Square,
-        Constants,
-    ]
-};
+/// All of them but for powers, which are products.
+fn operations() -> Vec<Operation> {
+    let is_power = |one: &intervals::Operation| matches!(one, intervals::Operation::Power(_));
+    let shared = OPERATIONS.into_iter().filter(|one| !is_power(one));
+    let shared = shared.map(Operation::OfIntervals);
+    shared
+        .chain([Operation::Negate, Operation::Constants])
+        .collect()
+}
 
 impl Operation {
     fn of<S: Scalar>(self, x: &S, y: &S) -> S {
         match self {
+            Self::OfIntervals(operation) => operation.of(x, y),
             Self::Negate => -x.clone(),
-            Self::Add => x.clone() + y,
-            Self::Subtract => x.clone() - y,
-            Self::Multiply => x.clone() * y,
-            Self::Divide => x.clone() / y,
-            Self::Sqrt => x.sqrt(),
-            Self::Ln => x.ln(),
-            Self::Ln1p => x.ln_1p(),
-            Self::Exp => x.exp(),
-            Self::ExpM1 => x.exp_m1(),
-            Self::Atan2 => x.atan2(y),
-            Self::DivergenceKernel => x.divergence_kernel(),
-            Self::XLnX => x.x_ln_x(),
-            Self::Abs => x.abs(),
-            Self::Square => x.square(),
             Self::Constants => (x.pi() + &x.constant(2.0)) * x + &x.zero(),
         }
     }
 
     /// A number of its domain, well away from where a derivative has no bounds.
     fn within_domain(self, x: f64) -> f64 {
+        use intervals::Operation::{DivergenceKernel, Ln, Ln1p, Sqrt};
         match self {
-            Self::Sqrt | Self::Ln => x.abs(),
-            Self::Ln1p | Self::DivergenceKernel => x.max(-0.9),
+            Self::OfIntervals(Sqrt | Ln) => x.abs(),
+            Self::OfIntervals(Ln1p | DivergenceKernel) => x.max(-0.9),
             _ => x,
         }
     }
@@ -120,43 +80,77 @@ fn number() -> impl Strategy<Value = f64> {
     (size, any::<bool>()).prop_map(|(size, is_negative)| if is_negative { -size } else { size })
 }
 
+/// An operation, a place of its domain, and the rate at which y grows there while x grows at rate 1.
+fn place() -> impl Strategy<Value = (Operation, f64, f64, f64)> {
+    let operation = prop::sample::select(operations());
+    (operation, number(), number(), -2.0..2.0f64)
+        .prop_map(|(operation, x, y, rate)| (operation, operation.within_domain(x), y, rate))
+}
+
+/// The operation on enclosed dual numbers.
+fn enclosed((operation, x, y, rate): (Operation, f64, f64, f64)) -> Dual<Interval<f64>> {
+    let [x, y, rate] = [x, y, rate].map(Interval::point);
+    operation.of(
+        &Dual::variable(x),
+        &Dual {
+            value: y,
+            slope: rate,
+        },
+    )
+}
+
 proptest! {
-    /// `(f(x), f′(x) x′)` and, nested, `f″`: the doubles lie beside the interval at most its own width away, the
-    /// interval contains the derivative, and its width is some hundred ε of it and of the terms that may cancel.
+    /// `(f(x), f′(x) x′)` over intervals: the slope contains the derivative, and its width is some hundred ε of it and
+    /// of the terms that may cancel.
     #[test]
-    fn slopes_are_derivatives(
-        operation in prop::sample::select(OPERATIONS.to_vec()), x in number(), y in number(), rate in -2.0..2.0f64,
-    ) {
-        let x = operation.within_domain(x);
-        let [first, second] = derivatives(operation, x, y, rate);
-        let wide = Interval::point;
-        let dual = operation.of(&Dual::variable(wide(x)), &Dual { value: wide(y), slope: wide(rate) });
-        prop_assert!(is_enclosed(&dual.slope, &first), "{operation:?}: {:?} {:e}", dual.slope, first.to_f64());
+    fn slopes_enclose_the_derivative(place in place()) {
+        let (operation, x, y, rate) = place;
+        let [first, _] = derivatives(operation, x, y, rate);
+        let dual = enclosed(place);
+        prop_assert!(is_enclosed(&dual.slope, &first), "{:?} {:e}", dual.slope, first.to_f64());
         // the largest term of a derivative of these operations is below 2e6 where |x|, |y| ≥ 0.1
         prop_assert!(dual.slope.width() <= 64.0 * f64::EPSILON * (first.to_f64().abs() + 300.0));
-        let value = operation.of(&wide(x), &wide(y));
-        prop_assert!(dual.value.lower() == value.lower() && dual.value.upper() == value.upper());
+    }
 
+    /// The value of a dual number is the value without a slope, to the last bit.
+    #[test]
+    fn values_do_not_depend_on_slopes(place in place()) {
+        let (operation, x, y, _) = place;
+        let value = operation.of(&Interval::point(x), &Interval::point(y));
+        let dual = enclosed(place).value;
+        prop_assert!(dual.lower() == value.lower() && dual.upper() == value.upper());
+    }
+
+    /// Slopes in doubles lie beside the enclosed ones, at most their width away.
+    #[test]
+    fn slopes_in_doubles_lie_at_the_enclosure(place in place()) {
+        let (operation, x, y, rate) = place;
         let fast = operation.of(&Dual::variable(x), &Dual { value: y, slope: rate });
-        let room = dual.slope.width();
-        prop_assert!(
-            (*dual.slope.lower() - room..=*dual.slope.upper() + room).contains(&fast.slope),
-            "{operation:?}: {:e} beside {:?}", fast.slope, dual.slope
-        );
+        let slope = enclosed(place).slope;
+        let (lower, upper) = (slope.lower() - slope.width(), slope.upper() + slope.width());
+        prop_assert!((lower..=upper).contains(&fast.slope), "{:e} beside {slope:?}", fast.slope);
+    }
 
-        let nested_x = Dual::variable(Dual::variable(wide(x)));
-        let fixed = Dual::constant_like(&wide(rate));
-        let nested_y = Dual { value: Dual { value: wide(y), slope: wide(rate) }, slope: fixed };
-        let nested = operation.of(&nested_x, &nested_y);
-        prop_assert!(is_enclosed(&nested.value.slope, &first) && is_enclosed(&nested.slope.value, &first));
-        prop_assert!(is_enclosed(&nested.slope.slope, &second), "{operation:?}: {:?} {:e}", nested.slope.slope, second.to_f64());
-        prop_assert!(nested.slope.slope.width() <= 64.0 * f64::EPSILON * (second.to_f64().abs() + 30000.0));
+    /// Dual numbers of dual numbers: `f′` twice and `f″`, enclosed as narrowly.
+    #[test]
+    fn slopes_of_slopes_enclose_the_second_derivative((operation, x, y, rate) in place()) {
+        let [first, second] = derivatives(operation, x, y, rate);
+        let [x, y, rate] = [x, y, rate].map(Interval::point);
+        let fixed = Dual::constant_like(&rate);
+        let moving = Dual { value: Dual { value: y, slope: rate }, slope: fixed };
+        let nested = operation.of(&Dual::variable(Dual::variable(x)), &moving);
+        for slope in [&nested.value.slope, &nested.slope.value] {
+            prop_assert!(is_enclosed(slope, &first), "{slope:?} {:e}", first.to_f64());
+        }
+        let slope = &nested.slope.slope;
+        prop_assert!(is_enclosed(slope, &second), "{slope:?} {:e}", second.to_f64());
+        prop_assert!(slope.width() <= 64.0 * f64::EPSILON * (second.to_f64().abs() + 30000.0));
     }
 
     /// Over a box, the slope contains the derivative at every point of it.
     #[test]
     fn slopes_on_a_box_contain_all_derivatives(
-        operation in prop::sample::select(OPERATIONS.to_vec()), x in number(), y in number(),
+        operation in prop::sample::select(operations()), x in number(), y in number(),
         rate in -2.0..2.0f64, width in prop_oneof![1e-9..1e-3f64, 0.0..1.0f64], share in 0.0..1.0f64,
     ) {
         let x = operation.within_domain(x);

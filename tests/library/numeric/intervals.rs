@@ -103,7 +103,7 @@ proptest! {
     fn doubles_lie_beside_their_enclosure(operation in operation(), x in draw(), y in draw()) {
         let [x, y] = [x, y].map(|draw| operation.within_domain(draw).number(&operation.within_domain(draw).interval(&0.0)));
         let [wide_x, wide_y] = [x, y].map(Interval::point);
-        let value = operation.double(x, y);
+        let value = operation.of(&x, &y);
         let enclosure = operation.enclosure(&wide_x, &wide_y);
         let units = match operation {
             Operation::Power(exponent) => f64::from(exponent),

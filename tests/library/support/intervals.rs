@@ -265,16 +265,9 @@ impl Operation {
         self.over(x, y, Interval::power)
     }
 
-    /// The plain double.
-    pub fn double(self, x: f64, y: f64) -> f64 {
-        self.over(&x, &y, raised)
-    }
-
-    pub fn is_binary(self) -> bool {
-        matches!(
-            self,
-            Self::Add | Self::Subtract | Self::Multiply | Self::Divide | Self::Atan2
-        )
+    /// The operation over any scalar, powers by multiplication.
+    pub fn of<S: Scalar>(self, x: &S, y: &S) -> S {
+        self.over(x, y, raised)
     }
 
     /// The base moved to where the operation is defined.
@@ -309,7 +302,7 @@ impl Operation {
             Self::DivergenceKernel => *x >= minus_one,
             _ => true,
         };
-        is_defined.then(|| self.over(x, y, raised))
+        is_defined.then(|| self.of(x, y))
     }
 
     /// Where else than at the ends an operation on one number may be largest or smallest.
