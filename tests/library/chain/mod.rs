@@ -1,4 +1,5 @@
 //! Chains of visibility and of light.
 
 mod brightness;
-mod refusals;
+mod refinement;
+mod reversible;

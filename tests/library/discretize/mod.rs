@@ -10,5 +10,4 @@ mod polygon_cuts;
 mod polygon_splits;
 mod profile_cuts;
 mod rectangle_splits;
-mod soundness;
 mod straight_cuts;

@@ -2,12 +2,14 @@
 
 mod additivity;
 mod agreement;
+mod enclosures;
 mod error_bounds;
+mod extreme_polygons;
 mod far_rectangles;
 mod independent_roads;
-mod outlines;
 mod polygon_invariance;
 mod reciprocity;
 mod rectangle_invariance;
 mod reference_values;
+mod refusals;
 mod sampling;

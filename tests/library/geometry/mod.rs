@@ -1,3 +1,5 @@
 //! Planes and outlines.
 
+mod outlines;
+mod rectangles;
 mod sides;

@@ -217,3 +217,18 @@ fn what_is_not_known_is_undecided() {
     let found = certified_roots(&Nothing, (0.0, 1.0), BITS);
     assert!(found.roots.is_empty() && !found.undecided.is_empty());
 }
+
+/// `y + atan2(y, −1)/100` jumps across 0 and has no root, though its slope is near 1 on either side.
+#[test]
+fn a_jump_of_the_angle_is_no_root() {
+    struct Jump;
+    impl Function for Jump {
+        fn value<S: Scalar>(&self, y: &S) -> Option<S> {
+            let angle = y.atan2(&y.constant(-1.0));
+            Some(angle * &y.constant(0.01) + y)
+        }
+    }
+    let found = certified_roots(&Jump, (-0.25, 0.25), 128);
+    assert!(found.roots.is_empty(), "{found:?}");
+    assert!(!found.undecided.is_empty());
+}

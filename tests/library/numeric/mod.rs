@@ -3,6 +3,7 @@
 mod certified_maxima;
 mod certified_points;
 mod certified_roots;
+mod digamma;
 mod dilogarithms;
 mod dual_numbers;
 mod elementary;

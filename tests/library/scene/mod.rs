@@ -5,4 +5,5 @@ mod cornell_box;
 mod files;
 mod overlap;
 mod parts;
+mod refusals;
 mod shafts;

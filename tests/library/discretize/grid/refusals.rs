@@ -1,6 +1,8 @@
 //! Boxes and lines that are refused, and extreme ones that are not.
 
-use infoscene::discretize::{BestGrid, BoxGrid, LARGEST_ASPECT, MOST_CELLS, UNIT_CUBE};
+use infoscene::discretize::{
+    BestGrid, BoxGrid, CertifiedGrid, LARGEST_ASPECT, MOST_CELLS, UNIT_CUBE,
+};
 
 #[test]
 fn edges_are_checked() {
@@ -72,4 +74,11 @@ fn extreme_grids_keep_their_digits() {
             );
         }
     }
+}
+
+/// No grid has zero cells.
+#[test]
+fn a_grid_without_cells_is_refused() {
+    assert!(CertifiedGrid::regular(UNIT_CUBE, 0, 128).is_err());
+    assert!(CertifiedGrid::best(UNIT_CUBE, 0, 128).is_err());
 }

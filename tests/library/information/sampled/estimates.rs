@@ -3,7 +3,6 @@
 use approx::assert_relative_eq;
 use infoscene::chain::ReversibleChain;
 use infoscene::information::{PairCounts, mutual_information};
-use infoscene::numeric::digamma;
 use nalgebra::DMatrix;
 use std::f64::consts::LN_2;
 
@@ -122,20 +121,4 @@ fn corrected_estimate_is_the_formula_as_printed() {
         // the printed difference loses the digits of q^(N−1) ≥ 1e-3 or so
         assert_relative_eq!(found.corrected(), expected, epsilon = 1e-11);
     }
-}
-
-/// `ψ(n) = −γ + Σ_{k<n} 1/k`, with γ to 16 digits (OEIS A001620), and `ψ(½) = −γ − 2 ln 2`.
-#[test]
-fn digamma_agrees_with_harmonic_numbers() {
-    let gamma: f64 = 0.577_215_664_901_532_9;
-    let mut harmonic: f64 = 0.0;
-    for n in 1..2000 {
-        let x = f64::from(n);
-        let expected = harmonic - gamma;
-        let allowed = 16.0 * f64::EPSILON * (1.0 + expected.abs());
-        assert!((digamma(x) - expected).abs() <= allowed, "{n}");
-        harmonic += 1.0 / x;
-    }
-    let expected = -gamma - 2.0 * LN_2;
-    assert_relative_eq!(digamma(0.5), expected, epsilon = ROUNDING);
 }
