@@ -12,6 +12,26 @@ fn at(x: f64, y: f64, z: f64) -> DVec3 {
     DVec3::new(x, y, z)
 }
 
+/// The rectangle of depth `1 − from` and width 1 in the plane z = 0.
+fn floor(from: f64) -> [DVec3; 4] {
+    [
+        at(from, 0.0, 0.0),
+        at(1.0, 0.0, 0.0),
+        at(1.0, 1.0, 0.0),
+        at(from, 1.0, 0.0),
+    ]
+}
+
+/// The rectangle in the plane x = `x` that faces the floor, of this width, from one height to another.
+fn wall(x: f64, width: f64, [low, high]: [f64; 2]) -> [DVec3; 4] {
+    [
+        at(x, 0.0, low),
+        at(x, width, low),
+        at(x, width, high),
+        at(x, 0.0, high),
+    ]
+}
+
 fn scene(outlines: &[&[DVec3]]) -> Scene {
     let patches = outlines
         .iter()
@@ -136,18 +156,7 @@ fn best_cuts_of_triangles_beat_a_scan() {
 
 /// A floor of depth `behind + 1` under a unit wall; `behind` of it lies behind the wall's plane.
 fn floor_behind(behind: f64, place: fn(&DVec3) -> DVec3) -> Scene {
-    let floor = [
-        at(-behind, 0.0, 0.0),
-        at(1.0, 0.0, 0.0),
-        at(1.0, 1.0, 0.0),
-        at(-behind, 1.0, 0.0),
-    ];
-    let wall = [
-        at(0.0, 0.0, 0.0),
-        at(0.0, 1.0, 0.0),
-        at(0.0, 1.0, 1.0),
-        at(0.0, 0.0, 1.0),
-    ];
+    let (floor, wall) = (floor(-behind), wall(0.0, 1.0, [0.0, 1.0]));
     scene(&[&floor.each_ref().map(place), &wall.each_ref().map(place)])
 }
 
@@ -199,18 +208,7 @@ fn dark_parts_are_cut_off_at_the_plane() {
 /// A wall that hovers over the middle of the floor: no jump at its plane, and the best cut lies beyond it.
 #[test]
 fn cuts_pass_the_plane_of_a_hovering_wall() {
-    let floor = [
-        at(0.0, 0.0, 0.0),
-        at(1.0, 0.0, 0.0),
-        at(1.0, 1.0, 0.0),
-        at(0.0, 1.0, 0.0),
-    ];
-    let wall = [
-        at(0.2, 0.0, 0.5),
-        at(0.2, 1.0, 0.5),
-        at(0.2, 1.0, 1.5),
-        at(0.2, 0.0, 1.5),
-    ];
+    let (floor, wall) = (floor(0.0), wall(0.2, 1.0, [0.5, 1.5]));
     let mut positions = Vec::new();
     for place in [(|p| *p) as fn(&DVec3) -> DVec3, turned] {
         let scene = scene(&[&floor.each_ref().map(place), &wall.each_ref().map(place)]);
@@ -247,12 +245,7 @@ fn an_l_is_cut_along_its_inner_edge() {
         at(1.0, 2.0, 0.0),
         at(0.0, 2.0, 0.0),
     ];
-    let wall = [
-        at(0.0, 0.0, 0.0),
-        at(0.0, 2.0, 0.0),
-        at(0.0, 2.0, 1.0),
-        at(0.0, 0.0, 1.0),
-    ];
+    let wall = wall(0.0, 2.0, [0.0, 1.0]);
     let scene = scene(&[&l, &wall]);
     let split = PatchSplit::try_new(&scene, 0, &[1], SplitAxis::U).unwrap();
     let near = [l[0], at(1.0, 0.0, 0.0), l[4], l[5]];

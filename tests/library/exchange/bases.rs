@@ -1,6 +1,7 @@
 //! Exchange areas of bases without what lies in them.
 
 use super::rows::held;
+use crate::support::rooms::mapped;
 use glam::{DQuat, DVec3};
 use infoscene::form_factor::Route;
 use infoscene::geometry::Patch;
@@ -27,12 +28,7 @@ fn with_walls(floor: Vec<NamedPatch>) -> Scene {
 
 fn turned(scene: &Scene) -> Scene {
     let turn = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 0.7);
-    let turned = scene.patches().iter().map(|patch| {
-        let corners = patch.shape().corners().iter().map(|corner| turn * *corner);
-        let shape = Patch::try_new(corners.collect()).unwrap();
-        NamedPatch::new(patch.name().to_owned(), shape)
-    });
-    Scene::try_new(turned.collect()).unwrap()
+    mapped(scene, |corner| turn * corner)
 }
 
 /// Rows of both scenes by number: what each exchanges is the same within both bounds, and the bounds are small.

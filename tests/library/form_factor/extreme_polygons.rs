@@ -1,13 +1,10 @@
 //! Polygons that are hard to clip, or of sizes far apart.
 
+use crate::support::rooms::patch;
 use glam::DVec3;
 use infoscene::form_factor::{Polygon, Route};
-use infoscene::geometry::{GeometryError, Patch};
+use infoscene::geometry::Patch;
 use infoscene::study::Truth;
-
-fn patch(corners: &[[f64; 3]]) -> Result<Patch, GeometryError> {
-    Patch::try_new(corners.iter().map(|c| DVec3::from_array(*c)).collect())
-}
 
 /// A patch lost beside a huge one is no panic: an error, or an answer in range.
 #[test]
@@ -47,7 +44,7 @@ fn a_clip_that_rounding_hides_is_in_the_bound() {
         [5.6358986198918615, 5.105310499669486, -3.6023506522161597],
         [3.76454523205922, 3.4891261458410554, -3.0368151068670386],
     ];
-    let pair = [patch(&first).unwrap(), patch(&second).unwrap()];
+    let pair = [patch(&first), patch(&second)];
     let exact = Truth::of(&pair).unwrap().value();
     let [first, second] = pair.each_ref().map(Polygon::new);
     for tolerance in [1e-3, 1e-6, 1e-12] {

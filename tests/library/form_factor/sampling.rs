@@ -5,7 +5,7 @@
 //! ```
 
 use crate::support::references::rows;
-use glam::DVec3;
+use crate::support::rooms::patch;
 use infoscene::form_factor::sampling::{global_lines, local_lines, quasi_random_lines};
 use infoscene::form_factor::{DEFAULT_TOLERANCE, Polygon};
 use infoscene::geometry::Patch;
@@ -40,10 +40,6 @@ fn honest(exact: f64, estimates: &[(f64, f64)]) -> Result<(), String> {
     }
 }
 
-fn polygon(corners: &[[f64; 3]]) -> Patch {
-    Patch::try_new(corners.iter().copied().map(DVec3::from_array).collect()).unwrap()
-}
-
 /// Pairs of 30-digit values both ways, a polygon in the notch of another, two partly behind each other's plane.
 fn pairs() -> Vec<(String, [Patch; 2], f64)> {
     let mut pairs = Vec::new();
@@ -62,7 +58,7 @@ fn pairs() -> Vec<(String, [Patch; 2], f64)> {
             pairs.push((format!("{}, back", row.id), [q, p], back));
         }
     }
-    let notched = polygon(&[
+    let notched = patch(&[
         [0.0, 0.0, 1.0],
         [0.0, 1.0, 1.0],
         [0.25, 1.0, 1.0],
@@ -72,9 +68,9 @@ fn pairs() -> Vec<(String, [Patch; 2], f64)> {
         [1.0, 1.0, 1.0],
         [1.0, 0.0, 1.0],
     ]);
-    let below = polygon(&[[0.4, 0.4, 0.75], [0.6, 0.4, 0.75], [0.5, 0.9, 0.75]]);
-    let square = polygon(&[[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]);
-    let crossing = polygon(&[[0.4, -0.5, -0.5], [0.4, 0.8, -0.2], [0.6, 0.3, 0.9]]);
+    let below = patch(&[[0.4, 0.4, 0.75], [0.6, 0.4, 0.75], [0.5, 0.9, 0.75]]);
+    let square = patch(&[[0.0; 3], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]);
+    let crossing = patch(&[[0.4, -0.5, -0.5], [0.4, 0.8, -0.2], [0.6, 0.3, 0.9]]);
     for (name, first, second) in [("notch", below, notched), ("horizon", square, crossing)] {
         let answer = Polygon::new(&first).exchange_area(&Polygon::new(&second), DEFAULT_TOLERANCE);
         let exchange = answer.unwrap().exchange.value;
@@ -205,8 +201,8 @@ fn estimates_depend_on_the_seed_alone_and_not_on_the_unit() {
 /// Without lines there is no estimate; with lines but no hit there is one, and its error is not 0.
 #[test]
 fn no_hit_is_not_certainty() {
-    let low = polygon(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
-    let far = polygon(&[[0.0, 0.0, 1e6], [0.0, 1.0, 1e6], [1.0, 0.0, 1e6]]);
+    let low = patch(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+    let far = patch(&[[0.0, 0.0, 1e6], [0.0, 1.0, 1e6], [1.0, 0.0, 1e6]]);
     assert_eq!(local_lines(&low, &far, 0, 1), None);
     assert_eq!(quasi_random_lines(&low, &far, 0, 1), None);
     assert_eq!(global_lines(&low, &far, 0, 1).form_factor(), None);

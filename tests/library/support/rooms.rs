@@ -5,10 +5,15 @@ use infoscene::geometry::Patch;
 use infoscene::scene::{Blocker, Blockers, NamedPatch, Obstacle, Scene};
 use proptest::prelude::*;
 
+/// A polygon by its corners.
+pub fn patch(corners: &[[f64; 3]]) -> Patch {
+    let corners = corners.iter().map(|corner| DVec3::from_array(*corner));
+    Patch::try_new(corners.collect()).unwrap()
+}
+
 /// A polygon under a name.
 pub fn polygon(name: &str, corners: &[[f64; 3]]) -> NamedPatch {
-    let corners = corners.iter().map(|c| DVec3::from_array(*c)).collect();
-    NamedPatch::new(name.to_owned(), Patch::try_new(corners).unwrap())
+    NamedPatch::new(name.to_owned(), patch(corners))
 }
 
 /// The rectangle `x × y` at height z, facing up or down.

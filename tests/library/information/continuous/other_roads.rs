@@ -1,7 +1,7 @@
 //! Other roads: quadrature of the definition, sums over parts, random chords, a sphere.
 
 use super::{SOLIDS, information};
-use crate::support::rooms::{L, polygon, prism};
+use crate::support::rooms::{L, patch, polygon, prism};
 use glam::DVec3;
 use infoscene::form_factor::{Logarithms, point_kernel};
 use infoscene::geometry::{Patch, quartered};
@@ -9,10 +9,6 @@ use infoscene::information::chord_information;
 use infoscene::numeric::GaussLegendre;
 use infoscene::scene::{NamedPatch, Scene, SceneError};
 use std::f64::consts::PI;
-
-fn patch(corners: &[[f64; 3]]) -> Patch {
-    Patch::try_new(corners.iter().map(|c| DVec3::from_array(*c)).collect()).unwrap()
-}
 
 /// Points and weights of a product rule over a triangle, or over a quadrilateral as two.
 fn points(patch: &Patch) -> Vec<(DVec3, f64)> {
