@@ -33,7 +33,8 @@ fn sources(folder: &str) -> Vec<PathBuf> {
     found
 }
 
-/// What a module names: every path that begins with `crate`, `super` or `self`, and all that it imports.
+/// What a module names: every path that begins with `crate`, `super` or `self`, and all that it
+/// imports.
 struct Module {
     paths: Vec<String>,
     imports: Vec<String>,
@@ -186,7 +187,8 @@ fn definition(modules: &Modules, from: &str, path: &str, steps: usize) -> String
     at
 }
 
-/// For each module the modules of its room that it uses. A folder's `mod.rs` may name what is in it.
+/// For each module the modules of its room that it uses. A folder's `mod.rs` may name what is in
+/// it.
 fn uses(modules: &Modules) -> BTreeMap<&str, BTreeSet<String>> {
     let used = modules.iter().map(|(name, module)| {
         let found = module.paths.iter();

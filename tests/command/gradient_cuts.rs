@@ -14,7 +14,8 @@ fn pairs(answer: &Value) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// N and M in every combination, `n` for the radiosity's own exponent; each record is the one of a single cut.
+/// N and M in every combination, `n` for the radiosity's own exponent; each record is the one of a
+/// single cut.
 #[test]
 fn lists_of_exponents_make_lists_of_cuts() {
     let lists = [
@@ -115,7 +116,8 @@ fn lists_are_enclosed_on_request() {
     }
 }
 
-/// The figure is written beside the answer, names its axes, and each line has a dash pattern and a marker in the legend.
+/// The figure is written beside the answer, names its axes, and each line has a dash pattern and a
+/// marker in the legend.
 #[test]
 fn a_figure_of_cuts_names_axes_and_lines() {
     let folder = tempfile::tempdir().unwrap();
@@ -253,7 +255,8 @@ fn limits_are_those_of_the_reference_and_are_missed_by_a_multiple_of_one_over_n(
     assert!(table.contains("| ∞ | 1.593624260040040 | 1.366487910631116 | 1.256431208626169 |"));
 }
 
-/// Constant irradiance has no best cut by mutual information; every other profile has one inside, by either measure.
+/// Constant irradiance has no best cut by mutual information; every other profile has one inside,
+/// by either measure.
 #[test]
 fn every_profile_has_its_cuts_but_the_constant_one() {
     let answer = json(&["study", "profiles"]);
@@ -277,7 +280,8 @@ fn every_profile_has_its_cuts_but_the_constant_one() {
     assert!(stdout(&["study", "profiles"]).contains("e^(4l)"));
 }
 
-/// Across the gradient the gain is that of `cut`, along it nothing is left, and in between it falls.
+/// Across the gradient the gain is that of `cut`, along it nothing is left, and in between it
+/// falls.
 #[test]
 fn gains_fall_with_the_angle_to_nothing() {
     let answer = json(&["study", "directions"]);

@@ -24,8 +24,8 @@ fn written(text: &str) -> (TempDir, String) {
 /// Floor and ceiling of the cube: Howell, C-11.
 const OPPOSITE: f64 = 0.199_824_895_698_387_5;
 
-/// The form factor from a row to another, where it is known: half of the floor faces the ceiling as the other half
-/// does, and all of it as the cube's.
+/// The form factor from a row to another, where it is known: half of the floor faces the ceiling as
+/// the other half does, and all of it as the cube's.
 fn known(from: usize, to: usize) -> Option<f64> {
     match (from, to) {
         (0 | 3, 2) => Some(OPPOSITE),

@@ -1,4 +1,5 @@
-//! `cargo test` is the reproducibility check: verdicts, controls, enclosures, and the committed tables.
+//! `cargo test` is the reproducibility check: verdicts, controls, enclosures, and the committed
+//! tables.
 
 mod coverage;
 mod enclosures;

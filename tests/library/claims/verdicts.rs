@@ -42,8 +42,8 @@ fn every_verdict_turns_under_its_control() {
     }
 }
 
-/// A printed number two units of its last decimal off is refuted, or undecided where the paper leaves its
-/// configuration open.
+/// A printed number two units of its last decimal off is refuted, or undecided where the paper
+/// leaves its configuration open.
 #[test]
 fn every_printed_number_is_compared() {
     let mut compared = 0;
@@ -135,7 +135,8 @@ fn every_computation_uses_its_input() {
     assert!(tried > 10, "{tried} functions take numbers");
 }
 
-/// The first computed claim, with or without a printed number, of a complete or an open configuration.
+/// The first computed claim, with or without a printed number, of a complete or an open
+/// configuration.
 fn example(printed: Option<&str>, complete: bool) -> Claim {
     let mut claim = computed().remove(0);
     claim.printed = printed.map(|text| Printed::parse(text).unwrap());
@@ -146,7 +147,8 @@ fn example(printed: Option<&str>, complete: bool) -> Claim {
 const COMPLETE: bool = true;
 const OPEN: bool = false;
 
-/// A number beside the printed 0.40, which stands for [0.395, 0.405]: value, error, evidence, verdict.
+/// A number beside the printed 0.40, which stands for [0.395, 0.405]: value, error, evidence,
+/// verdict.
 const NUMBERS: [(bool, f64, f64, Evidence, Verdict); 8] = [
     (
         COMPLETE,

@@ -9,7 +9,8 @@ use infoscene::geometry::{Patch, Rectangle, SplitAxis};
 use infoscene::numeric::{Certificate, Interval, Scalar, tolerance};
 use infoscene::scene::{NamedPatch, Scene};
 
-/// `fast` against an enclosure: absolute error up to `allowed` beyond its width, which is below 1e-30.
+/// `fast` against an enclosure: absolute error up to `allowed` beyond its width, which is below
+/// 1e-30.
 fn assert_near(fast: f64, enclosure: &Interval, allowed: f64, what: &str) {
     let (_, off) = (enclosure.constant(fast) - enclosure).abs().to_doubles();
     let width = enclosure.width();
@@ -64,8 +65,8 @@ fn examples() -> Vec<Example> {
     examples
 }
 
-/// What the error bounds of the parts' exchange areas come to in the gain: its derivative by the exchange `G_k` of a
-/// part is `(2/A_T) log2( (G_k/G) / (W_k/W) )`.
+/// What the error bounds of the parts' exchange areas come to in the gain: its derivative by the
+/// exchange `G_k` of a part is `(2/A_T) log2( (G_k/G) / (W_k/W) )`.
 fn propagated(scene: &Scene, against: &[usize], axis: SplitAxis, cuts: &[f64]) -> f64 {
     let first = scene.rectangle(0).unwrap();
     let mut ends = vec![0.0];
@@ -85,8 +86,8 @@ fn propagated(scene: &Scene, against: &[usize], axis: SplitAxis, cuts: &[f64]) -
     2.0 * sum / scene.total_area()
 }
 
-/// Gains within `tolerance::GAIN` of themselves beyond what the error bounds of the form factors come to, and their
-/// derivatives within as much of a bit.
+/// Gains within `tolerance::GAIN` of themselves beyond what the error bounds of the form factors
+/// come to, and their derivatives within as much of a bit.
 #[test]
 fn gains_agree_with_their_enclosures() {
     let like = Interval::precise(1.0, 256);
@@ -117,12 +118,12 @@ fn gains_agree_with_their_enclosures() {
     }
 }
 
-/// Position of the best cut where its gain is hardly curved: (b) the floor a hundredth as deep as wide, whose gain is
-/// 6e-7 bits, is off by 1.02e-14, a box by 1.3e-14.
+/// Position of the best cut where its gain is hardly curved: (b) the floor a hundredth as deep as
+/// wide, whose gain is 6e-7 bits, is off by 1.02e-14, a box by 1.3e-14.
 const FLAT_POSITION: f64 = 4.0 * tolerance::POSITION;
 
-/// Best cuts within `tolerance::POSITION` of the certified ones, their gains within `tolerance::GAIN`; and all these
-/// are certified.
+/// Best cuts within `tolerance::POSITION` of the certified ones, their gains within
+/// `tolerance::GAIN`; and all these are certified.
 #[test]
 fn best_cuts_agree_with_certified_ones() {
     for example in examples() {
@@ -268,8 +269,9 @@ fn crossing(share: f64) -> PatchSplit {
     PatchSplit::try_new(&scene.unwrap(), 0, &[1], SplitAxis::U).unwrap()
 }
 
-/// Where a box of cuts lies on either side of the other patch's plane nothing is said about it: the floor gains the most
-/// at the plane, where its gain has a corner, and no stationary point elsewhere is certified.
+/// Where a box of cuts lies on either side of the other patch's plane nothing is said about it: the
+/// floor gains the most at the plane, where its gain has a corner, and no stationary point
+/// elsewhere is certified.
 #[test]
 fn cuts_across_a_plane_are_never_certified_wrongly() {
     for share in [0.13, 0.3, 0.51, 0.9] {

@@ -1,4 +1,5 @@
-//! Cuts of polygons: strips against areas, best cuts against scans, and where the search meets kinks.
+//! Cuts of polygons: strips against areas, best cuts against scans, and where the search meets
+//! kinks.
 
 use glam::DVec3;
 use infoscene::discretize::{PatchSplit, regular_positions};
@@ -22,7 +23,8 @@ fn floor(from: f64) -> [DVec3; 4] {
     ]
 }
 
-/// The rectangle in the plane x = `x` that faces the floor, of this width, from one height to another.
+/// The rectangle in the plane x = `x` that faces the floor, of this width, from one height to
+/// another.
 fn wall(x: f64, width: f64, [low, high]: [f64; 2]) -> [DVec3; 4] {
     [
         at(x, 0.0, low),
@@ -75,7 +77,8 @@ fn triangles() -> Vec<[[DVec3; 3]; 2]> {
     ]
 }
 
-/// The triangle cut by the line parallel to v0 → v2 at t, by hand: the quadrangle at v0 and the triangle at v1.
+/// The triangle cut by the line parallel to v0 → v2 at t, by hand: the quadrangle at v0 and the
+/// triangle at v1.
 fn by_hand([a, b, c]: [DVec3; 3], t: f64) -> [Vec<DVec3>; 2] {
     let (near, far) = (a + (b - a) * t, c + (b - c) * t);
     [vec![a, near, far, c], vec![near, b, far]]
@@ -120,7 +123,8 @@ fn strips_are_derivatives_of_exchange_areas() {
     assert!(checked >= 2, "{checked} pairs are smooth");
 }
 
-/// The best cut of a triangle is higher than all cuts by hand, and there the difference quotient vanishes.
+/// The best cut of a triangle is higher than all cuts by hand, and there the difference quotient
+/// vanishes.
 #[test]
 fn best_cuts_of_triangles_beat_a_scan() {
     for turn in [false, true] {
@@ -160,8 +164,9 @@ fn floor_behind(behind: f64, place: fn(&DVec3) -> DVec3) -> Scene {
     scene(&[&floor.each_ref().map(place), &wall.each_ref().map(place)])
 }
 
-/// The dark part is cut off exactly: J log2(whole/lit), and the next cut is that of two unit squares. With three quarters
-/// dark this is twice what equal parts can gain: eqs. (6), (7) bound regular divisions only.
+/// The dark part is cut off exactly: J log2(whole/lit), and the next cut is that of two unit
+/// squares. With three quarters dark this is twice what equal parts can gain: eqs. (6), (7) bound
+/// regular divisions only.
 #[test]
 fn dark_parts_are_cut_off_at_the_plane() {
     // data/reference: form factor of two squares, fig. 2's cut and gain
@@ -205,7 +210,8 @@ fn dark_parts_are_cut_off_at_the_plane() {
     }
 }
 
-/// A wall that hovers over the middle of the floor: no jump at its plane, and the best cut lies beyond it.
+/// A wall that hovers over the middle of the floor: no jump at its plane, and the best cut lies
+/// beyond it.
 #[test]
 fn cuts_pass_the_plane_of_a_hovering_wall() {
     let (floor, wall) = (floor(0.0), wall(0.2, 1.0, [0.5, 1.5]));

@@ -1,4 +1,5 @@
-//! Exchange areas in doubles agree with their enclosures, and enclosures of parts stay sound where branches meet.
+//! Exchange areas in doubles agree with their enclosures, and enclosures of parts stay sound where
+//! branches meet.
 
 use crate::support::strategies::rectangle_pair;
 use glam::DVec3;
@@ -42,7 +43,8 @@ fn computed(pair: &RectanglePair) -> Option<ExchangeArea> {
     }
 }
 
-/// `|fast − x| ≤ bound` for all x of the enclosure, which is narrower than 1e-30 of itself or of the bound.
+/// `|fast − x| ≤ bound` for all x of the enclosure, which is narrower than 1e-30 of itself or of
+/// the bound.
 fn agree(fast: &ExchangeArea, enclosure: &Interval) -> Result<(), TestCaseError> {
     let off = (enclosure.constant(fast.value) - enclosure).abs();
     let (_, off) = off.to_doubles();
@@ -62,7 +64,8 @@ fn agree(fast: &ExchangeArea, enclosure: &Interval) -> Result<(), TestCaseError>
 }
 
 proptest! {
-    /// `|A F − exact| ≤ error_bound` for pairs a few sizes apart, the exact value enclosed with 256 bits.
+    /// `|A F − exact| ≤ error_bound` for pairs a few sizes apart, the exact value enclosed with 256
+    /// bits.
     #[test]
     fn exchange_areas_agree_with_their_enclosures((first, second) in rectangle_pair()) {
         let Ok(pair) = RectanglePair::try_new(&first, &second) else { return Ok(()) };
@@ -79,8 +82,8 @@ proptest! {
     }
 }
 
-/// A floor half behind a wall's plane: a part that ends between the plane and a place before it exchanges from nothing up
-/// to what the longest does.
+/// A floor half behind a wall's plane: a part that ends between the plane and a place before it
+/// exchanges from nothing up to what the longest does.
 #[test]
 fn a_part_that_may_end_on_a_plane_is_not_dark() {
     let floor = Rectangle::try_new(DVec3::NEG_X, 2.0 * DVec3::X, DVec3::Y).unwrap();

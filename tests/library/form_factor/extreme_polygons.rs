@@ -26,8 +26,9 @@ fn sizes_far_apart_do_not_panic() {
     }
 }
 
-/// Planes 5e-7 apart in angle, and two corners 5e-15 behind one of them: rounding says that they lie in it, and the strip
-/// that a clip would take off is 1e-8 wide. The contour's bound knows, and the chooser goes on to more digits.
+/// Planes 5e-7 apart in angle, and two corners 5e-15 behind one of them: rounding says that they
+/// lie in it, and the strip that a clip would take off is 1e-8 wide. The contour's bound knows, and
+/// the chooser goes on to more digits.
 #[test]
 #[ignore = "seconds: cargo test --release --test library hides -- --ignored"]
 fn a_clip_that_rounding_hides_is_in_the_bound() {

@@ -95,7 +95,8 @@ fn a_thin_triangle_is_planar() {
     }
 }
 
-/// The arms of a U end on one line; rounding leaves the ends on either side of each other's line, in some positions.
+/// The arms of a U end on one line; rounding leaves the ends on either side of each other's line,
+/// in some positions.
 #[test]
 fn collinear_edges_apart_do_not_cross() {
     const U: [[f64; 2]; 8] = [

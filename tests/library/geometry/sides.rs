@@ -60,7 +60,8 @@ proptest! {
     }
 }
 
-/// Negative control: of points in one plane, or a step off it, the determinant in `f64` misjudges many.
+/// Negative control: of points in one plane, or a step off it, the determinant in `f64` misjudges
+/// many.
 #[test]
 fn the_determinant_in_doubles_is_not_enough() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();

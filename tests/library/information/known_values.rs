@@ -1,4 +1,5 @@
-//! Chains whose information and gains are known: at the ends of `f64`, of hundreds of parts, and exact ones.
+//! Chains whose information and gains are known: at the ends of `f64`, of hundreds of parts, and
+//! exact ones.
 
 use infoscene::chain::{Refinement, ReversibleChain};
 use infoscene::information::{
@@ -41,8 +42,8 @@ fn measures_of_lopsided_chains_are_not_negative() {
     assert!(positional_entropy(&one).is_sign_positive() && entropy_rate(&one).is_sign_positive());
 }
 
-/// The entropy of their weights, `w log2(1/w) + w/ln 2` to first order in w (a double near 1e-310 has steps of 5e-14 of
-/// itself).
+/// The entropy of their weights, `w log2(1/w) + w/ln 2` to first order in w (a double near 1e-310
+/// has steps of 5e-14 of itself).
 #[test]
 fn two_states_that_never_meet_tell_their_weights() {
     for (w, digits) in [(1e-200f64, 1e-13), (1e-310, 1e-12)] {
@@ -91,7 +92,8 @@ fn a_flux_between_the_smallest_parts_gains_what_2304_bits_say() {
     assert!(off <= tolerance::GAIN, "{found:e} {exact:e}");
 }
 
-/// Hundreds of parts: one state in 301 equal parts, entries 0.087 or 0.112 around a circle; sums must not drift.
+/// Hundreds of parts: one state in 301 equal parts, entries 0.087 or 0.112 around a circle; sums
+/// must not drift.
 #[test]
 fn gains_of_hundreds_of_parts_keep_their_digits() {
     let n = 301;
@@ -122,8 +124,8 @@ fn mutual_information_has_its_exact_ends() {
     );
 }
 
-/// A state divided as the theorem states it, and by hand: 1/4 and 3/4 in proportion gain nothing, the same
-/// in separate halves of a state that only sees itself gain one bit of it.
+/// A state divided as the theorem states it, and by hand: 1/4 and 3/4 in proportion gain nothing,
+/// the same in separate halves of a state that only sees itself gain one bit of it.
 #[test]
 fn divisions_of_one_state_have_their_exact_cases() {
     let chain = ReversibleChain::try_new(dmatrix![4.0, 8.0; 8.0, 2.0]).unwrap();

@@ -1,4 +1,5 @@
-//! Theorem 1 without one of its hypotheses: the conclusion fails on a concrete chain, by hand-checked values.
+//! Theorem 1 without one of its hypotheses: the conclusion fails on a concrete chain, by
+//! hand-checked values.
 
 use infoscene::chain::{ChainError, Refinement, ReversibleChain};
 use infoscene::information::mutual_information;
@@ -19,9 +20,9 @@ fn alternating() -> ReversibleChain {
     ReversibleChain::try_new(dmatrix![0.0, 1.0; 1.0, 0.0]).unwrap()
 }
 
-/// Drop (a), keep (b): state 1 is divided into halves, P_0,1k = 1/2 each (they cover), but what leaves the
-/// halves ignores where it came from: P_1k,j = w_j. State 0 still says ½·log2(½/¼)·2·½ = ½ bit, the halves say
-/// nothing: I′ = 1/2 < 1.
+/// Drop (a), keep (b): state 1 is divided into halves, P_0,1k = 1/2 each (they cover), but what
+/// leaves the halves ignores where it came from: P_1k,j = w_j. State 0 still says ½·log2(½/¼)·2·½ =
+/// ½ bit, the halves say nothing: I′ = 1/2 < 1.
 #[test]
 fn without_reciprocity_the_conclusion_fails() {
     let weights = [0.5, 0.25, 0.25];
@@ -38,8 +39,9 @@ fn without_reciprocity_the_conclusion_fails() {
     assert_eq!(refusal, numbers);
 }
 
-/// Drop (b), keep (a): the halves carry 1/2 each to state 0 but also 1/2 to each other, so they do not cover
-/// J_11 = 0. The joint matrix is that of a fair choice between the two others: I′ = log2 3 − 1 = 0.58 < 1.
+/// Drop (b), keep (a): the halves carry 1/2 each to state 0 but also 1/2 to each other, so they do
+/// not cover J_11 = 0. The joint matrix is that of a fair choice between the two others: I′ = log2
+/// 3 − 1 = 0.58 < 1.
 #[test]
 fn without_covering_the_conclusion_fails() {
     let chain = alternating();
@@ -66,7 +68,8 @@ fn without_covering_the_conclusion_fails() {
 }
 
 /// One negative part: fluxes 2 and −1 of weights 1 and −1/10 have positive ratios 2 and 10, and
-/// 2·log2 2 − log2 10 − (2−1)·log2(1/0.9) = 2 − 3.3219 − 0.1520 = −1.4739 < 0. Such entries are refused.
+/// 2·log2 2 − log2 10 − (2−1)·log2(1/0.9) = 2 − 3.3219 − 0.1520 = −1.4739 < 0. Such entries are
+/// refused.
 #[test]
 fn with_a_negative_entry_the_conclusion_fails() {
     let gain: f64 = 2.0 * 2f64.log2() - 10f64.log2() - (1.0 / 0.9f64).log2();

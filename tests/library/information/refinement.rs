@@ -84,8 +84,8 @@ proptest! {
         }
     }
 
-    /// Chain rule: the gains of a refinement and of a further one add up to the gain of both at once, and
-    /// it does not matter which state is divided first.
+    /// Chain rule: the gains of a refinement and of a further one add up to the gain of both at
+    /// once, and it does not matter which state is divided first.
     #[test]
     fn gains_of_repeated_refinement_add_up(refinement in refinement(8)) {
         let divided: Vec<usize> =
@@ -107,14 +107,16 @@ proptest! {
             let coarse = refinement.coarse().clone();
             let first = Refinement::try_new(coarse, second.coarse().clone(), middle_parents).unwrap();
             let sum = refinement_gain(&first) + refinement_gain(&second);
-            // the middle chain's entries are rounded: its gains carry ε of the information they change
+            // the middle chain's entries are rounded: its gains carry ε of the information they
+            // change
             prop_assert!((sum - whole).abs() <= tolerance::IDENTITY, "{sum:e} {whole:e}");
             let both = first.then(&second).unwrap();
             prop_assert_eq!(refinement_gain(&both), whole);
         }
     }
 
-    /// Relabelling the states changes the measures by rounding, scaling by a power of two not at all.
+    /// Relabelling the states changes the measures by rounding, scaling by a power of two not at
+    /// all.
     #[test]
     fn names_and_units_do_not_matter(refinement in refinement(10), turn in 1..20usize, power in -20..20i32) {
         let joint = refinement.refined().joint();
@@ -136,8 +138,8 @@ proptest! {
         }
     }
 
-    /// The gain against 256 bits: to 1e-13 of itself where the smallest entry is ≥ 1e-290 of the sum, to
-    /// 1e-280 bit below.
+    /// The gain against 256 bits: to 1e-13 of itself where the smallest entry is ≥ 1e-290 of the
+    /// sum, to 1e-280 bit below.
     #[test]
     fn gains_agree_with_256_bits(refinement in refinement(8)) {
         let enclosure = exact_gain(&refinement, 256);
@@ -148,8 +150,8 @@ proptest! {
         prop_assert!((gain - exact).abs() <= tolerance::GAIN * exact + slack, "{gain:e} {exact:e}");
     }
 
-    /// Equality case: a division in exact proportion gains exactly 0, and moving one entry by a unit in the last
-    /// place gains something.
+    /// Equality case: a division in exact proportion gains exactly 0, and moving one entry by a
+    /// unit in the last place gains something.
     #[test]
     fn proportional_division_gains_nothing_and_only_that(recipe in recipe(8)) {
         let recipe = infoscene::chain::recipe::Recipe { division: DivisionFamily::Proportional, ..recipe };
@@ -162,8 +164,8 @@ proptest! {
         let mut joint = refinement.refined().joint().clone();
         let (k, other) = (parts[0], refinement.parts()[1][0]);
         let moved = joint[(k, other)].next_up();
-        // the gain is the square of ε of the entry; and a part that shares flux with one state only cannot
-        // be out of proportion
+        // the gain is the square of ε of the entry; and a part that shares flux with one state only
+        // cannot be out of proportion
         let shared = (0..joint.ncols()).filter(|l| joint[(k, *l)] > 0.0 && !parts.contains(l)).count();
         if joint[(k, other)] / refinement.refined().total() < 1e-250 || shared < 2 {
             return Ok(());
@@ -175,7 +177,8 @@ proptest! {
         prop_assert!(refinement_gain(&moved) > 0.0, "{:?}", moved);
     }
 
-    /// The log-sum inequality (12): `Σ a log(a/b) ≥ (Σa) log(Σa/Σb)`, an equality for proportional numbers.
+    /// The log-sum inequality (12): `Σ a log(a/b) ≥ (Σa) log(Σa/Σb)`, an equality for proportional
+    /// numbers.
     #[test]
     fn the_log_sum_inequality_holds(
         a in crate::support::strategies::shares(2..8),
@@ -192,8 +195,9 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases.div_ceil(6)))]
 
-    /// The promise without slack, down to the smallest gains: 2304 bits resolve 1e-690. Where all entries are
-    /// ≥ 1e-290 of the sum the gain is right to 1e-13 of itself or a few of the smallest doubles.
+    /// The promise without slack, down to the smallest gains: 2304 bits resolve 1e-690. Where all
+    /// entries are ≥ 1e-290 of the sum the gain is right to 1e-13 of itself or a few of the
+    /// smallest doubles.
     #[test]
     fn the_smallest_gains_keep_their_digits(recipe in recipe(2)) {
         // weights down to 1e-300 make gains as small

@@ -55,8 +55,9 @@ fn fractions() -> impl Strategy<Value = Vec<Fraction>> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases.div_ceil(8)))]
 
-    /// Every root of a polynomial is found, none is invented, each lies in an enclosure of its own, and the sign
-    /// of the slope alternates; on an interval whose halves and quarters are roots themselves.
+    /// Every root of a polynomial is found, none is invented, each lies in an enclosure of its own,
+    /// and the sign of the slope alternates; on an interval whose halves and quarters are roots
+    /// themselves.
     #[test]
     fn all_roots_of_a_polynomial_are_found(roots in fractions()) {
         let found = certified_roots(&Polynomial::simple(&roots), (-1.0, 1.0), BITS);
@@ -69,7 +70,8 @@ proptest! {
         }
     }
 
-    /// A multiple root is reported as undecided, never as absent nor as certain; simple ones beside it are found.
+    /// A multiple root is reported as undecided, never as absent nor as certain; simple ones beside
+    /// it are found.
     #[test]
     fn multiple_roots_are_undecided(roots in fractions(), which in 0..5usize, power in 2..4u32) {
         let which = which % roots.len();
@@ -89,7 +91,8 @@ proptest! {
     }
 }
 
-/// Roots a millionth from the ends are found; a root at an end itself is undecided or found, never absent.
+/// Roots a millionth from the ends are found; a root at an end itself is undecided or found, never
+/// absent.
 #[test]
 fn roots_next_to_the_ends_are_found() {
     struct NearEnds(f64);
@@ -144,7 +147,8 @@ fn near_misses_are_no_roots() {
     );
 }
 
-/// `eˣ = 2`, and the zeros of a wave: `T_n(x) = cos(n arccos x)` vanishes where `arccos x = (2k−1)π/(2n)`.
+/// `eˣ = 2`, and the zeros of a wave: `T_n(x) = cos(n arccos x)` vanishes where `arccos x =
+/// (2k−1)π/(2n)`.
 #[test]
 fn roots_of_exponentials_and_waves_are_found() {
     struct Exponential;
@@ -218,7 +222,8 @@ fn what_is_not_known_is_undecided() {
     assert!(found.roots.is_empty() && !found.undecided.is_empty());
 }
 
-/// `y + atan2(y, −1)/100` jumps across 0 and has no root, though its slope is near 1 on either side.
+/// `y + atan2(y, −1)/100` jumps across 0 and has no root, though its slope is near 1 on either
+/// side.
 #[test]
 fn a_jump_of_the_angle_is_no_root() {
     struct Jump;

@@ -1,4 +1,5 @@
-//! The slope of a dual number is the derivative, over doubles and enclosed over intervals, once and twice over.
+//! The slope of a dual number is the derivative, over doubles and enclosed over intervals, once and
+//! twice over.
 
 use crate::support::intervals::{self, Judge, OPERATIONS, misses, power_of_two};
 use infoscene::numeric::{Dual, Interval, Scalar};
@@ -42,7 +43,8 @@ impl Operation {
     }
 }
 
-/// Step of the differences: their error is its square, 2⁻²⁰⁰, times a derivative; rounding is 2⁻²⁴⁸.
+/// Step of the differences: their error is its square, 2⁻²⁰⁰, times a derivative; rounding is
+/// 2⁻²⁴⁸.
 const STEP: i32 = -100;
 
 /// The first and second derivative by central differences at 448 bits.
@@ -80,7 +82,8 @@ fn number() -> impl Strategy<Value = f64> {
     (size, any::<bool>()).prop_map(|(size, is_negative)| if is_negative { -size } else { size })
 }
 
-/// An operation, a place of its domain, and the rate at which y grows there while x grows at rate 1.
+/// An operation, a place of its domain, and the rate at which y grows there while x grows at rate
+/// 1.
 fn place() -> impl Strategy<Value = (Operation, f64, f64, f64)> {
     let operation = prop::sample::select(operations());
     (operation, number(), number(), -2.0..2.0f64)
@@ -100,8 +103,8 @@ fn enclosed((operation, x, y, rate): (Operation, f64, f64, f64)) -> Dual<Interva
 }
 
 proptest! {
-    /// `(f(x), f′(x) x′)` over intervals: the slope contains the derivative, and its width is some hundred ε of it and
-    /// of the terms that may cancel.
+    /// `(f(x), f′(x) x′)` over intervals: the slope contains the derivative, and its width is some
+    /// hundred ε of it and of the terms that may cancel.
     #[test]
     fn slopes_enclose_the_derivative(place in place()) {
         let (operation, x, y, rate) = place;

@@ -3,7 +3,8 @@
 use infoscene::numeric::{Interval, Scalar};
 use infoscene::study::polygon_pairs::Family;
 
-/// Every corner of the families is planar exactly: the sixfold volume of a corner and the first three is 0 in 512 bits.
+/// Every corner of the families is planar exactly: the sixfold volume of a corner and the first
+/// three is 0 in 512 bits.
 #[test]
 fn families_are_planar_exactly() {
     for family in Family::ALL {

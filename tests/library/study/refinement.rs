@@ -5,8 +5,9 @@ use infoscene::information::{Surroundings, continuous_information, scene_informa
 use infoscene::scene::{Congruence, ScenePairs};
 use infoscene::study::refinement::{patch_sizes_per_edge, refinements};
 
-/// From below, each above the one before, by gaps that tend to halve as patches do: `I^c − I = c h + o(h)`, so that
-/// `2 I(h/2) − I(h)` is nearer to the limit. Both hold from the second quartering on; the flat box needs patches as small as it is flat.
+/// From below, each above the one before, by gaps that tend to halve as patches do: `I^c − I = c h
+/// + o(h)`, so that `2 I(h/2) − I(h)` is nearer to the limit. Both hold from the second quartering
+/// on; the flat box needs patches as small as it is flat.
 #[test]
 fn refinements_rise_to_the_continuous_value() {
     let rows = refinements(true).unwrap();
@@ -22,8 +23,8 @@ fn refinements_rise_to_the_continuous_value() {
     assert!(pairs >= 12);
 }
 
-/// The κ of rooms of squares is that of the cube, for boxes twice and three times as long, too. `κ(h) = κ + (a + b ln h) h + …`, so that three
-/// sizes give κ but for h².
+/// The κ of rooms of squares is that of the cube, for boxes twice and three times as long, too.
+/// `κ(h) = κ + (a + b ln h) h + …`, so that three sizes give κ but for h².
 #[test]
 fn rate_depends_on_the_edges_alone() {
     let kappa = |size: [f64; 3]| {

@@ -1,5 +1,5 @@
-//! Intervals to draw, operations on them, and what they are judged by: the same operation on numbers of 448 bits, by
-//! the functions of `astro-float`, of which the intervals use none.
+//! Intervals to draw, operations on them, and what they are judged by: the same operation on
+//! numbers of 448 bits, by the functions of `astro-float`, of which the intervals use none.
 
 use super::high_precision::BigReal;
 use infoscene::numeric::interval::{Direction, Endpoint};
@@ -7,11 +7,12 @@ use infoscene::numeric::{Interval, Precise, Scalar};
 use proptest::prelude::*;
 use std::cmp::Ordering;
 
-/// Nearly 200 bits more than any end under test: the judge's own roundings are far below every slack.
+/// Nearly 200 bits more than any end under test: the judge's own roundings are far below every
+/// slack.
 pub type Judge = BigReal<448>;
 
-/// What the judge may be wrong by, relatively: its functions are off by a few units of 2^-448, sums of them
-/// where they cancel (φ near its series) by 2^-430.
+/// What the judge may be wrong by, relatively: its functions are off by a few units of 2^-448, sums
+/// of them where they cancel (φ near its series) by 2^-430.
 fn slack() -> Judge {
     Judge::new(2f64.powi(-420))
 }
@@ -142,7 +143,8 @@ impl Draw {
     }
 }
 
-/// Sizes of numbers, most of them at hard spots: table entries and where forms change, tiny, huge, near ±1.
+/// Sizes of numbers, most of them at hard spots: table entries and where forms change, tiny, huge,
+/// near ±1.
 fn base() -> impl Strategy<Value = f64> {
     let near = |center: f64| (3..60i32).prop_map(move |power| center + 2f64.powi(-power));
     let size = prop_oneof![
@@ -317,7 +319,8 @@ impl Operation {
         }
     }
 
-    /// The exact range over x × y, or none if it is not defined or not continuous everywhere, or has no bound.
+    /// The exact range over x × y, or none if it is not defined or not continuous everywhere, or
+    /// has no bound.
     pub fn range<E: Judged>(self, x: &Interval<E>, y: &Interval<E>) -> Option<[Judge; 2]> {
         if !(x.is_bounded() && y.is_bounded()) {
             return None;
@@ -391,8 +394,8 @@ pub fn overflows<E: Judged>(like: &E, [lower, upper]: &[Judge; 2]) -> bool {
     *upper > largest || *lower < -largest
 }
 
-/// How often a property is tried: as often as asked for, by default fewer times than usual, since the judge
-/// is slow without optimisation.
+/// How often a property is tried: as often as asked for, by default fewer times than usual, since
+/// the judge is slow without optimisation.
 pub fn cases(default: u32) -> ProptestConfig {
     let asked = std::env::var("PROPTEST_CASES").ok();
     ProptestConfig::with_cases(

@@ -72,7 +72,8 @@ pub fn tiled_box(size: [f64; 3], cells: f64) -> Scene {
     Scene::try_new(patches).unwrap()
 }
 
-/// The room over a polygon in the plane z = 0 that runs counter-clockwise: floor, ceiling at z = 1, and walls, fronts inward.
+/// The room over a polygon in the plane z = 0 that runs counter-clockwise: floor, ceiling at z = 1,
+/// and walls, fronts inward.
 pub fn prism(floor: &[[f64; 2]]) -> Scene {
     let at = |z: f64| floor.iter().map(move |[x, y]| [*x, *y, z]);
     let mut down: Vec<[f64; 3]> = at(1.0).collect();
