@@ -1,10 +1,11 @@
 //! The command as its users meet it: keys, exit status, refusals.
-#![allow(
+#![expect(
     clippy::unwrap_used,
     clippy::float_cmp,
     reason = "a test may panic, and compares what is exact"
 )]
 
+#[cfg(feature = "proptest")]
 mod fuzzing;
 mod gradient_cuts;
 mod grids;
@@ -15,6 +16,7 @@ mod sampling;
 mod scene_files;
 mod scenes;
 mod studies;
+mod summed_rows;
 
 use assert_cmd::Command;
 

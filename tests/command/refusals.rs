@@ -10,42 +10,85 @@ pub(crate) fn assert_refused(arguments: &[&str], message: &str) {
     assert!(error.contains(message), "{arguments:?} says: {error}");
 }
 
+/// Each line of arguments, separated by blanks, is refused with this message.
+fn assert_all_refused(cases: &[(&str, &str)]) {
+    for (line, message) in cases {
+        let arguments: Vec<&str> = line.split(' ').collect();
+        assert_refused(&arguments, message);
+    }
+}
+
 #[test]
-fn bad_arguments_are_refused() {
-    assert_refused(&["reproduce", "fig9"], "there is no claim \"fig9\"");
-    assert_refused(
-        &["reproduce", "fig2-paralel-cut"],
-        "the nearest is \"fig2-parallel-cut\"",
-    );
-    assert_refused(&["curve", "theorem-1"], "these have one: fig1-dark-part");
+fn unknown_commands_and_studies_are_refused() {
+    assert_all_refused(&[
+        ("frobnicate", "unrecognized subcommand"),
+        ("study astrology", "stability"),
+    ]);
+}
+
+#[test]
+fn unknown_claims_are_refused_with_the_nearest() {
+    assert_all_refused(&[
+        ("reproduce fig9", "there is no claim \"fig9\""),
+        (
+            "reproduce fig2-paralel-cut",
+            "the nearest is \"fig2-parallel-cut\"",
+        ),
+    ]);
+}
+
+#[test]
+fn claims_without_a_curve_or_a_number_are_refused() {
+    assert_all_refused(&[
+        ("curve theorem-1", "these have one: fig1-dark-part"),
+        ("reproduce theorem-1 --printed", "none of the claims named"),
+    ]);
+}
+
+#[test]
+fn exponents_that_are_not_positive_are_refused() {
     for exponent in ["0", "-1", "NaN", "inf"] {
         assert_refused(&["cut", "--exponent", exponent], "it must be > 0");
         let both = ["cut", "--exponent", "1", "--irradiance-exponent", exponent];
         assert_refused(&both, "it must be > 0");
     }
-    assert_refused(&["cut", "--exponent", "one"], "invalid value");
-    assert_refused(&["cut"], "--exponent");
-    let of_first = |scene, more: &[&str], says| {
-        assert_refused(&[&["split", scene, "--patch", "0"], more].concat(), says);
-    };
-    of_first("sphere", &[], "two-squares, three-squares, cube:N");
-    assert_refused(&["split", "cube:1", "--patch", "6"], "patches 0 to 5");
-    of_first("cube:1", &["--against", "0"], "against itself");
-    of_first("cube:2", &["--against", "1"], "exchanges nothing");
-    of_first("two-squares", &["--parts", "1"], "2..=64");
-    of_first("two-squares", &["--against", "7"], "no patch 7");
-    assert_refused(
-        &["reproduce", "theorem-1", "--printed"],
-        "none of the claims named",
-    );
-    assert_refused(&["reproduce", "--threads", "0"], "1..");
-    let twice = ["split", "cube:1", "--patch", "0", "--against", "1,1"];
-    assert_refused(&twice, "named twice");
-    assert_refused(&["fuzz", "--cases", "0"], "1..");
-    assert_refused(&["fuzz", "--states", "1"], "2..=64");
-    assert_refused(&["fuzz", "--cases", "-3"], "unexpected argument");
-    assert_refused(&["study", "astrology"], "stability");
-    assert_refused(&["frobnicate"], "unrecognized subcommand");
+    assert_all_refused(&[
+        ("cut --exponent one", "invalid value"),
+        ("cut", "--exponent"),
+    ]);
+}
+
+#[test]
+fn patches_that_cannot_be_split_or_judged_against_are_refused() {
+    assert_all_refused(&[
+        (
+            "split sphere --patch 0",
+            "two-squares, three-squares, cube:N",
+        ),
+        ("split cube:1 --patch 6", "patches 0 to 5"),
+        ("split cube:1 --patch 0 --against 0", "against itself"),
+        ("split cube:2 --patch 0 --against 1", "exchanges nothing"),
+        ("split two-squares --patch 0 --against 7", "no patch 7"),
+        ("split cube:1 --patch 0 --against 1,1", "named twice"),
+    ]);
+}
+
+#[test]
+fn counts_out_of_range_are_refused() {
+    assert_all_refused(&[
+        ("split two-squares --patch 0 --parts 1", "2..=64"),
+        ("reproduce --threads 0", "1.."),
+    ]);
+}
+
+#[test]
+#[cfg(feature = "proptest")]
+fn counts_of_cases_out_of_range_are_refused() {
+    assert_all_refused(&[
+        ("fuzz --cases 0", "1.."),
+        ("fuzz --states 1", "2..=64"),
+        ("fuzz --cases -3", "unexpected argument"),
+    ]);
 }
 
 #[test]

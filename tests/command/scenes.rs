@@ -3,7 +3,7 @@
 use crate::{infoscene, json, stdout};
 use serde_json::Value;
 
-fn number(value: &Value) -> f64 {
+pub(crate) fn number(value: &Value) -> f64 {
     value.as_f64().unwrap()
 }
 
@@ -70,7 +70,7 @@ fn from_and_to_choose_pairs() {
 }
 
 /// Head and entries of an NPY file, read as NEP 1 describes it.
-fn read_npy(bytes: &[u8]) -> (String, Vec<f64>) {
+pub(crate) fn read_npy(bytes: &[u8]) -> (String, Vec<f64>) {
     assert_eq!(&bytes[..8], b"\x93NUMPY\x01\x00");
     let length = usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
     assert_eq!((10 + length) % 64, 0);
@@ -307,82 +307,4 @@ fn form_factors_come_in_every_format() {
     assert!(stdout(&["measure", "cube:1"]).contains("0.263034544099"));
     let many = stdout(&["form-factor", "cube:3", "--tolerance", "1e-6"]);
     assert!(many.contains("pairs not shown: 1862: "), "{many}");
-}
-
-/// A room whose four walls are one row and whose floor has a mat: a row for each, named by its first surface, and one with itself.
-#[test]
-fn bases_and_summed_rows_are_answered() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
-    let room = "F 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 1 0\nV 4 0 1 0\nV 5 0 0 1\nV 6 1 0 1\nV 7 1 1 1\nV 8 0 1 1\n\
-        V 9 .5 0 0\nV 10 .5 1 0\nS 1 1 2 3 4 0 0 .5 floor\nS 2 1 4 8 5 0 0 .5 side\nS 3 1 5 6 2 0 2 .5 side-b\n\
-        S 4 7 6 5 8 0 0 .5 ceiling\nS 5 7 3 2 6 0 2 .5 side-c\nS 6 7 8 4 3 0 2 .5 side-d\n\
-        S 7 1 9 10 4 1 0 .5 mat\nEnd of data\n";
-    std::fs::write(path("room.vs3"), room).unwrap();
-    let (room, matrix) = (path("room.vs3"), path("f.npy"));
-    let answer = json(&["form-factor", &room, "--matrix", &matrix]);
-    let patches = answer["patches"].as_array().unwrap().iter();
-    let patches: Vec<_> = patches
-        .map(|patch| (patch["name"].as_str().unwrap(), number(&patch["area"])))
-        .collect();
-    let rows = [
-        ("floor", 0.5),
-        ("side", 4.0),
-        ("ceiling", 1.0),
-        ("mat", 0.5),
-    ];
-    assert_eq!(patches, rows);
-    let records = answer["form_factors"].as_array().unwrap();
-    // every ordered pair, and the walls with themselves
-    assert_eq!(records.len(), 13);
-    let index = |record: &Value, key: &str| usize::try_from(record[key].as_u64().unwrap()).unwrap();
-    let (_, entries) = read_npy(&std::fs::read(&matrix).unwrap());
-    // half of the floor sees the ceiling as the other half does, and all of it as the cube's: Howell, C-11
-    let opposite = 0.199_824_895_698_387_5;
-    let expected = |from: usize, to: usize| match (from, to) {
-        (0 | 3, 2) => Some(opposite),
-        (2, 0 | 3) => Some(0.5 * opposite),
-        (0, 3) | (3, 0) => Some(0.0),
-        (0 | 2 | 3, 1) => Some(1.0 - opposite),
-        (1, 1) => Some(0.5 * (1.0 + opposite)),
-        _ => None,
-    };
-    for record in records {
-        let (from, to) = (index(record, "from"), index(record, "to"));
-        // the reader of JSON rounds once more
-        assert!((entries[from * 4 + to] - number(&record["value"])).abs() < 1e-15);
-        if let Some(expected) = expected(from, to) {
-            let off = (number(&record["value"]) - expected).abs();
-            assert!(off < 1e-14, "{record}");
-        }
-    }
-    for row in entries.chunks(4) {
-        assert!((row.iter().sum::<f64>() - 1.0).abs() < 1e-13);
-    }
-    let measured = json(&["measure", &room]);
-    assert_eq!(measured["patches"], 4);
-    assert_eq!(
-        (&measured["closed"], number(&measured["total_area"])),
-        (&true.into(), 6.0)
-    );
-    let own = json(&["form-factor", &room, "--from", "1", "--to", "1"]);
-    assert_eq!(own["form_factors"].as_array().unwrap().len(), 1);
-    infoscene(&["form-factor", &room, "--from", "4"])
-        .assert()
-        .code(2);
-    // between the four walls of one row stands a screen
-    let screen = std::fs::read_to_string(&room).unwrap();
-    let screen = screen.replace("End", "V 11 .5 0 1\nV 12 .5 1 1\nO 8 9 10 12 11\nEnd");
-    std::fs::write(path("screen.vs3"), screen).unwrap();
-    let refused = infoscene(&[
-        "form-factor",
-        &path("screen.vs3"),
-        "--from",
-        "1",
-        "--to",
-        "1",
-    ]);
-    let refused = { refused }.assert().code(2);
-    let message = String::from_utf8_lossy(&refused.get_output().stderr).into_owned();
-    assert!(message.contains("obstruction 0 (surface 8)"), "{message}");
 }

@@ -93,7 +93,6 @@ fn information(lines: Vec<Real>, level: &Level) -> Real {
 
 /// I of the regular n × n grids: cube_grids.csv, rows `cube_regular_*`.
 #[test]
-#[ignore = "recomputes 5 rows of cube_grids.csv in about 2 s: cargo test --release --test recomputed -- --ignored"]
 fn numerical_exchange_areas_reproduce_the_regular_grids() {
     for n in REGULAR {
         for level in [&COARSE, &FINE] {
@@ -105,7 +104,6 @@ fn numerical_exchange_areas_reproduce_the_regular_grids() {
 
 /// I of 3 × 3 grids with lines t and 1 − t, t = x/20: cube_grids.csv, rows `fig4_x*`.
 #[test]
-#[ignore = "recomputes 3 rows of cube_grids.csv in about 1 s: cargo test --release --test recomputed -- --ignored"]
 fn numerical_exchange_areas_reproduce_the_curve_of_three_by_three_grids() {
     for (id, p, q, digits) in CURVE {
         for level in [&COARSE, &FINE] {

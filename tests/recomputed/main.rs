@@ -6,10 +6,10 @@
 //! differences. A row agrees when its digits are met to one unit of the last, at both
 //! levels.
 //!
-//! The recomputations take about two minutes and are ignored by default:
-//! `cargo test --release --test recomputed -- --ignored`.
+//! Those that take at most two seconds run always. The others take about two minutes and
+//! are ignored by default: `cargo test --release --test recomputed -- --include-ignored`.
 
-#![allow(
+#![expect(
     clippy::unwrap_used,
     reason = "a test fails by panicking, with the place it failed at"
 )]

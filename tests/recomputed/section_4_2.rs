@@ -72,7 +72,6 @@ fn assert_rows(place: &Real, value: &Real, ids: [String; 3]) {
 /// l^(n+1) log2(1/l) + (1 − l^(n+1)) log2((1 − l^(n+1))/(1 − l^(n+2))):
 /// section_4_2.csv, rows `mi42_*`.
 #[test]
-#[ignore = "recomputes half of section_4_2.csv in less than 1 s: cargo test --release --test recomputed -- --ignored"]
 fn searching_the_printed_objective_reproduces_its_optima() {
     for n in POWERS {
         let place = maximum(|l| objective(n, 1, l));
@@ -84,7 +83,6 @@ fn searching_the_printed_objective_reproduces_its_optima() {
 /// The minimiser l and the minimum of ∫₀¹ (xⁿ − two-piece mean)² dx:
 /// section_4_2.csv, rows `mse42_*`.
 #[test]
-#[ignore = "recomputes half of section_4_2.csv in less than 1 s: cargo test --release --test recomputed -- --ignored"]
 fn searching_the_mean_square_error_reproduces_its_optima() {
     for n in POWERS {
         let place = maximum(|l| -mean_square_error(n, l));
@@ -95,7 +93,6 @@ fn searching_the_mean_square_error_reproduces_its_optima() {
 
 /// The same with the weight exponent 2n + 1: section_4_2.csv, rows `mi42same_*`.
 #[test]
-#[ignore = "recomputes a quarter of section_4_2.csv in less than 1 s: cargo test --release --test recomputed -- --ignored"]
 fn searching_the_objective_under_the_hypotheses_reproduces_its_optima() {
     for n in 1..=4 {
         let place = maximum(|l| objective(n, n, l));
@@ -111,7 +108,6 @@ fn searching_the_objective_under_the_hypotheses_reproduces_its_optima() {
 /// * weight exponent 2n + 1: G = e^−x, W = e^−2x;
 /// * mean square: on an endless patch the explained part is (1 − e^−x)²/x.
 #[test]
-#[ignore = "recomputes three rows of section_4_2.csv in less than 1 s: cargo test --release --test recomputed -- --ignored"]
 fn searching_the_limiting_objectives_reproduces_their_optima() {
     let one = || Real::int(1);
     let between = |x: &Real| {

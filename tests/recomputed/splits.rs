@@ -81,7 +81,6 @@ fn assert_optimum((prefix, curve): (&str, Curve)) {
 /// U(t) = Σ_k A_k F_k log2 F_k − A F log2 F at t = 2/10, 4/10, 6/10, 8/10:
 /// splits.csv, rows `curve_*`.
 #[test]
-#[ignore = "recomputes 10 rows of splits.csv in about 2 s: cargo test --release --test recomputed -- --ignored"]
 fn numerical_gain_curves_reproduce_the_tabulated_gains() {
     for (id, curve, tenths) in POINTS {
         for level in [&COARSE, &FINE] {

@@ -1,0 +1,5 @@
+//! Chains of visibility and of light.
+
+mod brightness;
+mod refinement;
+mod reversible;

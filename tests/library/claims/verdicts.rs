@@ -1,0 +1,231 @@
+//! Every verdict is computed, is the recorded one, and turns when its input is perturbed.
+
+use super::JUDGEMENTS;
+use infoscene::claims::{
+    Claim, DEFAULT_PRECISION, Evidence, Finding, Inputs, Printed, Task, Verdict, computations,
+    judge_control, registry,
+};
+use infoscene::numeric::Interval;
+
+fn computed() -> Vec<Claim> {
+    let claims = registry().unwrap().into_iter();
+    claims
+        .filter(|claim| matches!(claim.task, Task::Compute { .. }))
+        .collect()
+}
+
+#[test]
+fn every_verdict_is_the_recorded_one() {
+    for judgement in JUDGEMENTS.iter() {
+        assert_eq!(
+            judgement.verdict,
+            judgement.recorded(),
+            "{}: {:?}",
+            judgement.claim.id,
+            judgement.finding
+        );
+    }
+}
+
+/// The control of each claim breaks its premise, or takes another printed number.
+#[test]
+fn every_verdict_turns_under_its_control() {
+    for plain in JUDGEMENTS.iter() {
+        if let Task::Compute { .. } = plain.claim.task {
+            let control = judge_control(&plain.claim, DEFAULT_PRECISION).unwrap();
+            assert_ne!(
+                plain.verdict, control.verdict,
+                "{}: {:?}",
+                plain.claim.id, control.finding
+            );
+        }
+    }
+}
+
+/// A printed number two units of its last decimal off is refuted, or undecided where the paper
+/// leaves its configuration open.
+#[test]
+fn every_printed_number_is_compared() {
+    let mut compared = 0;
+    for judgement in JUDGEMENTS.iter() {
+        let (Some(printed), Some(finding)) = (&judgement.claim.printed, &judgement.finding) else {
+            continue;
+        };
+        if judgement.verdict != Verdict::Confirmed {
+            continue;
+        }
+        compared += 1;
+        let decimals = usize::try_from(printed.decimals).unwrap();
+        let moved = printed.value + 2.0 * 0.1f64.powi(i32::try_from(decimals).unwrap());
+        let mut claim = judgement.claim.clone();
+        claim.printed = Printed::parse(&format!("{moved:.decimals$}"));
+        let expected = if claim.complete {
+            Verdict::Refuted
+        } else {
+            Verdict::Undecided
+        };
+        assert_eq!(Verdict::of(&claim, finding), expected, "{}", claim.id);
+    }
+    assert!(compared >= 11, "{compared} printed numbers are confirmed");
+}
+
+/// Whatever is not settled says why.
+#[test]
+fn every_open_verdict_has_its_reason() {
+    for judgement in JUDGEMENTS.iter() {
+        let settled = matches!(judgement.verdict, Verdict::Confirmed | Verdict::Supported);
+        assert!(
+            settled || judgement.note().len() > 20,
+            "{}: {:?}",
+            judgement.claim.id,
+            judgement.note()
+        );
+    }
+}
+
+/// A claim says in its data whether it has a curve.
+#[test]
+fn curves_are_where_the_data_say() {
+    for judgement in JUDGEMENTS.iter() {
+        let has_curve = judgement
+            .finding
+            .as_ref()
+            .is_some_and(|finding| !finding.curve.is_empty());
+        assert_eq!(
+            judgement.claim.curve_axes.is_some(),
+            has_curve,
+            "{}",
+            judgement.claim.id
+        );
+    }
+}
+
+/// Every function is used by a claim.
+#[test]
+fn every_computation_has_a_claim() {
+    let computed = computed();
+    for (name, _) in computations() {
+        let uses = |claim: &Claim| match &claim.task {
+            Task::Compute { computation, .. } => computation == name,
+            Task::Proved { .. } | Task::NotChecked { .. } => false,
+        };
+        assert!(computed.iter().any(uses), "{name} has no claim");
+    }
+}
+
+/// Every function that a claim gives numbers to refuses to go without them.
+#[test]
+fn every_computation_uses_its_input() {
+    let (mut tried, computed) = (0, computed());
+    for (name, compute) in computations() {
+        let takes_numbers = |claim: &Claim| match &claim.task {
+            Task::Compute {
+                computation, input, ..
+            } => computation == name && *input != Inputs::default(),
+            Task::Proved { .. } | Task::NotChecked { .. } => false,
+        };
+        if computed.iter().any(takes_numbers) {
+            assert!(
+                compute(&Inputs::default()).is_err(),
+                "{name} ignores its input"
+            );
+            tried += 1;
+        }
+    }
+    assert!(tried > 10, "{tried} functions take numbers");
+}
+
+/// The first computed claim, with or without a printed number, of a complete or an open
+/// configuration.
+fn example(printed: Option<&str>, complete: bool) -> Claim {
+    let mut claim = computed().remove(0);
+    claim.printed = printed.map(|text| Printed::parse(text).unwrap());
+    claim.complete = complete;
+    claim
+}
+
+const COMPLETE: bool = true;
+const OPEN: bool = false;
+
+/// A number beside the printed 0.40, which stands for [0.395, 0.405]: value, error, evidence,
+/// verdict.
+const NUMBERS: [(bool, f64, f64, Evidence, Verdict); 8] = [
+    (
+        COMPLETE,
+        0.399,
+        1e-3,
+        Evidence::Estimate,
+        Verdict::Supported,
+    ),
+    (COMPLETE, 0.399, 1e-3, Evidence::Bound, Verdict::Supported),
+    (
+        COMPLETE,
+        0.399,
+        1e-3,
+        Evidence::Enclosure,
+        Verdict::Confirmed,
+    ),
+    (COMPLETE, 0.399, 1e-3, Evidence::Proof, Verdict::Confirmed),
+    // it overlaps
+    (
+        COMPLETE,
+        0.394,
+        2e-3,
+        Evidence::Enclosure,
+        Verdict::Undecided,
+    ),
+    (COMPLETE, 0.38, 1e-3, Evidence::Estimate, Verdict::Undecided),
+    (COMPLETE, 0.38, 1e-3, Evidence::Enclosure, Verdict::Refuted),
+    (OPEN, 0.38, 1e-3, Evidence::Enclosure, Verdict::Undecided),
+];
+
+#[test]
+fn a_number_is_judged_by_its_evidence() {
+    for (complete, value, error, evidence, verdict) in NUMBERS {
+        let mut finding = Finding::value(value, error);
+        finding.evidence = evidence;
+        let found = Verdict::of(&example(Some("0.40"), complete), &finding);
+        assert_eq!(found, verdict, "{complete} {finding:?}");
+    }
+}
+
+/// A statement in words: whether it holds, evidence, verdict.
+const STATEMENTS: [(bool, bool, Evidence, Verdict); 5] = [
+    (COMPLETE, true, Evidence::Sample, Verdict::Supported),
+    (COMPLETE, true, Evidence::Proof, Verdict::Confirmed),
+    (COMPLETE, false, Evidence::Sample, Verdict::Undecided),
+    (COMPLETE, false, Evidence::Enclosure, Verdict::Refuted),
+    (OPEN, false, Evidence::Enclosure, Verdict::Undecided),
+];
+
+#[test]
+fn a_statement_is_judged_by_its_evidence() {
+    for (complete, holds, evidence, verdict) in STATEMENTS {
+        let mut finding = Finding::statement(holds, 0.0, 0.0);
+        finding.evidence = evidence;
+        let found = Verdict::of(&example(None, complete), &finding);
+        assert_eq!(found, verdict, "{complete} {finding:?}");
+    }
+}
+
+/// Where doubles would not tell: the end of [0.395, 0.405] itself, 1e-26 inside of it, and a third.
+#[test]
+fn enclosures_are_compared_with_the_exact_decimal_ends() {
+    let third = Interval::precise(1.0, 128) / Interval::precise(3.0, 128);
+    let parsed = |text| Interval::parse(text, 128).unwrap();
+    for (enclosure, verdict) in [
+        (parsed("0.395"), Verdict::Undecided),
+        (parsed("0.39500000000000000000000001"), Verdict::Confirmed),
+        (third, Verdict::Refuted),
+    ] {
+        let finding = Finding::enclosed(enclosure);
+        let found = Verdict::of(&example(Some("0.40"), COMPLETE), &finding);
+        assert_eq!(found, verdict, "{finding:?}");
+    }
+}
+
+#[test]
+fn a_number_without_a_printed_one_decides_nothing() {
+    let found = Verdict::of(&example(None, COMPLETE), &Finding::value(1.0, 0.0));
+    assert_eq!(found, Verdict::Undecided);
+}

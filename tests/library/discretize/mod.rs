@@ -1,0 +1,13 @@
+//! Best cuts and best grids.
+
+mod agreement;
+mod cuts;
+mod enclosures;
+mod gradient_cuts;
+mod gradient_limits;
+mod grid;
+mod polygon_cuts;
+mod polygon_splits;
+mod profile_cuts;
+mod rectangle_splits;
+mod straight_cuts;

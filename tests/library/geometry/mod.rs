@@ -1,0 +1,5 @@
+//! Planes and outlines.
+
+mod flat_boxes;
+mod outlines;
+mod rectangles;

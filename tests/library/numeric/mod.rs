@@ -1,0 +1,13 @@
+//! Numbers: intervals, duals, elementary functions, certified roots and maxima, integrals.
+
+mod certified_maxima;
+mod certified_points;
+mod certified_roots;
+mod digamma;
+mod dilogarithms;
+mod dual_numbers;
+mod elementary;
+mod interval_ends;
+mod intervals;
+mod optimisers;
+mod units;

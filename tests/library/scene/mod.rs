@@ -1,0 +1,9 @@
+//! Scenes: what is there, what overlaps, what stands between, and their files.
+
+mod blockers;
+mod cornell_box;
+mod files;
+mod overlap;
+mod parts;
+mod refusals;
+mod shafts;

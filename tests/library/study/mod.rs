@@ -1,0 +1,4 @@
+//! Studies, as far as they are claims of the library.
+
+mod families;
+mod refinement;

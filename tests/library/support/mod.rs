@@ -1,0 +1,7 @@
+//! What several rooms share: reading `data/reference`, judges of high precision, rooms, generators.
+pub mod high_precision;
+pub mod intervals;
+pub mod misrounded;
+pub mod references;
+pub mod rooms;
+pub mod strategies;
