@@ -7,9 +7,11 @@
 //! **Not here**: anything radiometric.
 
 mod aligned_rectangle;
+mod containment;
 mod convex_pieces;
 mod cut_lines;
 mod error;
+mod local_line;
 mod offsets;
 mod patch;
 mod placement;
@@ -23,8 +25,10 @@ mod uniform_line;
 mod vector;
 
 pub use aligned_rectangle::AlignedRectangle;
+pub(crate) use containment::{NotContained, check_contained, distance_from_plane};
 pub use cut_lines::CutLines;
 pub use error::GeometryError;
+pub(crate) use local_line::{Facet, LocalLine, Slope};
 pub use offsets::Offsets;
 pub use patch::Patch;
 pub use placement::{Extent, Placement};

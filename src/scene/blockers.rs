@@ -245,25 +245,6 @@ impl Scene {
         Blockers::of(self).first()
     }
 
-    /// What stands between two patches, if anything does.
-    ///
-    /// # Errors
-    /// [`SceneError::NoSuchPatch`].
-    pub fn blocker_of(&self, first: usize, second: usize) -> Result<Option<Blocker>, SceneError> {
-        self.check(first)?;
-        self.check(second)?;
-        Ok(Blockers::of(self).of_pair(first, second))
-    }
-
-    /// What stands between one patch and the first of the others that it does not see fully.
-    ///
-    /// # Errors
-    /// [`SceneError::NoSuchPatch`].
-    pub fn blocker_of_row(&self, first: usize) -> Result<Option<Blocker>, SceneError> {
-        self.check(first)?;
-        Ok(Blockers::of(self).of_row(first))
-    }
-
     /// Refuses the scene if something may stand between two of its patches.
     ///
     /// # Errors

@@ -75,20 +75,6 @@ impl Scene {
         ])
     }
 
-    /// The inside of a box: six patches, the floor and the ceiling first.
-    ///
-    /// # Errors
-    /// [`SceneError::Patch`] unless all edges are finite and > 0.
-    pub fn inside_of_box(x: f64, y: f64, z: f64) -> Result<Self, SceneError> {
-        let faces = box_faces(x * DVec3::X, y * DVec3::Y, z * DVec3::Z);
-        let patches = faces.into_iter().enumerate();
-        Self::try_new(
-            patches
-                .map(|(index, (name, origin, u, v))| rectangle_patch(index, name, origin, u, v))
-                .collect::<Result<_, _>>()?,
-        )
-    }
-
     /// Two aligned unit squares that face each other at a distance.
     ///
     /// # Errors
@@ -153,18 +139,7 @@ fn corner() -> Result<Scene, SceneError> {
     ])
 }
 
-/// Name, corner and edges of the faces of a box, fronts inward.
-pub(super) fn box_faces(x: DVec3, y: DVec3, z: DVec3) -> [(&'static str, DVec3, DVec3, DVec3); 6] {
-    [
-        ("floor", DVec3::ZERO, x, y),
-        ("ceiling", z, y, x),
-        ("left", DVec3::ZERO, y, z),
-        ("right", x, z, y),
-        ("front", DVec3::ZERO, z, x),
-        ("back", y, x, z),
-    ]
-}
-
+/// A rectangle under a name, refused by its index.
 pub(super) fn rectangle_patch(
     index: usize,
     name: &str,

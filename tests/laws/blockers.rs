@@ -203,7 +203,7 @@ fn is_inside(shape: &Patch, point: DVec3) -> bool {
     (0..corners.len()).map(angle).sum::<f64>() > std::f64::consts::PI
 }
 
-/// `MayBeBlocked` names pair, blocker and mend; indices are checked.
+/// `MayBeBlocked` names pair, blocker and mend.
 #[test]
 fn a_blocked_scene_is_refused_by_name() {
     let mut patches = squares();
@@ -223,21 +223,17 @@ fn a_blocked_scene_is_refused_by_name() {
     for part in ["patches 0 and 1", "patch 2 (screen)", "--unoccluded"] {
         assert!(text.contains(part), "{text}");
     }
+    let search = Blockers::of(&scene);
     let of = |first, second| {
-        scene
-            .blocker_of(first, second)
-            .unwrap()
-            .map(|b| (b.first, b.second))
+        let found = search.of_pair(first, second);
+        found.map(|b| (b.first, b.second))
     };
     assert_eq!(of(0, 1), Some((0, 1)));
     assert_eq!(of(1, 0), Some((1, 0)));
     assert_eq!(of(0, 0), None);
     assert_eq!(of(1, 2), None);
-    assert_eq!(scene.blocker_of_row(1).unwrap().map(|b| b.second), Some(0));
-    assert_eq!(scene.blocker_of_row(2).unwrap(), None);
-    let none = SceneError::NoSuchPatch { index: 3, last: 2 };
-    assert_eq!(scene.blocker_of(0, 3).unwrap_err(), none);
-    assert_eq!(scene.blocker_of_row(3).unwrap_err(), none);
+    assert_eq!(search.of_row(1).map(|b| b.second), Some(0));
+    assert_eq!(search.of_row(2), None);
     assert_eq!(Scene::built_in("cube:2").unwrap().check_unblocked(), Ok(()));
 }
 
@@ -254,12 +250,11 @@ fn an_l_shaped_room_has_a_blocker() {
     } = room.blocker().unwrap();
     assert_eq!((first, second, name.as_str()), (0, 1, "wall 2"));
     // the ends of the arms: walls 1 (x = 2) and 4 (y = 2) are patches 3 and 6
-    assert_eq!(
-        room.blocker_of(3, 6).unwrap().unwrap().obstacle,
-        Obstacle::Patch(4)
-    );
+    let search = Blockers::of(&room);
+    let obstacle = search.of_pair(3, 6).unwrap().obstacle;
+    assert_eq!(obstacle, Obstacle::Patch(4));
     // within one arm nothing is between: walls 0 and 2 (y = 0 and y = 1, 1 ≤ x ≤ 2)
-    assert_eq!(room.blocker_of(2, 4).unwrap(), None);
+    assert_eq!(search.of_pair(2, 4), None);
 }
 
 /// With several threads the last rows are reached before the first are done: still the first blocked pair is named.
