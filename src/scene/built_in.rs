@@ -9,6 +9,7 @@
 //!   cornell-box     not of the paper: the empty room of Cornell University, from data/scenes/cornell-box.obj
 //! ```
 
+use super::scene_geometry::Prepared;
 use super::{NamedPatch, Scene, SceneError, files};
 use crate::geometry::{Patch, Rectangle, SplitAxis};
 use glam::DVec3;
@@ -114,7 +115,10 @@ impl Scene {
                 source,
             })?;
         let [near, far] = parts;
-        let mut scene = self.clone();
+        let mut scene = Self {
+            prepared: Prepared::default(),
+            ..self.clone()
+        };
         let part = |name, shape| NamedPatch::new(name, shape).with_material(material);
         scene.patches[index] = part(format!("{name} (near)"), near);
         scene.patches.push(part(format!("{name} (far)"), far));

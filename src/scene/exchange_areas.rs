@@ -2,7 +2,7 @@
 //!
 //! **Memory** the pairs i < j are packed: `n²/2` values, `n²/2` bounds, `n²/2` bytes for the routes; and the rows that see themselves.
 
-use super::planes::Sight;
+use super::facing::Sight;
 use super::row_pairs::nothing;
 use super::{Account, Congruence, Scene, SceneError, ScenePairs, Tally};
 use crate::form_factor::{Answer, DEFAULT_TOLERANCE, ExchangeArea, Route};

@@ -7,7 +7,6 @@
 //! **Not covered**: occlusion. What may stand between two patches is found ([`Scene::blocker`]), and such a scene is refused
 //! unless unoccluded values are asked for.
 
-mod arrangement;
 mod aspects;
 mod blockers;
 mod boxes;
@@ -17,6 +16,7 @@ mod congruence;
 mod convex_room;
 mod error;
 mod exchange_areas;
+mod facing;
 pub mod files;
 mod grid_lines;
 mod lattice;
@@ -32,6 +32,7 @@ mod progress;
 mod row_pairs;
 mod row_sums;
 mod rows;
+mod scene_geometry;
 mod shifts;
 mod solids;
 mod subdivision;
@@ -50,7 +51,8 @@ pub use rows::Entry;
 pub use tally::{PlanSummary, Unreached};
 
 use crate::geometry::{GeometryError, Patch, Rectangle};
-use planes::Sight;
+use facing::Sight;
+use scene_geometry::Prepared;
 use tally::Tally;
 
 /// A patch, its name and its material.
@@ -106,6 +108,8 @@ pub struct Scene {
     bases: Vec<Option<usize>>,
     /// For each patch its row, numbered in the order of their first patches.
     groups: Vec<usize>,
+    /// Anew wherever patches or obstructions change.
+    prepared: Prepared,
 }
 
 impl Scene {
@@ -123,6 +127,7 @@ impl Scene {
             obstructions: Vec::new(),
             bases,
             groups,
+            prepared: Prepared::default(),
         })
     }
 
@@ -130,6 +135,19 @@ impl Scene {
     #[must_use]
     pub fn patches(&self) -> &[NamedPatch] {
         &self.patches
+    }
+
+    /// The patches, then the obstructions: all that is there.
+    pub(crate) fn surfaces(&self) -> impl Iterator<Item = &NamedPatch> {
+        self.patches.iter().chain(&self.obstructions)
+    }
+
+    /// A patch, or an obstruction: these are numbered after the patches.
+    pub(crate) fn surface(&self, index: usize) -> &NamedPatch {
+        match index.checked_sub(self.patches.len()) {
+            None => &self.patches[index],
+            Some(obstruction) => &self.obstructions[obstruction],
+        }
     }
 
     /// The sum of the patches' areas `A_T`; what lies in another patch counts once.

@@ -9,13 +9,10 @@
 //!
 //! **Not covered**: obstructions, which may lie on patches.
 
-use super::arrangement::Arrangement;
 use super::{Scene, SceneError};
 use crate::geometry::{Outline, Plane};
 use glam::DVec3;
 use rayon::prelude::*;
-use rstar::primitives::{GeomWithData, Rectangle as Box3};
-use rstar::{AABB, RTree};
 
 impl Scene {
     /// The first two patches, in the order of their indices, that lie on each other.
@@ -28,27 +25,17 @@ impl Scene {
     /// ```
     #[must_use]
     pub fn overlap(&self) -> Option<(usize, usize)> {
-        let arrangement = Arrangement::new(&self.patches, &[]);
-        let noise = arrangement.noise;
+        let (surfaces, noise) = (self.outlined(), self.planes().noise());
         let count = self.patches.len();
-        let outlines: Vec<Outline> = (0..count)
-            .into_par_iter()
-            .map(|patch| arrangement.outline(patch))
-            .collect();
-        let boxed = outlines.iter().enumerate().map(|(patch, outline)| {
-            let [low, high] = outline.bounds().map(|corner| corner.to_array());
-            GeomWithData::new(Box3::from_corners(low, high), patch)
-        });
-        let boxes = RTree::bulk_load(boxed.collect());
         (0..count).into_par_iter().find_map_first(|first| {
-            let own = &outlines[first];
+            let own = surfaces.outline(first);
             let [low, high] = *own.bounds();
-            let room = AABB::from_corners((low - noise).to_array(), (high + noise).to_array());
-            let near = boxes.locate_in_envelope_intersecting(room);
-            near.map(|boxed| boxed.data)
-                .filter(|second| *second > first && !self.is_part(first, *second))
-                .filter(|second| lie_in_one_plane(own, &outlines[*second], noise))
-                .filter(|second| own.overlaps(&outlines[*second], noise))
+            surfaces
+                .near([low - noise, high + noise])
+                .filter(|second| (first + 1..count).contains(second))
+                .filter(|second| !self.is_part(first, *second))
+                .filter(|second| lie_in_one_plane(own, surfaces.outline(*second), noise))
+                .filter(|second| own.overlaps(surfaces.outline(*second), noise))
                 .min()
                 .map(|second| (first, second))
         })

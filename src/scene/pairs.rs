@@ -11,9 +11,10 @@
 
 use super::aspects::Aspects;
 use super::congruence::allowance;
+use super::facing::{FacingPlanes, Sight};
 use super::members::Members;
 use super::plan::{Congruence, Plan};
-use super::planes::Sight;
+
 use super::progress::Progress;
 use super::shifts::Shifts;
 use super::tally::{PlanSummary, Tally, Unreached};
@@ -75,7 +76,8 @@ impl ScenePairs {
     ) -> Result<Self, SceneError> {
         let members = Members::of(scene);
         let shapes = members.shapes(scene);
-        let plan = Plan::of(&shapes, &members.roots, congruence);
+        let planes = FacingPlanes::of(scene, &members.patches, &members.roots);
+        let plan = Plan::of(&shapes, planes, congruence);
         let [areas, area_bounds] = areas(&members, &shapes);
         let mut pairs = Self {
             aspects: Aspects::of(&members, &plan.planes),

@@ -18,6 +18,7 @@
 //! a row's first surface before the others. It does not say which emissivity a combined surface has, and the program combines areas
 //! and exchange areas only.
 
+use super::scene_geometry::Prepared;
 use super::{Material, NamedPatch, Scene, SceneError};
 use crate::geometry::{NotContained, check_contained};
 use std::collections::HashMap;
@@ -29,6 +30,7 @@ impl Scene {
     pub fn with_obstructions(self, obstructions: Vec<NamedPatch>) -> Self {
         Self {
             obstructions,
+            prepared: Prepared::default(),
             ..self
         }
     }

@@ -11,8 +11,8 @@
 //!
 //! Cancellation costs digits: where the bound misses the tolerance, the terms are computed again to a finer one.
 
+use super::facing::Sight;
 use super::members::Member;
-use super::planes::Sight;
 use super::{SceneError, ScenePairs, Tally};
 use crate::form_factor::{Answer, ExchangeArea, Route};
 use crate::numeric::CompensatedSum;

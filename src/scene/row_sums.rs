@@ -11,8 +11,8 @@
 //! **Memory** O(n).
 
 use super::SceneError;
+use super::facing::Sight;
 use super::pairs::{Account, ScenePairs};
-use super::planes::Sight;
 use super::tally::Tally;
 use crate::form_factor::ExchangeArea;
 use crate::numeric::CompensatedSum;

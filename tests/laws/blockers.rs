@@ -1,7 +1,7 @@
 //! Whatever stands between two patches is found, and nothing else is.
 
 use super::support::rooms::{
-    L, any_polygon, blocked, level, mapped, mapped_patch, placing, polygon, prism, squares,
+    L, among, any_polygon, blocked, level, mapped, mapped_patch, placing, polygon, prism, squares,
 };
 use glam::DVec3;
 use infoscene::geometry::{Outline, Patch, Plane, Shaft};
@@ -106,13 +106,14 @@ proptest! {
         }
     }
 
-    /// Whenever a segment between inner points of two patches that see each other crosses a third, the pair is blocked,
-    /// and so is the scene, by a pair and a surface that come no later.
+    /// Whenever a segment between inner points of two patches that see each other crosses a third, the third is among
+    /// the pair's obstacles, the pair is blocked, and so is the scene, by a pair and a surface that come no later.
     #[test]
     fn what_a_segment_hits_is_blocked(patches in proptest::collection::vec(any_polygon(), 3..7), seed: u64) {
         let mut dice = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
         let (seen, obstructions) = patches.split_at(patches.len() - 1);
-        let search = Blockers::new(seen, obstructions);
+        let scene = among(seen, obstructions);
+        let search = Blockers::of(&scene);
         for _ in 0..300 {
             let [i, j] = [(); 2].map(|()| dice.random_range(0..seen.len()));
             let Some(hit) = (i != j).then(|| sampled_hit(&patches, i, j, &mut dice)).flatten() else {
@@ -121,6 +122,8 @@ proptest! {
             let pair = search.of_pair(i, j);
             prop_assert!(pair.is_some(), "{} and {} by {}", i, j, hit);
             prop_assert!(surface(pair.unwrap().obstacle, seen.len()) <= hit);
+            let all: Vec<usize> = search.obstacles(i, j).map(|o| surface(o, seen.len())).collect();
+            prop_assert!(all.is_sorted() && all.contains(&hit), "{} and {} by {}: {:?}", i, j, hit, all);
             prop_assert!(search.of_row(i).is_some_and(|row| row.second <= j));
             let first = search.first();
             prop_assert!(first.is_some_and(|first| (first.first, first.second) <= (i.min(j), i.max(j))));
@@ -208,7 +211,8 @@ fn is_inside(shape: &Patch, point: DVec3) -> bool {
 fn a_blocked_scene_is_refused_by_name() {
     let mut patches = squares();
     patches.push(level("screen", [0.2, 0.4], [0.2, 0.4], 0.5, true));
-    let scene = Scene::try_new(patches).unwrap();
+    let fin = level("fin", [0.6, 0.8], [0.6, 0.8], 0.25, true);
+    let scene = among(&patches, &[fin]);
     let refusal = scene.check_unblocked().unwrap_err();
     assert!(matches!(
         refusal,
@@ -232,6 +236,9 @@ fn a_blocked_scene_is_refused_by_name() {
     assert_eq!(of(1, 0), Some((1, 0)));
     assert_eq!(of(0, 0), None);
     assert_eq!(of(1, 2), None);
+    let all: Vec<Obstacle> = search.obstacles(1, 0).collect();
+    assert_eq!(all, [Obstacle::Patch(2), Obstacle::Obstruction(0)]);
+    assert_eq!(search.obstacles(1, 2).next(), None);
     assert_eq!(search.of_row(1).map(|b| b.second), Some(0));
     assert_eq!(search.of_row(2), None);
     assert_eq!(Scene::built_in("cube:2").unwrap().check_unblocked(), Ok(()));
