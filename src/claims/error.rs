@@ -13,7 +13,10 @@ use crate::transport::TransportError;
 #[non_exhaustive]
 pub enum ClaimError {
     /// No claim has this id.
-    #[error("there is no claim \"{id}\"; run `infoscene reproduce` to see all ids{}", nearest.as_ref().map(|n| format!(", the nearest is \"{n}\"")).unwrap_or_default())]
+    #[error(
+        "there is no claim \"{id}\"{}",
+        nearest.as_ref().map(|n| format!(": the nearest is \"{n}\"")).unwrap_or_default()
+    )]
     UnknownClaim {
         /// As given.
         id: String,

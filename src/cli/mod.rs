@@ -12,6 +12,7 @@ mod fuzz;
 mod grid;
 mod light;
 mod measure;
+mod mends;
 mod output;
 mod patch_values;
 mod radiosity;
@@ -90,7 +91,7 @@ pub fn run() -> ExitCode {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::Differs) => ExitCode::from(1),
         Err(error) => {
-            eprintln!("infoscene: {error}");
+            eprintln!("infoscene: {error}{}", mends::mend(&*error));
             ExitCode::from(2)
         }
     }

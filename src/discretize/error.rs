@@ -43,7 +43,7 @@ pub enum DiscretizeError {
     /// An enclosure of what has no closed form.
     #[error(
         "enclosures are for rectangles with edges along three common axes, and here is another pair: \
-         do without --precision, or name only rectangles that are aligned"
+         name only rectangles that are aligned, or do without an enclosure"
     )]
     NotEnclosed,
     /// No start came to rest.

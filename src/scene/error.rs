@@ -234,7 +234,7 @@ pub enum SceneError {
     /// Something may stand between two patches.
     #[error(
         "patches {first} and {second} may not see each other fully: {obstacle} ({name}) stands between parts of them, and \
-         occlusion is not computed; --unoccluded computes as if nothing were in the way"
+         occlusion is not computed: take it away, or ask for unoccluded values"
     )]
     MayBeBlocked {
         /// Index of the first.

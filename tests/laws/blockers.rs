@@ -224,7 +224,7 @@ fn a_blocked_scene_is_refused_by_name() {
         }
     ));
     let text = refusal.to_string();
-    for part in ["patches 0 and 1", "patch 2 (screen)", "--unoccluded"] {
+    for part in ["patches 0 and 1", "patch 2 (screen)", "unoccluded values"] {
         assert!(text.contains(part), "{text}");
     }
     let search = Blockers::of(&scene);

@@ -211,7 +211,7 @@ const fn mend(error: &GeometryError) -> &'static str {
         GeometryError::NoArea { .. } => {
             ": move its corners apart, off one line and into their order, or remove the face"
         }
-        GeometryError::NotPlanar { .. } => " (--triangulate does)",
+        GeometryError::NotPlanar { .. } => ", or let its reader do so",
         GeometryError::NotSimple { .. } => ", so reorder or split the face",
         _ => "",
     }
