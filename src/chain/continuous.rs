@@ -41,7 +41,7 @@ const MOST_CELLS: usize = 8_000;
 ///
 /// # Errors
 /// [`ChainError::InvalidWeight`] if the brightness is negative or not finite somewhere; [`ChainError::NoMass`];
-/// [`ChainError::Scene`].
+/// [`ChainError::Scene`], [`ChainError::Exchange`].
 ///
 /// # Examples
 /// ```
@@ -92,7 +92,7 @@ pub fn continuous_chain(
 /// **Returns** for each patch the extrapolated integral; of second order before, of fourth after for smooth functions.
 ///
 /// # Errors
-/// [`ChainError::Scene`] if a patch cannot be cut.
+/// [`ChainError::Scene`] if a patch cannot be cut; [`ChainError::Exchange`] if a pair is refused.
 pub fn patch_integrals(
     scene: &Scene,
     integrand: impl Fn(usize, DVec3) -> f64,

@@ -16,7 +16,7 @@ use nalgebra::DMatrix;
 /// within the error bounds of the form factors.
 ///
 /// # Errors
-/// [`ChainError::Scene`] with the worst row if a row of form factors does not sum to one within
+/// [`ChainError::Exchange`] with the worst row if a row of form factors does not sum to one within
 /// its error bounds, or if a form factor is refused.
 pub fn visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
     let exchange = scene.exchange_areas()?;
@@ -28,7 +28,7 @@ pub fn visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
 /// weight.
 ///
 /// # Errors
-/// [`ChainError::Scene`] if patches overlap or hide each other, or if a form factor is refused.
+/// [`ChainError::Exchange`] if patches overlap or hide each other, or if a form factor is refused.
 ///
 /// # Examples
 /// ```

@@ -10,7 +10,7 @@ use crate::information::{
     expected_bias_of_scene, pair_losses, scene_information,
 };
 use crate::report::{measure_report, sample_report};
-use crate::scene::{NamedPatch, Scene, SceneError};
+use crate::scene::{ExchangeError, NamedPatch, Scene};
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]
@@ -142,10 +142,10 @@ impl Measure {
 
 fn named(source: ChainError, scene: &Scene) -> Box<dyn Error> {
     let (row, mend) = match &source {
-        ChainError::Scene(SceneError::OpenScene { row, .. }) => {
+        ChainError::Exchange(ExchangeError::OpenScene { row, .. }) => {
             (*row, "; --open adds the state outside")
         }
-        ChainError::Scene(SceneError::RowAboveOne { row, .. }) => (*row, ""),
+        ChainError::Exchange(ExchangeError::RowAboveOne { row, .. }) => (*row, ""),
         _ => return source.into(),
     };
     let name = scene.group_names()[row].to_owned();

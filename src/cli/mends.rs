@@ -7,8 +7,8 @@ use crate::chain::ChainError;
 use crate::claims::ClaimError;
 use crate::discretize::DiscretizeError;
 use crate::geometry::GeometryError;
-use crate::scene::SceneError;
 use crate::scene::files::Fault;
+use crate::scene::{ExchangeError, SceneError};
 use crate::study::StudyError;
 use crate::transport::TransportError;
 use std::error::Error;
@@ -43,19 +43,26 @@ fn cause<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'stati
     if let Some(SceneError::File(inner)) = error.downcast_ref() {
         return Some(&**inner);
     }
-    if let Some(ChainError::Scene(inner)) = error.downcast_ref() {
+    if let Some(ExchangeError::Scene(inner)) = error.downcast_ref() {
         return Some(inner);
     }
-    if let Some(TransportError::Scene(inner)) = error.downcast_ref() {
+    match error.downcast_ref() {
+        Some(ChainError::Scene(inner)) => return Some(inner),
+        Some(ChainError::Exchange(inner)) => return Some(inner),
+        _ => {}
+    }
+    if let Some(TransportError::Exchange(inner)) = error.downcast_ref() {
         return Some(inner);
     }
     match error.downcast_ref() {
         Some(DiscretizeError::Scene(inner)) => return Some(inner),
+        Some(DiscretizeError::Exchange(inner)) => return Some(inner),
         Some(DiscretizeError::Chain(inner)) => return Some(inner),
         _ => {}
     }
     match error.downcast_ref() {
         Some(ClaimError::Scene(inner)) => return Some(inner),
+        Some(ClaimError::Exchange(inner)) => return Some(inner),
         Some(ClaimError::Chain(inner)) => return Some(inner),
         Some(ClaimError::Transport(inner)) => return Some(inner),
         Some(ClaimError::Discretize(inner)) => return Some(inner),
@@ -63,6 +70,7 @@ fn cause<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'stati
     }
     match error.downcast_ref() {
         Some(StudyError::Scene(inner)) => return Some(inner),
+        Some(StudyError::Exchange(inner)) => return Some(inner),
         Some(StudyError::Chain(inner)) => return Some(inner),
         Some(StudyError::Claim(inner)) => return Some(inner),
         Some(StudyError::Transport(inner)) => return Some(inner),

@@ -4,7 +4,7 @@ use crate::chain::ChainError;
 use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
 use crate::numeric::NumericError;
-use crate::scene::SceneError;
+use crate::scene::{ExchangeError, SceneError};
 
 /// A discretization was refused or not found.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -61,6 +61,9 @@ pub enum DiscretizeError {
     /// A scene was refused.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// The exchange of a scene's rows was refused.
+    #[error(transparent)]
+    Exchange(#[from] ExchangeError),
     /// A chain was refused.
     #[error(transparent)]
     Chain(#[from] ChainError),

@@ -20,7 +20,7 @@ use crate::chain::ChainError;
 use crate::form_factor::Logarithms;
 use crate::geometry::{GeometryError, Patch};
 use crate::numeric::{CompensatedSum, compensated_sum, tolerance};
-use crate::scene::{Scene, SceneError};
+use crate::scene::{ExchangeError, Scene};
 use rayon::prelude::*;
 use std::f64::consts::LN_2;
 
@@ -60,7 +60,8 @@ pub struct ContinuousInformation {
 /// 1e8 times as high as wide, held by `boxes_agree_with_a_formula_of_their_own`; the error returned is an estimate.
 ///
 /// # Errors
-/// [`ChainError::Scene`] if the room is not convex inside or not closed, or a pair is refused.
+/// [`ChainError::Scene`] if the room is not convex inside; [`ChainError::Exchange`] if it is not closed, or
+/// a pair is refused.
 ///
 /// # Examples
 /// ```
@@ -80,7 +81,7 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
         .flat_map(|second| (0..second).map(move |first| [first, second]))
         .collect();
     let measured = places.par_iter().map(|[first, second]| {
-        Logarithms::of(&faces[*first], &faces[*second]).map_err(|source| SceneError::Pair {
+        Logarithms::of(&faces[*first], &faces[*second]).map_err(|source| ExchangeError::Pair {
             first: first_patch(*first),
             second: first_patch(*second),
             source,
@@ -102,7 +103,7 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
         let allowed = bound / patch.area() + tolerance::COVERED;
         let sum = received / patch.area();
         if (sum - 1.0).abs() > allowed {
-            return Err(SceneError::OpenScene {
+            return Err(ExchangeError::OpenScene {
                 row: first_patch(face),
                 sum,
                 tolerance: allowed,

@@ -15,7 +15,7 @@ use crate::chain::ChainError;
 use crate::form_factor::Logarithms;
 use crate::geometry::Patch;
 use crate::numeric::{compensated_sum, tolerance};
-use crate::scene::{NamedPatch, Scene, SceneError};
+use crate::scene::{ExchangeError, NamedPatch, Scene, SceneError};
 use rayon::prelude::*;
 use std::f64::consts::LN_2;
 
@@ -49,7 +49,8 @@ impl PairLoss {
 /// **Returns** the pairs in order of their indices, the same for any number of threads.
 ///
 /// # Errors
-/// [`ChainError::Scene`] if the room is not convex inside, a patch lies in another or is summed with others, or a pair is refused.
+/// [`ChainError::Scene`] if the room is not convex inside, or a patch lies in another or is summed with
+/// others; [`ChainError::Exchange`] if a pair is refused.
 ///
 /// # Examples
 /// ```
@@ -97,9 +98,9 @@ fn of_pair(
     shapes: &[Patch],
     [first, second]: [usize; 2],
     total: f64,
-) -> Result<Option<PairLoss>, SceneError> {
+) -> Result<Option<PairLoss>, ExchangeError> {
     let [one, other] = [&shapes[first], &shapes[second]];
-    let refused = |source| SceneError::Pair {
+    let refused = |source| ExchangeError::Pair {
         first,
         second,
         source,

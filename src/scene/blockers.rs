@@ -128,10 +128,10 @@ impl<'a> Blockers<'a> {
         surfaces.map(|surface| self.obstacle(surface))
     }
 
-    fn first_of_row(&self, first: usize, seconds: Range<usize>) -> Option<Blocker> {
+    fn first_of_row(&self, first: usize, mut seconds: Range<usize>) -> Option<Blocker> {
         self.surfaces?;
         let reaches = self.reaches(first);
-        seconds.into_iter().find_map(|second| {
+        seconds.find_map(|second| {
             let surface = self.in_the_way(first, second, &reaches).next()?;
             Some(Blocker {
                 first,

@@ -1,8 +1,7 @@
-//! What is wrong with a scene.
+//! The refusals of a scene: of what is there, whatever is asked of it.
 
 use super::Obstacle;
 use super::files::FileError;
-use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
 
 /// A scene was refused.
@@ -40,16 +39,6 @@ pub enum SceneError {
         name: String,
         /// Why.
         source: GeometryError,
-    },
-    /// Two patches cannot be computed together.
-    #[error("patches {first} and {second}: {source}")]
-    Pair {
-        /// Index of the first.
-        first: usize,
-        /// Index of the second.
-        second: usize,
-        /// Why.
-        source: FormFactorError,
     },
     /// A file is not a scene.
     #[error(transparent)]
@@ -143,18 +132,6 @@ pub enum SceneError {
         /// What it is instead.
         what: &'static str,
     },
-    /// The patches do not enclose their surroundings.
-    #[error(
-        "the scene is open: row {row} of the form factors sums to {sum}, 1 ± {tolerance:e} is closed"
-    )]
-    OpenScene {
-        /// The row farthest from 1.
-        row: usize,
-        /// Its sum.
-        sum: f64,
-        /// What would count as closed.
-        tolerance: f64,
-    },
     /// A wall has something behind it.
     #[error(
         "the room is not convex inside: a corner lies {depth:e} behind the plane of patch {index} ({name})"
@@ -180,16 +157,6 @@ pub enum SceneError {
         /// The part of the face that is open; negative where patches overlap.
         relative: f64,
     },
-    /// Random lines left the scene.
-    #[error(
-        "the scene is open: {lost} of {lines} lines meet no front of a patch, and a chord has two ends"
-    )]
-    LinesEscape {
-        /// Lines that escape, or meet a back or an obstruction.
-        lost: u32,
-        /// Lines drawn.
-        lines: u32,
-    },
     /// The lines of a grid do not increase from 0 to 1.
     #[error("grid line {index} is at {position}: lines must increase between 0 and 1")]
     GridLine {
@@ -197,39 +164,6 @@ pub enum SceneError {
         index: usize,
         /// As given.
         position: f64,
-    },
-    /// The scene is too thin for uniform lines.
-    #[error(
-        "of ten thousand times {lines} lines through the sphere around the scene {met} meet it: take local lines"
-    )]
-    LinesMiss {
-        /// Lines that meet a front.
-        met: u32,
-        /// Lines asked for.
-        lines: u32,
-    },
-    /// The form factors of a patch sum to more than one.
-    #[error(
-        "row {row} of the form factors sums to {sum}, 1 + {tolerance:e} at most is possible: patches overlap, or \
-         hide each other"
-    )]
-    RowAboveOne {
-        /// The row farthest above 1.
-        row: usize,
-        /// Its sum.
-        sum: f64,
-        /// The bound on the error of the sum.
-        tolerance: f64,
-    },
-    /// The format has no place for something that the scene has.
-    #[error("{format} cannot say that {what}: {mend}")]
-    NotExpressible {
-        /// Name of the format.
-        format: &'static str,
-        /// What is lost.
-        what: String,
-        /// What to do instead.
-        mend: &'static str,
     },
     /// Something may stand between two patches.
     #[error(

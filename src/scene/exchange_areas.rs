@@ -4,7 +4,7 @@
 
 use super::facing::Sight;
 use super::row_pairs::nothing;
-use super::{Account, Congruence, Scene, SceneError, ScenePairs, Tally};
+use super::{Account, Congruence, ExchangeError, Scene, ScenePairs, Tally};
 use crate::form_factor::{Answer, DEFAULT_TOLERANCE, ExchangeArea, Route};
 use nalgebra::DMatrix;
 use rayon::prelude::*;
@@ -115,8 +115,8 @@ impl ScenePairs {
     /// All pairs, each once, in parallel.
     ///
     /// # Errors
-    /// [`SceneError::Pair`] if two patches are refused.
-    pub fn exchange_areas(&self) -> Result<ExchangeAreas, SceneError> {
+    /// [`ExchangeError::Pair`] if two patches are refused.
+    pub fn exchange_areas(&self) -> Result<ExchangeAreas, ExchangeError> {
         let patches = self.patches();
         let pairs = packed(patches);
         let mut values = vec![0.0; pairs];
@@ -158,7 +158,7 @@ impl ScenePairs {
     }
 
     /// Fills a column above the diagonal; and what is on it, if the row may see itself.
-    fn fill(&self, second: usize, column: Column<'_>) -> Result<Filled, SceneError> {
+    fn fill(&self, second: usize, column: Column<'_>) -> Result<Filled, ExchangeError> {
         let mut tally = Tally::default();
         for first in 0..second {
             let answer = self.between(first, second, &mut tally)?;
@@ -181,8 +181,8 @@ impl Scene {
     /// The unoccluded exchange areas of all pairs, to [`DEFAULT_TOLERANCE`] where a route reaches it.
     ///
     /// # Errors
-    /// [`SceneError::Pair`] if two patches are refused.
-    pub fn exchange_areas(&self) -> Result<ExchangeAreas, SceneError> {
+    /// [`ExchangeError::Pair`] if two patches are refused.
+    pub fn exchange_areas(&self) -> Result<ExchangeAreas, ExchangeError> {
         ScenePairs::try_new(self, DEFAULT_TOLERANCE, Congruence::Shared)?.exchange_areas()
     }
 }

@@ -18,7 +18,7 @@ use super::plan::{Congruence, Plan};
 use super::progress::Progress;
 use super::shifts::Shifts;
 use super::tally::{PlanSummary, Tally, Unreached};
-use super::{NamedPatch, Scene, SceneError};
+use super::{ExchangeError, NamedPatch, Scene};
 use crate::form_factor::{Answer, Polygon, Route};
 use crate::numeric::compensated_sum;
 use rayon::prelude::*;
@@ -57,7 +57,7 @@ impl ScenePairs {
     /// **Arguments** `tolerance`: the relative error asked for, > 0.
     ///
     /// # Errors
-    /// [`SceneError::Pair`] if two patches are refused.
+    /// [`ExchangeError::Pair`] if two patches are refused.
     ///
     /// # Examples
     /// ```
@@ -67,13 +67,13 @@ impl ScenePairs {
     /// let pairs = ScenePairs::try_new(&cube, DEFAULT_TOLERANCE, Congruence::Shared)?;
     /// // one value per pair: reciprocity is exact
     /// assert_eq!(pairs.pair(0, 20)?, pairs.pair(20, 0)?);
-    /// # Ok::<(), infoscene::scene::SceneError>(())
+    /// # Ok::<(), infoscene::scene::ExchangeError>(())
     /// ```
     pub fn try_new(
         scene: &Scene,
         tolerance: f64,
         congruence: Congruence,
-    ) -> Result<Self, SceneError> {
+    ) -> Result<Self, ExchangeError> {
         let members = Members::of(scene);
         let shapes = members.shapes(scene);
         let planes = FacingPlanes::of(scene, &members.patches, &members.roots);
@@ -109,7 +109,7 @@ impl ScenePairs {
             exchange.error_bound += apart;
             Ok((apart <= 0.5 * tolerance * exchange.value).then_some(answer))
         };
-        let shared: Vec<Result<_, SceneError>> =
+        let shared: Vec<Result<_, ExchangeError>> =
             pairs.plan.representatives().par_iter().map(share).collect();
         pairs.shared = shared.into_iter().collect::<Result<_, _>>()?;
         Ok(pairs)
@@ -158,7 +158,7 @@ impl ScenePairs {
         first: usize,
         second: usize,
         tally: &mut Tally,
-    ) -> Result<Answer, SceneError> {
+    ) -> Result<Answer, ExchangeError> {
         let shared = self.plan.shared(first, second);
         let shared = shared.and_then(|place| self.shared[place]);
         let answer = match shared {
@@ -175,10 +175,10 @@ impl ScenePairs {
         first: usize,
         second: usize,
         tolerance: f64,
-    ) -> Result<Answer, SceneError> {
+    ) -> Result<Answer, ExchangeError> {
         let (first, second) = (first.min(second), first.max(second));
         let answer = self.polygons[first].exchange_area(&self.polygons[second], tolerance);
-        let mut answer = answer.map_err(|source| SceneError::Pair {
+        let mut answer = answer.map_err(|source| ExchangeError::Pair {
             first: self.members.patches[first],
             second: self.members.patches[second],
             source,

@@ -90,7 +90,7 @@ impl<'e> Interreflection<'e> {
     ///
     /// # Errors
     /// [`TransportError::WrongCount`] unless there is a material for each patch; [`TransportError::ReflectanceTooSmall`];
-    /// [`TransportError::Scene`] if patches hide each other, so that a row is above one.
+    /// [`TransportError::Exchange`] if patches hide each other, so that a row is above one.
     pub fn of(exchange: &'e ExchangeAreas, materials: &[Material]) -> Result<Self, TransportError> {
         let reflectances: Vec<f64> = materials.iter().map(Material::reflectance).collect();
         let count = exchange.patches();

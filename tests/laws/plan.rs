@@ -180,7 +180,7 @@ fn reciprocity_is_exact() {
         let pairs = pairs(&cube(3), congruence);
         let held = pairs.exchange_areas().unwrap();
         let account = pairs
-            .for_each_row(|i, row| -> Result<(), infoscene::scene::SceneError> {
+            .for_each_row(|i, row| -> Result<(), infoscene::scene::ExchangeError> {
                 for (j, answer) in row.iter().enumerate() {
                     assert_eq!(*answer, pairs.pair(j, i)?);
                     assert_eq!(answer.exchange, held.get(j, i).exchange);

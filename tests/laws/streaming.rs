@@ -8,7 +8,7 @@ use infoscene::information::{
     positional_entropy, scene_information,
 };
 use infoscene::numeric::{tolerance, x_log2_ratio};
-use infoscene::scene::{Congruence, NamedPatch, Scene, SceneError, ScenePairs};
+use infoscene::scene::{Congruence, ExchangeError, NamedPatch, Scene, ScenePairs};
 
 fn measured(scene: &Scene, surroundings: Surroundings) -> Result<SceneInformation, ChainError> {
     let pairs = ScenePairs::try_new(scene, DEFAULT_TOLERANCE, Congruence::Shared).unwrap();
@@ -155,7 +155,7 @@ fn a_row_above_one_is_refused() {
     assert!(
         matches!(
             refusal,
-            ChainError::Scene(SceneError::RowAboveOne { row: 0, .. })
+            ChainError::Exchange(ExchangeError::RowAboveOne { row: 0, .. })
         ),
         "{refusal}"
     );

@@ -203,6 +203,18 @@ pub enum Fault {
     NoEnd,
 }
 
+/// The format has no place for something that the scene has.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{format} cannot say that {what}: {mend}")]
+pub struct NotExpressible {
+    /// Name of the format.
+    pub format: &'static str,
+    /// The part of the scene that would be lost.
+    pub what: String,
+    /// The remedy.
+    pub mend: &'static str,
+}
+
 /// What mends a shape, as far as the geometry does not say so itself.
 const fn mend(error: &GeometryError) -> &'static str {
     match error {
