@@ -1,7 +1,7 @@
 //! The options that mend what the library refuses.
 //!
-//! The library names the broken condition and its remedy; which option of the command that is stands
-//! here, once for all subcommands.
+//! The library names the broken condition and its remedy; which option of the command that is
+//! stands here, once for all subcommands.
 
 use crate::chain::ChainError;
 use crate::claims::ClaimError;

@@ -6,18 +6,20 @@
 //!   quasi-random    local lines from a lattice-like sequence in four dimensions, shifted at random 16 times
 //! ```
 //!
-//! Uniform lines meet a surface by cosine and in proportion to its area (Crofton's formula: a line through a sphere of
-//! radius R meets a flat patch of area A with probability `A/(2πR²)`), so that both kinds of lines know the same F.
-//! What a polygon has behind the other's plane is never hit, and concave outlines are hit as they are.
+//! Uniform lines meet a surface by cosine and in proportion to its area (Crofton's formula: a line
+//! through a sphere of radius R meets a flat patch of area A with probability `A/(2πR²)`), so that
+//! both kinds of lines know the same F. What a polygon has behind the other's plane is never hit,
+//! and concave outlines are hit as they are.
 //!
-//! With h hits among n lines the standard error is that of the posterior of a uniform prior, `√((h+1)(n−h+1)/((n+2)²(n+3)))`: next
-//! to `√(F(1−F)/n)` where there are hits, and not 0 where there are none. All this is evidence by *sample*.
+//! With h hits among n lines the standard error is that of the posterior of a uniform prior,
+//! `√((h+1)(n−h+1)/((n+2)²(n+3)))`: next to `√(F(1−F)/n)` where there are hits, and not 0 where
+//! there are none. All this is evidence by *sample*.
 //!
 //! **Not covered**: occlusion.
 //!
-//! References: Sbert, *An Integral Geometry Based Method for Fast Form-Factor Computation*, Eurographics 1993;
-//! Santaló, *Integral Geometry and Geometric Probability*, 1976, ch. 12; Cranley and Patterson, SIAM J. Numer. Anal. 13,
-//! 1976 (random shifts).
+//! References: Sbert, *An Integral Geometry Based Method for Fast Form-Factor Computation*,
+//! Eurographics 1993; Santaló, *Integral Geometry and Geometric Probability*, 1976, ch. 12; Cranley
+//! and Patterson, SIAM J. Numer. Anal. 13, 1976 (random shifts).
 
 use crate::geometry::{Facet, LocalLine, Patch, line_through_sphere};
 use glam::DVec3;
@@ -80,10 +82,12 @@ const SHIFTS: u32 = 16;
 
 /// The form factor from the first polygon to the second by quasi-random lines; `None` for no lines.
 ///
-/// The sequence is `i·(1/φ, 1/φ², 1/φ³, 1/φ⁴) mod 1` with `φ⁵ = φ + 1`, a badly approximable direction. The standard error is that of
-/// the mean of 16 independent shifts, and at least one line in all.
+/// The sequence is `i·(1/φ, 1/φ², 1/φ³, 1/φ⁴) mod 1` with `φ⁵ = φ + 1`, a badly approximable
+/// direction. The standard error is that of the mean of 16 independent shifts, and at least one
+/// line in all.
 ///
-/// **Arguments** `lines`: how many, rounded up to a multiple of 16; `seed`: the same one gives the same estimate.
+/// **Arguments** `lines`: how many, rounded up to a multiple of 16; `seed`: the same one gives the
+/// same estimate.
 #[must_use]
 pub fn quasi_random_lines(first: &Patch, second: &Patch, lines: u32, seed: u64) -> Option<Sample> {
     let each = lines.div_ceil(SHIFTS);
@@ -114,7 +118,7 @@ pub fn quasi_random_lines(first: &Patch, second: &Patch, lines: u32, seed: u64) 
     })
 }
 
-/// What lines through a sphere around two polygons met.
+/// The counts of lines through a sphere around two polygons.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GlobalLines {
     /// Lines through the sphere.
@@ -134,8 +138,8 @@ impl GlobalLines {
         Sample::of(self.joined, self.met[0])
     }
 
-    /// The area of the first or second polygon, with its standard error: half the sphere's times the part of the lines that
-    /// met it; `None` without lines.
+    /// The area of the first or second polygon, with its standard error: half the sphere's times
+    /// the part of the lines that met it; `None` without lines.
     #[must_use]
     pub fn area(&self, which: usize) -> Option<[f64; 2]> {
         let part = Sample::of(*self.met.get(which)?, self.lines)?;
@@ -202,7 +206,7 @@ impl Targets {
         }
     }
 
-    /// Whether a line from the first polygon hits the front of the second.
+    /// Tells whether a line from the first polygon hits the front of the second.
     ///
     /// **Arguments** two numbers for the point, two for the direction.
     fn is_hit(&self, numbers: [f64; 4]) -> bool {

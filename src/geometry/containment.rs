@@ -94,7 +94,8 @@ fn depth(point: DVec2, polygon: &[DVec2]) -> f64 {
         point.distance(a + along * t)
     });
     let distance = distance.fold(f64::INFINITY, f64::min);
-    // a ray to the right crosses the outline of a polygon that holds the point an odd number of times
+    // a ray to the right crosses the outline of a polygon that holds the point an odd number of
+    // times
     let crossings = edges(polygon)
         .filter(|(a, b)| (a.y > point.y) != (b.y > point.y))
         .filter(|(a, b)| point.x < a.x + (point.y - a.y) * (b.x - a.x) / (b.y - a.y))
@@ -106,7 +107,8 @@ fn depth(point: DVec2, polygon: &[DVec2]) -> f64 {
     }
 }
 
-/// Whether two segments cross, each with both ends farther than `allowed` from the line of the other.
+/// Tells whether two segments cross, each with both ends farther than `allowed` from the line of
+/// the other.
 fn cross_properly((a, b): (DVec2, DVec2), (c, d): (DVec2, DVec2), allowed: f64) -> bool {
     let height = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p) / (q - p).length();
     let parts = |s: f64, t: f64| s.abs() > allowed && t.abs() > allowed && (s > 0.0) != (t > 0.0);

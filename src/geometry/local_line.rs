@@ -5,9 +5,9 @@
 //!   direction   √u·(cos 2πv·across + sin 2πv·up) + √(1 − u)·normal        by cosine
 //! ```
 //!
-//! for numbers s, t, u, v uniform from 0 to 1. A line meets a triangle if it passes all edges on one
-//! side; neighbours with a common edge decide by the same numbers on which side of it a line passes,
-//! so that no line slips between them.
+//! for numbers s, t, u, v uniform from 0 to 1. A line meets a triangle if it passes all edges on
+//! one side; neighbours with a common edge decide by the same numbers on which side of it a line
+//! passes, so that no line slips between them.
 //!
 //! **Not covered**: the source of the numbers, and lines through a whole sphere
 //! ([`line_through_sphere`](super::line_through_sphere)).
@@ -113,7 +113,7 @@ impl Facet {
         (distance.is_finite() && self.is_met(origin, direction)).then_some(distance)
     }
 
-    /// Whether a line passes the edges of a triangle all on one side.
+    /// Tells whether a line passes the edges of a triangle all on one side.
     pub fn is_met(&self, origin: DVec3, direction: DVec3) -> bool {
         self.triangles.iter().any(|triangle| {
             let [a, b, c] = triangle.map(|corner| corner - origin);
@@ -123,8 +123,8 @@ impl Facet {
     }
 }
 
-/// The side of the edge from p to q on which a line from the origin passes; exactly the negative from
-/// q to p.
+/// The side of the edge from p to q on which a line from the origin passes; exactly the negative
+/// from q to p.
 fn side(p: DVec3, q: DVec3, direction: DVec3) -> f64 {
     let is_first = p.to_array() <= q.to_array();
     if is_first {

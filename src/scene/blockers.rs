@@ -1,21 +1,22 @@
-//! Does anything stand between two patches?
+//! The search for surfaces that stand between two patches.
 //!
-//! Exchange areas are computed as if nothing were in the way. Until occlusion is, a scene in which something may be in the
-//! way is refused, with the pair and the blocker named.
+//! Exchange areas are computed as if nothing were in the way. Until occlusion is, a scene in which
+//! something may be in the way is refused, with the pair and the blocker named.
 //!
 //! ```text
 //!   k blocks (i, j)  ⇔  k meets the interior of the union of all segments from i⁺ to j⁺
 //!   i⁺: the part of i in front of j's plane,  j⁺: the part of j in front of i's plane
 //! ```
 //!
-//! A pair that exchanges nothing has no i⁺ or no j⁺. Every k counts from both sides. [`Shaft`] says what is
-//! decided and what noise means; it is that of the scene's planes, about 64 ε of the largest coordinate plus
-//! eight times the largest deviation of a corner from its patch's plane. So a blocker that enters the shaft by more than the noise is never missed; one
-//! that touches it, up to the rounding of rotated or decimal corners, is never reported.
+//! A pair that exchanges nothing has no i⁺ or no j⁺. Every k counts from both sides. [`Shaft`] says
+//! what is decided and what noise means; it is that of the scene's planes, about 64 ε of the
+//! largest coordinate plus eight times the largest deviation of a corner from its patch's plane. So
+//! a blocker that enters the shaft by more than the noise is never missed; one that touches it, up
+//! to the rounding of rotated or decimal corners, is never reported.
 //!
-//! **Cheap where nothing blocks.** What lies in a plane that has all patches on one side blocks nothing: a closed convex
-//! room is settled by comparing every corner with every plane, each once. What is left is found by boxes, then by planes,
-//! then by [`Shaft`].
+//! **Cheap where nothing blocks.** What lies in a plane that has all patches on one side blocks
+//! nothing: a closed convex room is settled by comparing every corner with every plane, each once.
+//! What is left is found by boxes, then by planes, then by [`Shaft`].
 //!
 //! **Not covered**: how much is blocked.
 
@@ -27,7 +28,7 @@ use rayon::prelude::*;
 use std::fmt;
 use std::ops::Range;
 
-/// What stands in the way.
+/// A surface that stands in the way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Obstacle {
     /// The patch with this index.
@@ -52,7 +53,7 @@ pub struct Blocker {
     pub first: usize,
     /// Index of the other.
     pub second: usize,
-    /// What stands between: the first of all that do, patches before obstructions.
+    /// The first surface that stands between, patches before obstructions.
     pub obstacle: Obstacle,
     /// Its name.
     pub name: String,
@@ -78,8 +79,8 @@ pub struct Blockers<'a> {
     surfaces: Option<&'a Surfaces>,
     /// Indices of the planes with patches on both sides: what lies in another one blocks nothing.
     splitting: Vec<usize>,
-    /// For each patch the one that it lies in and that lies in no other. Patches of one root lie in one
-    /// plane and do not block each other.
+    /// For each patch the one that it lies in and that lies in no other. Patches of one root lie in
+    /// one plane and do not block each other.
     roots: Vec<usize>,
 }
 
@@ -99,8 +100,8 @@ impl<'a> Blockers<'a> {
         }
     }
 
-    /// The first blocked pair in the order of its indices, and the first surface that blocks it; the same
-    /// for any number of threads.
+    /// The first blocked pair in the order of its indices, and the first surface that blocks it;
+    /// the same for any number of threads.
     #[must_use]
     pub fn first(&self) -> Option<Blocker> {
         let patches = self.roots.len();
@@ -202,11 +203,11 @@ impl<'a> Blockers<'a> {
 }
 
 impl Scene {
-    /// The first pair of patches that something may stand between, and what does; `None` if every pair sees each other
-    /// fully, or exchanges nothing.
+    /// The first pair of patches that something may stand between, and what does; `None` if every
+    /// pair sees each other fully, or exchanges nothing.
     ///
-    /// **Accuracy** what enters the space between two patches by more than the noise of the coordinates is found, what
-    /// touches it is not reported; see the module's text.
+    /// **Accuracy** what enters the space between two patches by more than the noise of the
+    /// coordinates is found, what touches it is not reported; see the module's text.
     ///
     /// # Examples
     /// ```

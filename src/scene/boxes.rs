@@ -1,7 +1,7 @@
 //! The insides of boxes, whole or with every face cut by one grid.
 //!
-//! Faces are numbered floor, ceiling, left, right, front, back; their cells face by face, each row by
-//! row.
+//! Faces are numbered floor, ceiling, left, right, front, back; their cells face by face, each row
+//! by row.
 
 use super::built_in::rectangle_patch;
 use super::{NamedPatch, Scene, SceneError};
@@ -22,12 +22,14 @@ impl Scene {
         )
     }
 
-    /// The inside of a box, each of its six faces cut by the same relative lines in both directions.
+    /// The inside of a box, each of its six faces cut by the same relative lines in both
+    /// directions.
     ///
     /// **Arguments** `edges`: of the box. `lines`: increasing between 0 and 1, which are left out.
     ///
     /// # Errors
-    /// [`SceneError::GridLine`] for the lines; [`SceneError::Patch`] unless edges and cells are finite and > 0.
+    /// [`SceneError::GridLine`] for the lines; [`SceneError::Patch`] unless edges and cells are
+    /// finite and > 0.
     ///
     /// # Examples
     /// ```

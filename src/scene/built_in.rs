@@ -10,6 +10,7 @@
 //! ```
 
 use super::scene_geometry::Prepared;
+use super::solids::regular_solid;
 use super::{NamedPatch, Scene, SceneError, files};
 use crate::geometry::{Patch, Rectangle, SplitAxis};
 use glam::DVec3;
@@ -18,8 +19,8 @@ use glam::DVec3;
 const LARGEST_CUBE: usize = 64;
 
 impl Scene {
-    /// A built-in scene: `two-squares`, `three-squares`, `cube:N`, `box:X,Y,Z`, `tetrahedron`, `octahedron`, `dodecahedron`,
-    /// `icosahedron` or `cornell-box`.
+    /// A built-in scene: `two-squares`, `three-squares`, `cube:N`, `box:X,Y,Z`, `tetrahedron`,
+    /// `octahedron`, `dodecahedron`, `icosahedron` or `cornell-box`.
     ///
     /// In the first two, patch 0 is the one that the paper cuts; its axis u runs away from the
     /// edge it shares with patch 1.
@@ -39,7 +40,7 @@ impl Scene {
             "three-squares" => corner(),
             "cornell-box" => files::cornell_box(),
             _ => {
-                if let Some(solid) = Self::regular_solid(name) {
+                if let Some(solid) = regular_solid(name) {
                     return solid;
                 }
                 let edges = name.strip_prefix("box:").map(|edges| edges.split(','));
@@ -64,8 +65,8 @@ impl Scene {
         }
     }
 
-    /// A floor `depth × 1` and a unit square wall at 90°, with a common edge of length 1; patch 0 is the
-    /// floor, its axis u runs away from the edge.
+    /// A floor `depth × 1` and a unit square wall at 90°, with a common edge of length 1; patch 0
+    /// is the floor, its axis u runs away from the edge.
     ///
     /// # Errors
     /// [`SceneError::Patch`] unless `depth` is finite and > 0.
@@ -88,8 +89,8 @@ impl Scene {
     }
 
     /// The scene in which patch `index` is cut across an axis; the part at `v0` takes its place,
-    /// the other one follows at the end. Both are of its material and lie where it lay; each is a row of its own
-    /// unless the patch was summed with others.
+    /// the other one follows at the end. Both are of its material and lie where it lay; each is a
+    /// row of its own unless the patch was summed with others.
     ///
     /// # Errors
     /// [`SceneError::NoSuchPatch`], [`SceneError::Patch`] if the patch is not a rectangle or the

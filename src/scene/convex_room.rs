@@ -5,8 +5,8 @@
 //!   a face             =   the convex hull of the corners in one plane, if the patches cover it
 //! ```
 //!
-//! Then nothing stands between two points of the walls, and a walk has its continuous form: what does not depend
-//! on the division is computed from the faces.
+//! Then nothing stands between two points of the walls, and a walk has its continuous form: what
+//! does not depend on the division is computed from the faces.
 //!
 //! **Not covered**: whether the faces close up (their exchange areas say so).
 
@@ -17,12 +17,13 @@ use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 
 impl Scene {
-    /// The faces of the convex room that the patches are the walls of, in the order of their first patches, and for each patch
-    /// its face.
+    /// The faces of the convex room that the patches are the walls of, in the order of their first
+    /// patches, and for each patch its face.
     ///
     /// # Errors
-    /// [`SceneError::NotConvex`] if a corner lies behind a wall; [`SceneError::FaceNotCovered`] if the
-    /// patches of a plane leave part of its hull open; [`SceneError::Patch`] if a face has no area to speak of.
+    /// [`SceneError::NotConvex`] if a corner lies behind a wall; [`SceneError::FaceNotCovered`] if
+    /// the patches of a plane leave part of its hull open; [`SceneError::Patch`] if a face has no
+    /// area to speak of.
     ///
     /// # Examples
     /// ```
@@ -101,8 +102,8 @@ impl Scene {
     }
 }
 
-/// The corners of the convex hull of points in a plane, counter-clockwise about the normal; those nearer than `flat` to the line
-/// through their neighbours left out.
+/// The corners of the convex hull of points in a plane, counter-clockwise about the normal; those
+/// nearer than `flat` to the line through their neighbours left out.
 fn hull(mut points: Vec<DVec3>, normal: DVec3, flat: f64) -> Vec<DVec3> {
     let across = normal.any_orthonormal_vector();
     let up = normal.cross(across);

@@ -37,7 +37,7 @@ pub enum SceneError {
         index: usize,
         /// Its name.
         name: String,
-        /// Why.
+        /// The geometric reason.
         source: GeometryError,
     },
     /// A file is not a scene.
@@ -62,7 +62,7 @@ pub enum SceneError {
         base: usize,
         /// Largest distance of a corner from the plane.
         deviation: f64,
-        /// What would be accepted.
+        /// The deviation that would be accepted.
         allowed: f64,
     },
     /// A part has its front at the back of its base.
@@ -114,7 +114,7 @@ pub enum SceneError {
         /// Patches of the scene.
         patches: usize,
     },
-    /// What cannot be cut, as others lie in it.
+    /// A patch to be cut has others lying in it.
     #[error(
         "patch {base} cannot be cut, as patch {part} lies in it: cut patch {part} or leave it out"
     )]
@@ -124,12 +124,12 @@ pub enum SceneError {
         /// Index of one that lies in it.
         part: usize,
     },
-    /// What takes patches one by one has met one that counts without others.
+    /// A question about whole patches has met one that counts without others.
     #[error("patch {index} {what}, and this takes whole patches: leave it out")]
     NotAPatchOfItsOwn {
         /// Index of the patch.
         index: usize,
-        /// What it is instead.
+        /// The reason, as a predicate.
         what: &'static str,
     },
     /// A wall has something behind it.
@@ -141,7 +141,7 @@ pub enum SceneError {
         index: usize,
         /// Its name.
         name: String,
-        /// How far behind it something reaches.
+        /// The depth of the deepest corner.
         depth: f64,
     },
     /// The patches of a plane do not cover a convex face.
@@ -160,7 +160,7 @@ pub enum SceneError {
     /// The lines of a grid do not increase from 0 to 1.
     #[error("grid line {index} is at {position}: lines must increase between 0 and 1")]
     GridLine {
-        /// Which, from 0.
+        /// Index of the line.
         index: usize,
         /// As given.
         position: f64,
@@ -175,7 +175,7 @@ pub enum SceneError {
         first: usize,
         /// Index of the second.
         second: usize,
-        /// What stands between.
+        /// The surface that stands between.
         obstacle: Obstacle,
         /// Its name.
         name: String,

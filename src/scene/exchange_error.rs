@@ -14,7 +14,7 @@ pub enum ExchangeError {
         first: usize,
         /// Index of the second.
         second: usize,
-        /// Why.
+        /// The reason.
         source: FormFactorError,
     },
     /// The patches do not enclose their surroundings.
@@ -26,7 +26,7 @@ pub enum ExchangeError {
         row: usize,
         /// Its sum.
         sum: f64,
-        /// What would count as closed.
+        /// The deviation that would count as closed.
         tolerance: f64,
     },
     /// The form factors of a patch sum to more than one.

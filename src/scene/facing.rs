@@ -4,24 +4,25 @@
 //!   h is in front of g   ⇔   some corner of h has n_g · (x − o_g) > noise
 //! ```
 //!
-//! If h is not in front of g, or g not in front of h, no polygon of one exchanges anything with a polygon
-//! of the other: all their pairs are left out at once. A plane whose polygons face both ways counts as two.
-//! The noise is that of [`ScenePlanes`](super::planes).
+//! If h is not in front of g, or g not in front of h, no polygon of one exchanges anything with a
+//! polygon of the other: all their pairs are left out at once. A plane whose polygons face both
+//! ways counts as two. The noise is that of [`ScenePlanes`](super::planes).
 //!
-//! **Not covered**: more than [`MOST_PLANES`] planes; then only pairs in one plane are left out here.
+//! **Not covered**: more than [`MOST_PLANES`] planes; then only pairs in one plane are left out
+//! here.
 
 use crate::geometry::Plane;
 use crate::scene::Scene;
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// Up to so many planes all pairs of them are compared: the table takes their square in bytes.
+/// Most planes of which all pairs are compared: the table takes their square in bytes.
 pub(super) const MOST_PLANES: usize = 2048;
 
-/// What the polygons of two planes can exchange.
+/// The relation of two planes, which decides whether their polygons can exchange anything.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Sight {
-    /// It takes a look at the pairs.
+    /// Some pairs may exchange something.
     Open,
     /// Nothing: both lie in one plane.
     Coplanar,
@@ -43,8 +44,8 @@ pub(super) struct FacingPlanes {
 impl FacingPlanes {
     /// The planes of polygons; one whose root is another lies in that one, and in its plane.
     ///
-    /// **Arguments** `patches`: the patch that each polygon is; `roots`: the polygon that each lies in, in
-    /// the end.
+    /// **Arguments** `patches`: the patch that each polygon is; `roots`: the polygon that each lies
+    /// in, in the end.
     pub(super) fn of(scene: &Scene, patches: &[usize], roots: &[usize]) -> Self {
         let shared = scene.planes();
         let mut planes: Vec<Plane> = Vec::new();
@@ -84,7 +85,7 @@ impl FacingPlanes {
         self.members.len()
     }
 
-    /// Is it known which planes see nothing of each other?
+    /// Tells whether it is known which planes see nothing of each other.
     pub(super) const fn are_compared(&self) -> bool {
         !self.sight.is_empty()
     }
@@ -93,7 +94,7 @@ impl FacingPlanes {
         self.of[polygon] as usize
     }
 
-    /// What two planes can exchange.
+    /// The relation of two planes.
     pub(super) fn sight(&self, first: usize, second: usize) -> Sight {
         if first == second {
             Sight::Coplanar
@@ -125,7 +126,7 @@ impl FacingPlanes {
     }
 }
 
-/// What each plane can exchange with each other one.
+/// Compares each plane with each other one.
 fn compare<'p>(
     planes: &[Plane],
     members: &[Vec<usize>],

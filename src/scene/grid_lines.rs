@@ -1,4 +1,5 @@
-//! Random lines in the inside of a box whose faces all carry one grid; their cells are found by bisection.
+//! Random lines in the inside of a box whose faces all carry one grid; their cells are found by
+//! bisection.
 //!
 //! The cells are those of [`Scene::gridded_box`](super::Scene::gridded_box), in its order.
 //!
@@ -17,7 +18,8 @@ pub struct GridLines {
     lines: Vec<f64>,
 }
 
-/// For each face the axis across it and those that its columns and rows run along; its side of the box is that of its number.
+/// For each face the axis across it and those that its columns and rows run along; its side of the
+/// box is that of its number.
 const AXES: [[usize; 3]; 6] = [
     [2, 0, 1],
     [2, 1, 0],

@@ -5,16 +5,18 @@
 //!   global line   uniform among the lines that meet a sphere around the scene: every piece from a front to the next front
 //! ```
 //!
-//! Both kinds of chords have the same distribution: from patch i to patch j with probability `A_i F_ij / A_T`, F with occlusion,
-//! because what a line first meets is what is visible. A line through a room that is convex inside has one chord; where it is concave
-//! or something stands in it, a global line may have several. A line goes on the innermost of patches that lie in each
+//! Both kinds of chords have the same distribution: from patch i to patch j with probability `A_i
+//! F_ij / A_T`, F with occlusion, because what a line first meets is what is visible. A line
+//! through a room that is convex inside has one chord; where it is concave or something stands in
+//! it, a global line may have several. A line goes on the innermost of patches that lie in each
 //! other.
 //!
 //! No line slips between neighbours with a common edge. Candidates are found in a tree of boxes.
 //!
 //! **Not covered**: where the numbers come from.
 //!
-//! Reference: Sbert, *An Integral Geometry Based Method for Fast Form-Factor Computation*, Eurographics 1993.
+//! Reference: Sbert, *An Integral Geometry Based Method for Fast Form-Factor Computation*,
+//! Eurographics 1993.
 
 use super::{NamedPatch, Scene};
 use crate::geometry::{Facet, LocalLine, line_through_sphere};
@@ -34,7 +36,7 @@ pub struct Chord {
     pub square: f64,
 }
 
-/// What a global line comes upon.
+/// The result of following a global line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Passage {
     /// No front.
@@ -55,7 +57,7 @@ struct Surface {
     parts: Vec<usize>,
 }
 
-/// Where a line meets a surface.
+/// The point at which a line meets a surface.
 #[derive(Debug, Clone, Copy)]
 struct Crossing {
     /// By which crossings are sorted.

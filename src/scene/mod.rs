@@ -1,11 +1,11 @@
 //! Scenes: named patches with their materials, and what they exchange.
 //!
-//! The paper's own scenes are built in ([`Scene::built_in`]), others are read from [`files`] or made from patches.
-//! A scene also says what only obstructs, which patches lie in another one, and which are summed into one row
-//! ([`Scene::base_of`], [`Scene::group_of`]).
+//! The paper's own scenes are built in ([`Scene::built_in`]), others are read from [`files`] or
+//! made from patches. A scene also says what only obstructs, which patches lie in another one, and
+//! which are summed into one row ([`Scene::base_of`], [`Scene::group_of`]).
 //!
-//! **Not covered**: occlusion. What may stand between two patches is found ([`Scene::blocker`]), and such a scene is refused
-//! unless unoccluded values are asked for.
+//! **Not covered**: occlusion. What may stand between two patches is found ([`Scene::blocker`]),
+//! and such a scene is refused unless unoccluded values are asked for.
 
 mod aspects;
 mod blockers;
@@ -76,7 +76,7 @@ impl NamedPatch {
         }
     }
 
-    /// The same patch of this material.
+    /// Gives the patch this material.
     #[must_use]
     pub fn with_material(self, material: Material) -> Self {
         Self { material, ..self }
@@ -110,12 +110,13 @@ pub struct Scene {
     bases: Vec<Option<usize>>,
     /// For each patch its row, numbered in the order of their first patches.
     groups: Vec<usize>,
-    /// Anew wherever patches or obstructions change.
+    /// What has been found of the surfaces; made anew wherever these change.
     prepared: Prepared,
 }
 
 impl Scene {
-    /// The scene of these patches: nothing else obstructs, no patch lies in another, each is a row of its own.
+    /// The scene of these patches: nothing else obstructs, no patch lies in another, each is a row
+    /// of its own.
     ///
     /// # Errors
     /// [`SceneError::Empty`] without a patch.
@@ -165,8 +166,8 @@ impl Scene {
     /// The patch with this index, as a rectangle.
     ///
     /// # Errors
-    /// [`SceneError::NoSuchPatch`]; [`SceneError::Patch`] if it is not a rectangle, as it is not either when others
-    /// lie in it.
+    /// [`SceneError::NoSuchPatch`]; [`SceneError::Patch`] if it is not a rectangle, as it is not
+    /// either when others lie in it.
     pub fn rectangle(&self, index: usize) -> Result<Rectangle, SceneError> {
         self.check(index)?;
         let patch = &self.patches[index];
@@ -176,11 +177,7 @@ impl Scene {
                 reason: format!("patch {part} lies in it, and it counts without"),
             }),
         };
-        shape.map_err(|source| SceneError::Patch {
-            index,
-            name: patch.name.clone(),
-            source,
-        })
+        shape.map_err(|source| self.refused(index, source))
     }
 
     /// The patch with this index, of which nothing is left out: no other patch lies in it.
@@ -198,7 +195,7 @@ impl Scene {
         }
     }
 
-    /// What is wrong with a patch's shape, by its name.
+    /// The refusal of a patch's shape, with its name.
     pub(crate) fn refused(&self, index: usize, source: GeometryError) -> SceneError {
         SceneError::Patch {
             index,

@@ -1,11 +1,13 @@
 //! Patches that lie on each other.
 //!
-//! Two patches overlap if they lie in one plane, face the same way, and their interiors meet: what falls on one would be
-//! counted twice. Two that face opposite ways are the two sides of a sheet, and allowed.
+//! Two patches overlap if they lie in one plane, face the same way, and their interiors meet: what
+//! falls on one would be counted twice. Two that face opposite ways are the two sides of a sheet,
+//! and allowed.
 //!
-//! Within the noise of the coordinates (see [`blockers`](super::Blockers)) planes count as one, and patches that reach over each
-//! other by no more than it count as touching: neighbours of a rotated wall do not overlap. Patches that lie on each
-//! other at a distance above the noise are not found here; the upper one blocks what the lower one sees.
+//! Within the noise of the coordinates (see [`blockers`](super::Blockers)) planes count as one, and
+//! patches that reach over each other by no more than it count as touching: neighbours of a rotated
+//! wall do not overlap. Patches that lie on each other at a distance above the noise are not found
+//! here; the upper one blocks what the lower one sees.
 //!
 //! **Not covered**: obstructions, which may lie on patches.
 
@@ -41,7 +43,7 @@ impl Scene {
         })
     }
 
-    /// Does one of two patches lie in the other, which counts without it?
+    /// Tells whether one of two patches lies in the other, which counts without it.
     fn is_part(&self, first: usize, second: usize) -> bool {
         let under = |part: usize, base: usize| {
             std::iter::successors(self.base_of(part), |part| self.base_of(*part))
@@ -50,7 +52,8 @@ impl Scene {
         under(first, second) || under(second, first)
     }
 
-    /// Refuses the scene if two of its patches lie on each other; meant to be asked once, after reading.
+    /// Refuses the scene if two of its patches lie on each other; meant to be asked once, after
+    /// reading.
     ///
     /// # Errors
     /// [`SceneError::Overlap`].
@@ -66,7 +69,7 @@ impl Scene {
     }
 }
 
-/// Do two outlines face the same way, and lies one of them in the other's plane?
+/// Tells whether two outlines face the same way and one of them lies in the other's plane.
 fn lie_in_one_plane(one: &Outline, other: &Outline, noise: f64) -> bool {
     let within = |outline: &Outline, plane: &Plane| {
         let mut corners = outline.pieces().iter().flatten();

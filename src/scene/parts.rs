@@ -1,22 +1,24 @@
-//! How the patches of a scene belong together: obstructions, parts of a base, rows.
+//! The grouping of a scene's patches: obstructions, parts of a base, rows.
 //!
 //! ```text
 //!   A'_b = A_b − Σ_p A_p ,   A'_b F'_bj = A_b F_bj − Σ_p A_p F_pj       p: the parts that lie in the base b
 //!   A_g = Σ_i A'_i ,         A_g F_gh = Σ_i Σ_j A'_i F'_ij               i, j: the patches of the rows g and h
 //! ```
 //!
-//! A part lies in the plane of its base, faces the same way and is inside it; the base counts without its parts
-//! (additivity). The shape of a base stays whole: what is left of it need not be a simple polygon. Patches of one row exchange with
-//! each other what the row exchanges with itself, `F_gg`. A row is called as its first patch is, and has a material only if all
-//! its patches have the same one.
+//! A part lies in the plane of its base, faces the same way and is inside it; the base counts
+//! without its parts (additivity). The shape of a base stays whole: what is left of it need not be
+//! a simple polygon. Patches of one row exchange with each other what the row exchanges with
+//! itself, `F_gg`. A row is called as its first patch is, and has a material only if all its
+//! patches have the same one.
 //!
 //! **Not covered**: whether two parts of one base overlap ([`Scene::check_overlap`]).
 //!
 //! # Source
-//! View3D 3.3 manual, §4.1 (*subsurfaces*, their bases, which may be subsurfaces), §4.2 (*surface combination*) and §5.2 (the columns
-//! `base` and `cmb`). It has the same restrictions, and two more, which are not needed here: a base comes before its parts, and
-//! a row's first surface before the others. It does not say which emissivity a combined surface has, and the program combines areas
-//! and exchange areas only.
+//! View3D 3.3 manual, §4.1 (*subsurfaces*, their bases, which may be subsurfaces), §4.2 (*surface
+//! combination*) and §5.2 (the columns `base` and `cmb`). It has the same restrictions, and two
+//! more, which are not needed here: a base comes before its parts, and a row's first surface before
+//! the others. It does not say which emissivity a combined surface has, and the program combines
+//! areas and exchange areas only.
 
 use super::scene_geometry::Prepared;
 use super::{Material, NamedPatch, Scene, SceneError};
@@ -25,7 +27,8 @@ use std::collections::HashMap;
 use std::hash::Hash;
 
 impl Scene {
-    /// The same scene with polygons that only obstruct: they are no patches and have no row.
+    /// Adds polygons that only obstruct, in place of those before: they are no patches and have no
+    /// row.
     #[must_use]
     pub fn with_obstructions(self, obstructions: Vec<NamedPatch>) -> Self {
         Self {
@@ -35,13 +38,13 @@ impl Scene {
         }
     }
 
-    /// The same scene in which patch `part` lies in patch `base`.
+    /// Makes patch `part` lie in patch `base`.
     ///
     /// # Errors
     /// [`SceneError::NoSuchPatch`]; [`SceneError::BaseCycle`] if the base lies in the part;
-    /// [`SceneError::PartOffPlane`] beyond [`PLANARITY`](crate::numeric::tolerance::PLANARITY) of the base's diameter;
-    /// [`SceneError::PartFacesAway`]; [`SceneError::PartOutside`]; [`SceneError::NothingLeft`] if the parts leave no
-    /// area to the base.
+    /// [`SceneError::PartOffPlane`] beyond [`PLANARITY`](crate::numeric::tolerance::PLANARITY) of
+    /// the base's diameter; [`SceneError::PartFacesAway`]; [`SceneError::PartOutside`];
+    /// [`SceneError::NothingLeft`] if the parts leave no area to the base.
     pub fn with_base(mut self, part: usize, base: usize) -> Result<Self, SceneError> {
         self.check(part)?;
         self.check(base)?;
@@ -64,7 +67,7 @@ impl Scene {
         Ok(self)
     }
 
-    /// The same scene in which patches with equal labels are summed into one row.
+    /// Sums patches with equal labels into one row.
     ///
     /// # Errors
     /// [`SceneError::LabelCount`] unless there is one label for each patch.
@@ -111,7 +114,8 @@ impl Scene {
         bases.filter_map(move |(part, base)| (*base == Some(index)).then_some(part))
     }
 
-    /// The row that this patch is summed into: rows are numbered from 0 in the order of their first patches.
+    /// The row that this patch is summed into: rows are numbered from 0 in the order of their first
+    /// patches.
     #[must_use]
     pub fn group_of(&self, index: usize) -> usize {
         self.groups[index]
@@ -155,7 +159,8 @@ impl Scene {
         names
     }
 
-    /// The material that all patches of a row have; reflected power of different ones is not that of any single one.
+    /// The material that all patches of a row have; reflected power of different ones is not that
+    /// of any single one.
     ///
     /// # Errors
     /// [`SceneError::NoSuchPatch`]; [`SceneError::MixedRow`] with the first two that differ.

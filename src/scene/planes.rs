@@ -1,16 +1,16 @@
 //! The planes of a scene's surfaces, each once, and the noise of their corners.
 //!
-//! Surfaces whose corners lie within the noise of one plane share it, whichever way they face. A shared
-//! plane is put through three corners that are far apart, so that a wall of small patches has a plane as
-//! well known as the wall, not as one patch of it. Overlap, blockers, convex rooms and the plan of
-//! exchange all ask the planes and the noise that stand here.
+//! Surfaces whose corners lie within the noise of one plane share it, whichever way they face. A
+//! shared plane is put through three corners that are far apart, so that a wall of small patches
+//! has a plane as well known as the wall, not as one patch of it. Overlap, blockers, convex rooms
+//! and the plan of exchange all ask the planes and the noise that stand here.
 //!
 //! ```text
 //!   noise = 64 ε · (largest coordinate) + 8 · (largest deviation of a corner from its patch's plane)
 //! ```
 //!
-//! ([`tolerance::TOUCHING`], [`tolerance::DEPTH_PER_DEVIATION`].) Below this length touching cannot be
-//! told from penetrating, in one plane from above it. Why one length serves all:
+//! ([`tolerance::TOUCHING`], [`tolerance::DEPTH_PER_DEVIATION`].) Below this length touching cannot
+//! be told from penetrating, in one plane from above it. Why one length serves all:
 //!
 //! ```text
 //!   corner      rotated and shifted, a corner is off by 6 ε of the largest coordinate at most
@@ -19,9 +19,9 @@
 //!   depth       of one body in another: twice the corners' 6 ε beside what the planes leave
 //! ```
 //!
-//! so that 64 ε holds all of them. Exact scenes have smaller residues and no features of 1e-14 of their
-//! size, so that the choice decides nothing there. A resolution that is known (the decimals of a file) would
-//! take the place of the first term, in [`noise`] and nowhere else.
+//! so that 64 ε holds all of them. Exact scenes have smaller residues and no features of 1e-14 of
+//! their size, so that the choice decides nothing there. A resolution that is known (the decimals
+//! of a file) would take the place of the first term, in [`noise`] and nowhere else.
 //!
 //! **Not covered**: the planes that can see each other (the plan of exchange compares them).
 
@@ -46,7 +46,7 @@ pub(crate) struct SharedPlane {
 }
 
 impl SharedPlane {
-    /// Whether what lies in this plane can enter a body that reaches between these heights over it.
+    /// Tells whether a surface in this plane can enter a body between these heights over it.
     pub(crate) fn is_crossed_by(&self, [low, high]: [f64; 2], noise: f64) -> bool {
         self.high - low > noise && high - self.low > noise
     }
@@ -125,7 +125,7 @@ impl ScenePlanes {
         self.noise
     }
 
-    /// The same length as [`noise`](Self::noise), in the scene's own unit of length.
+    /// The length below which coordinates say nothing, in the scene's own unit of length.
     pub(crate) const fn noise_length(&self) -> f64 {
         self.noise * self.unit
     }
@@ -160,7 +160,8 @@ impl ScenePlanes {
             .map(move |corner| *corner / unit)
     }
 
-    /// For each plane whether patches lie on both sides of it, so that a surface in it can be between two.
+    /// For each plane whether patches lie on both sides of it, so that a surface in it can be
+    /// between two.
     pub(crate) fn splits(&self, patches: &[NamedPatch]) -> Vec<bool> {
         let all = patches.iter().flat_map(|patch| self.corners(patch));
         let mut corners: Vec<DVec3> = all.collect();
@@ -179,8 +180,8 @@ impl ScenePlanes {
         self.planes.par_iter().map(between).collect()
     }
 
-    /// Gathers surfaces in planes: those that agree roughly are tried as one plane. If they are not,
-    /// those that agree closely are put in the first plane that fits.
+    /// Gathers surfaces in planes: those that agree roughly are tried as one plane. If they are
+    /// not, those that agree closely are put in the first plane that fits.
     ///
     /// Surfaces that lie in one plane but are not gathered only cost time.
     fn gather(&mut self, surfaces: &[&NamedPatch], own: &[SharedPlane]) {
@@ -248,7 +249,7 @@ impl ScenePlanes {
     }
 }
 
-/// Up to here it does not pay to look for equal corners.
+/// The largest number of planes for which it does not pay to look for equal corners.
 const FEW_PLANES: usize = 64;
 
 /// A plane with corners on both sides is found out after this many.
@@ -308,7 +309,8 @@ fn centred<C: Iterator<Item = DVec3>>(plane: Plane, corners: impl Fn() -> C) -> 
     shared
 }
 
-/// The plane through a corner, the one farthest from it, and the one farthest from the line through both.
+/// The plane through a corner, the one farthest from it, and the one farthest from the line through
+/// both.
 fn through_far_corners<C: Iterator<Item = DVec3>>(corners: impl Fn() -> C) -> Option<SharedPlane> {
     let farthest = |distance: &dyn Fn(DVec3) -> f64| {
         let mut best = (-1.0, DVec3::ZERO);

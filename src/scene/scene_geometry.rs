@@ -1,8 +1,9 @@
 //! The surfaces of a scene made ready, once, for all questions of how they lie to each other.
 //!
-//! Planes, outlines and boxes are found when they are first asked for and kept with the scene. Every
-//! surface is in one of two trees of boxes: *candidates* lie in a plane that has patches on both sides, and
-//! nothing else can stand between two patches; the search for blockers passes over all others.
+//! Planes, outlines and boxes are found when they are first asked for and kept with the scene.
+//! Every surface is in one of two trees of boxes: *candidates* lie in a plane that has patches on
+//! both sides, and nothing else can stand between two patches; the search for blockers passes over
+//! all others.
 //!
 //! **Not covered**: the answers (overlap, blockers, convex rooms).
 
@@ -16,7 +17,7 @@ use rstar::{AABB, RTree};
 use std::fmt;
 use std::sync::{Arc, OnceLock};
 
-/// What is kept with a scene, and found when it is first asked for.
+/// The planes, outlines and boxes kept with a scene, each found when it is first asked for.
 #[derive(Clone, Default)]
 pub(super) struct Prepared(Arc<Parts>);
 
@@ -27,7 +28,7 @@ struct Parts {
     surfaces: OnceLock<Surfaces>,
 }
 
-/// It follows from the scene.
+/// Equal scenes have equal surfaces, found or not.
 impl PartialEq for Prepared {
     fn eq(&self, _: &Self) -> bool {
         true

@@ -4,7 +4,7 @@ use super::support::rooms::{
     L, among, any_polygon, blocked, level, mapped, mapped_patch, placing, polygon, prism, squares,
 };
 use glam::DVec3;
-use infoscene::geometry::{Outline, Patch, Plane, Shaft};
+use infoscene::geometry::{Outline, Patch, Plane, Shaft, SplitAxis};
 use infoscene::numeric::tolerance;
 use infoscene::scene::{Blocker, Blockers, NamedPatch, Obstacle, Scene, SceneError};
 use proptest::prelude::*;
@@ -242,6 +242,22 @@ fn a_blocked_scene_is_refused_by_name() {
     assert_eq!(search.of_row(1).map(|b| b.second), Some(0));
     assert_eq!(search.of_row(2), None);
     assert_eq!(Scene::built_in("cube:2").unwrap().check_unblocked(), Ok(()));
+}
+
+/// A scene keeps what it has found of its surfaces; with other surfaces it is asked anew.
+#[test]
+fn surfaces_that_are_changed_later_are_seen() {
+    let empty = Scene::try_new(squares()).unwrap();
+    assert_eq!((empty.blocker(), empty.overlap()), (None, None));
+    let screen = level("screen", [0.2, 0.4], [0.2, 0.4], 0.5, true);
+    let blocked = empty.clone().with_obstructions(vec![screen]);
+    let found = blocked.blocker().map(|found| found.obstacle);
+    assert_eq!(found, Some(Obstacle::Obstruction(0)));
+    let cut = blocked.with_patch_split(0, SplitAxis::U, 0.3).unwrap();
+    assert_eq!(cut.overlap(), None);
+    let found = Blockers::of(&cut).of_pair(1, 2).map(|found| found.second);
+    assert_eq!(found, Some(2));
+    assert_eq!(cut.with_obstructions(Vec::new()).blocker(), None);
 }
 
 /// In an L the arms' ends do not see each other fully; the walls of the corner stand between.

@@ -1,4 +1,4 @@
-//! What is wrong with a scene file: where, which condition is broken, and what mends it.
+//! The refusals of a scene file: the place, the broken condition and its remedy.
 
 use crate::geometry::GeometryError;
 use crate::scene::{MaterialError, SceneError};
@@ -215,7 +215,7 @@ pub struct NotExpressible {
     pub mend: &'static str,
 }
 
-/// What mends a shape, as far as the geometry does not say so itself.
+/// The remedy of a shape, as far as the geometry does not name it itself.
 const fn mend(error: &GeometryError) -> &'static str {
     match error {
         GeometryError::TooFewCorners { .. } => ": add corners or remove the face",

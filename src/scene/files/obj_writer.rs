@@ -17,12 +17,13 @@ pub struct ObjText {
 
 /// Writes a scene whose materials go to a file of the name `library`.
 ///
-/// Shapes and materials read back exactly. Names do if they are a text and the number of the patch among those of that
-/// text, as the reader makes them; else the reader puts such a number after them. `#` and `\` in a name become `_`.
+/// Shapes and materials read back exactly. Names do if they are a text and the number of the patch
+/// among those of that text, as the reader makes them; else the reader puts such a number after
+/// them. `#` and `\` in a name become `_`.
 ///
 /// # Errors
-/// [`NotExpressible`] if polygons only obstruct, a patch lies in another one, or patches are summed; or
-/// if `library` is no name that such a file can hold.
+/// [`NotExpressible`] if polygons only obstruct, a patch lies in another one, or patches are
+/// summed; or if `library` is no name that such a file can hold.
 pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible> {
     let not = |what: &str| NotExpressible {
         format: "Wavefront OBJ",

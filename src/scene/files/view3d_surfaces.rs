@@ -144,8 +144,8 @@ fn in_obstruction(scene: Scene, part: usize, base: &Placed) -> Result<Scene, Fau
     }
 }
 
-/// For each patch the surface that it is summed into, and which of its triangles stays apart from the others: those of
-/// one surface do unless it is combined.
+/// For each patch the surface that it is summed into, and which of its triangles stays apart from
+/// the others: those of one surface do unless it is combined.
 fn labels(
     source: &Source,
     surfaces: &[Surface],
