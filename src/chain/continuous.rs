@@ -43,7 +43,8 @@ const MOST_CELLS: usize = 8_000;
 ///
 /// # Errors
 /// [`ChainError::InvalidWeight`] if the brightness is negative or not finite somewhere; [`ChainError::NoMass`];
-/// [`ChainError::Scene`], also if patches overlap or something may stand between two of them.
+/// [`ChainError::Scene`], [`ChainError::Exchange`], also if patches overlap or something may
+/// stand between two of them.
 ///
 /// # Examples
 /// ```
@@ -96,7 +97,7 @@ pub fn continuous_chain(
 /// **Returns** for each patch the extrapolated integral; of second order before, of fourth after for smooth functions.
 ///
 /// # Errors
-/// [`ChainError::Scene`] if a patch cannot be cut.
+/// [`ChainError::Scene`] if a patch cannot be cut; [`ChainError::Exchange`] if a pair is refused.
 pub fn patch_integrals(
     scene: &Scene,
     integrand: impl Fn(usize, DVec3) -> f64,

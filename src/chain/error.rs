@@ -1,6 +1,6 @@
 //! What is not a reversible chain, or not a refinement of one.
 
-use crate::scene::SceneError;
+use crate::scene::{ExchangeError, SceneError};
 
 /// A chain or a refinement was refused; the message names the entry.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -128,7 +128,10 @@ pub enum ChainError {
         /// Entry of the state.
         whole: f64,
     },
-    /// The scene's form factors were refused.
+    /// A scene was refused.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// The exchange of a scene's rows was refused.
+    #[error(transparent)]
+    Exchange(#[from] ExchangeError),
 }

@@ -17,8 +17,8 @@ use nalgebra::DMatrix;
 /// [`brightness_chain`](super::brightness_chain) of unoccluded exchange areas with brightness 1.
 ///
 /// # Errors
-/// [`ChainError::Scene`] if patches overlap or something may stand between two of them; with the
-/// worst row if a row of form factors does not sum to one within its error bounds; or if a form
+/// [`ChainError::Exchange`] if patches overlap or something may stand between two of them; with
+/// the worst row if a row of form factors does not sum to one within its error bounds; or if a form
 /// factor is refused.
 pub fn visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
     let exchange = scene.exchange_areas()?;
@@ -30,8 +30,8 @@ pub fn visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
 /// weight.
 ///
 /// # Errors
-/// [`ChainError::Scene`] if patches overlap, if something may stand between two of them, or if a
-/// form factor is refused.
+/// [`ChainError::Exchange`] if patches overlap, if something may stand between two of them, or if
+/// a form factor is refused.
 ///
 /// # Examples
 /// ```

@@ -5,7 +5,7 @@ use crate::discretize::DiscretizeError;
 use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
 use crate::numeric::NumericError;
-use crate::scene::SceneError;
+use crate::scene::{ExchangeError, SceneError};
 use crate::transport::TransportError;
 
 /// A claim's data or its computation failed.
@@ -13,7 +13,10 @@ use crate::transport::TransportError;
 #[non_exhaustive]
 pub enum ClaimError {
     /// No claim has this id.
-    #[error("there is no claim \"{id}\"; run `infoscene reproduce` to see all ids{}", nearest.as_ref().map(|n| format!(", the nearest is \"{n}\"")).unwrap_or_default())]
+    #[error(
+        "there is no claim \"{id}\"{}",
+        nearest.as_ref().map(|n| format!(": the nearest is \"{n}\"")).unwrap_or_default()
+    )]
     UnknownClaim {
         /// As given.
         id: String,
@@ -54,6 +57,9 @@ pub enum ClaimError {
     /// A scene was refused.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// The exchange of a scene's rows was refused.
+    #[error(transparent)]
+    Exchange(#[from] ExchangeError),
     /// A lit scene was refused.
     #[error(transparent)]
     Transport(#[from] TransportError),

@@ -10,7 +10,7 @@ use infoscene::information::{
     expected_bias_of_scene, pair_losses, scene_information,
 };
 use infoscene::report::{measure_report, sample_report};
-use infoscene::scene::{NamedPatch, Scene, SceneError, ScenePairs};
+use infoscene::scene::{ExchangeError, NamedPatch, Scene, SceneError, ScenePairs};
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]
@@ -156,10 +156,10 @@ impl Measure {
 
 fn named(source: ChainError, scene: &Scene) -> Box<dyn Error> {
     let (row, mend) = match &source {
-        ChainError::Scene(SceneError::OpenScene { row, .. }) => {
+        ChainError::Exchange(ExchangeError::OpenScene { row, .. }) => {
             (*row, "; --open adds the state outside")
         }
-        ChainError::Scene(SceneError::RowAboveOne { row, .. }) => (*row, ""),
+        ChainError::Exchange(ExchangeError::RowAboveOne { row, .. }) => (*row, ""),
         _ => return source.into(),
     };
     let name = scene.group_names()[row].to_owned();

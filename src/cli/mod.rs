@@ -12,6 +12,7 @@ mod fuzz;
 mod grid;
 mod light;
 mod measure;
+mod mends;
 mod output;
 mod patch_values;
 mod radiosity;
@@ -89,7 +90,7 @@ pub(crate) fn run() -> ExitCode {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::Differs) => ExitCode::from(1),
         Err(error) => {
-            eprintln!("infoscene: {error}");
+            eprintln!("infoscene: {error}{}", mends::mend(&*error));
             ExitCode::from(2)
         }
     }

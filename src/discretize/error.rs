@@ -4,7 +4,7 @@ use crate::chain::ChainError;
 use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
 use crate::numeric::NumericError;
-use crate::scene::SceneError;
+use crate::scene::{ExchangeError, SceneError};
 
 /// A discretization was refused or not found.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -43,7 +43,7 @@ pub enum DiscretizeError {
     /// An enclosure of what has no closed form.
     #[error(
         "enclosures are for rectangles with edges along three common axes, and here is another pair: \
-         do without --precision, or name only rectangles that are aligned"
+         name only rectangles that are aligned, or do without an enclosure"
     )]
     NotEnclosed,
     /// No start came to rest.
@@ -61,6 +61,9 @@ pub enum DiscretizeError {
     /// A scene was refused.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// The exchange of a scene's rows was refused.
+    #[error(transparent)]
+    Exchange(#[from] ExchangeError),
     /// A chain was refused.
     #[error(transparent)]
     Chain(#[from] ChainError),

@@ -21,7 +21,7 @@ use super::{DiscretizeError, stationarity};
 use crate::geometry::{CutLines, Rectangle, SplitAxis};
 use crate::information::relative_entropy;
 use crate::numeric::{CertifiedMaximum, Dual, End, Interval, Objective, Scalar, certified_maximum};
-use crate::scene::{Occlusion, Scene, SceneError};
+use crate::scene::{ExchangeError, Occlusion, Scene, SceneError};
 
 /// A patch of a scene, to be cut across one of its axes; over intervals its gains are enclosures.
 #[derive(Debug, Clone, PartialEq)]
@@ -101,7 +101,7 @@ impl PatchSplit {
             }
             let shape = scene.whole_patch(*other)?.shape();
             let pair = CutPair::try_new(&lines, [surface, shape]);
-            let (pair, exchange) = pair.map_err(|source| SceneError::Pair {
+            let (pair, exchange) = pair.map_err(|source| ExchangeError::Pair {
                 first: patch,
                 second: *other,
                 source,

@@ -6,21 +6,23 @@
 //!   quasi-random    local lines from a lattice-like sequence in four dimensions, shifted at random 16 times
 //! ```
 //!
-//! Uniform lines meet a surface by cosine and in proportion to its area (Crofton's formula: a line through a sphere of
-//! radius R meets a flat patch of area A with probability `A/(2πR²)`), so that both kinds of lines know the same F.
-//! What a polygon has behind the other's plane is never hit, and concave outlines are hit as they are.
+//! Uniform lines meet a surface by cosine and in proportion to its area (Crofton's formula: a line
+//! through a sphere of radius R meets a flat patch of area A with probability `A/(2πR²)`), so that
+//! both kinds of lines know the same F. What a polygon has behind the other's plane is never hit,
+//! and concave outlines are hit as they are.
 //!
-//! With h hits among n lines the standard error is that of the posterior of a uniform prior, `√((h+1)(n−h+1)/((n+2)²(n+3)))`: next
-//! to `√(F(1−F)/n)` where there are hits, and not 0 where there are none. All this is evidence by *sample*.
+//! With h hits among n lines the standard error is that of the posterior of a uniform prior,
+//! `√((h+1)(n−h+1)/((n+2)²(n+3)))`: next to `√(F(1−F)/n)` where there are hits, and not 0 where
+//! there are none. All this is evidence by *sample*.
 //!
 //! **Not covered**: occlusion.
 //!
-//! References: Sbert, *An Integral Geometry Based Method for Fast Form-Factor Computation*, Eurographics 1993;
-//! Santaló, *Integral Geometry and Geometric Probability*, 1976, ch. 12; Cranley and Patterson, SIAM J. Numer. Anal. 13,
-//! 1976 (random shifts).
+//! References: Sbert, *An Integral Geometry Based Method for Fast Form-Factor Computation*,
+//! Eurographics 1993; Santaló, *Integral Geometry and Geometric Probability*, 1976, ch. 12; Cranley
+//! and Patterson, SIAM J. Numer. Anal. 13, 1976 (random shifts).
 
-use crate::geometry::{Patch, line_through_sphere, triangulated};
-use glam::{DVec2, DVec3};
+use crate::geometry::{Facet, LocalLine, Patch, line_through_sphere};
+use glam::DVec3;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::TAU;
@@ -80,10 +82,12 @@ const SHIFTS: u32 = 16;
 
 /// The form factor from the first polygon to the second by quasi-random lines; `None` for no lines.
 ///
-/// The sequence is `i·(1/φ, 1/φ², 1/φ³, 1/φ⁴) mod 1` with `φ⁵ = φ + 1`, a badly approximable direction. The standard error is that of
-/// the mean of 16 independent shifts, and at least one line in all.
+/// The sequence is `i·(1/φ, 1/φ², 1/φ³, 1/φ⁴) mod 1` with `φ⁵ = φ + 1`, a badly approximable
+/// direction. The standard error is that of the mean of 16 independent shifts, and at least one
+/// line in all.
 ///
-/// **Arguments** `lines`: how many, rounded up to a multiple of 16; `seed`: the same one gives the same estimate.
+/// **Arguments** `lines`: how many, rounded up to a multiple of 16; `seed`: the same one gives the
+/// same estimate.
 #[must_use]
 pub fn quasi_random_lines(first: &Patch, second: &Patch, lines: u32, seed: u64) -> Option<Sample> {
     let each = lines.div_ceil(SHIFTS);
@@ -114,7 +118,7 @@ pub fn quasi_random_lines(first: &Patch, second: &Patch, lines: u32, seed: u64) 
     })
 }
 
-/// What lines through a sphere around two polygons met.
+/// The counts of lines through a sphere around two polygons.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GlobalLines {
     /// Lines through the sphere.
@@ -134,8 +138,8 @@ impl GlobalLines {
         Sample::of(self.joined, self.met[0])
     }
 
-    /// The area of the first or second polygon, with its standard error: half the sphere's times the part of the lines that
-    /// met it; `None` without lines.
+    /// The area of the first or second polygon, with its standard error: half the sphere's times
+    /// the part of the lines that met it; `None` without lines.
     #[must_use]
     pub fn area(&self, which: usize) -> Option<[f64; 2]> {
         let part = Sample::of(*self.met.get(which)?, self.lines)?;
@@ -154,14 +158,15 @@ pub fn global_lines(first: &Patch, second: &Patch, lines: u32, seed: u64) -> Glo
     let (mut met, mut joined) = ([0; 2], 0);
     for _ in 0..lines {
         let [start, direction] = line_through_sphere(targets.radius, random.random());
-        let crossings = [leaving, arriving].map(|polygon| polygon.crossing(start, direction));
+        let crossings = [leaving, arriving].map(|polygon| polygon.facet.crossing(start, direction));
         for (count, crossing) in met.iter_mut().zip(crossings) {
             *count += u32::from(crossing.is_some());
         }
         if let [Some(from), Some(to)] = crossings {
             // the line has no direction of its own: along it as it leaves the first one's front
-            let out = direction.dot(leaving.normal).signum();
-            let arrives = out * direction.dot(arriving.normal) < 0.0 && out * (to - from) > 0.0;
+            let out = direction.dot(leaving.facet.normal()).signum();
+            let arrives =
+                out * direction.dot(arriving.facet.normal()) < 0.0 && out * (to - from) > 0.0;
             joined += u32::from(arrives);
         }
     }
@@ -189,9 +194,9 @@ impl Targets {
         let unit = (0.5 * highest - 0.5 * lowest).max_element();
         let middle = 0.5 * lowest + 0.5 * highest;
         let polygons = [first, second].map(|patch| Target::new(patch, middle, unit));
-        let all = polygons.iter().flat_map(|polygon| &polygon.triangles);
-        let radius = all
-            .flatten()
+        let radius = polygons
+            .iter()
+            .flat_map(|polygon| polygon.facet.corners())
             .map(|corner| corner.length())
             .fold(0.0, f64::max);
         Self {
@@ -201,52 +206,40 @@ impl Targets {
         }
     }
 
-    /// Whether a line from the first polygon hits the front of the second: by two numbers for the point, two for the direction.
-    fn is_hit(&self, [along, aside, square, around]: [f64; 4]) -> bool {
+    /// Tells whether a line from the first polygon hits the front of the second.
+    ///
+    /// **Arguments** two numbers for the point, two for the direction.
+    fn is_hit(&self, numbers: [f64; 4]) -> bool {
         let [leaving, arriving] = &self.polygons;
-        let (sine, cosine) = (TAU * around).sin_cos();
-        let flat = cosine * leaving.across + sine * leaving.up;
-        let direction = square.sqrt() * flat + (1.0 - square).sqrt() * leaving.normal;
-        direction.dot(arriving.normal) < 0.0
+        let LocalLine {
+            origin, direction, ..
+        } = leaving.line(numbers);
+        direction.dot(arriving.facet.normal()) < 0.0
             && arriving
-                .crossing(leaving.point(along, aside), direction)
+                .facet
+                .crossing(origin, direction)
                 .is_some_and(|distance| distance > 0.0)
     }
 }
 
 /// A polygon to leave from and to hit.
 struct Target {
-    normal: DVec3,
-    across: DVec3,
-    up: DVec3,
-    origin: DVec3,
-    outline: Vec<DVec2>,
-    triangles: Vec<[DVec3; 3]>,
+    facet: Facet,
     /// The part of the area in each triangle and those before it.
     parts: Vec<f64>,
 }
 
 impl Target {
     fn new(patch: &Patch, middle: DVec3, unit: f64) -> Self {
-        let corners: Vec<DVec3> = patch
-            .corners()
-            .iter()
-            .map(|c| (*c - middle) / unit)
-            .collect();
-        let normal = patch.normal();
-        let (across, up) = normal.any_orthonormal_pair();
-        let origin = corners[0];
-        let outline = corners.iter().map(|c| *c - origin);
-        let outline = outline.map(|c| DVec2::new(c.dot(across), c.dot(up)));
-        let triangles: Vec<[DVec3; 3]> = triangulated(&corners, normal)
-            .into_iter()
-            .map(|indices| indices.map(|k| corners[k]))
-            .collect();
+        let place = |corner: DVec3| (corner - middle) / unit;
+        let corners: Vec<DVec3> = patch.corners().iter().map(|c| place(*c)).collect();
+        let facet = Facet::new(&corners, patch.normal(), |corner| corner);
         // in units of its own size, so that squares stay in range
-        let own = corners.iter().map(|c| c.distance(origin));
+        let own = corners.iter().map(|c| c.distance(corners[0]));
         let own = own.fold(0.0, f64::max);
         let mut sum = 0.0;
-        let mut parts: Vec<f64> = triangles
+        let mut parts: Vec<f64> = facet
+            .triangles()
             .iter()
             .map(|[a, b, c]| {
                 sum += ((*b - *a) / own).cross((*c - *a) / own).length();
@@ -254,42 +247,18 @@ impl Target {
             })
             .collect();
         parts.iter_mut().for_each(|part| *part /= sum);
-        Self {
-            normal,
-            across,
-            up,
-            origin,
-            outline: outline.collect(),
-            triangles,
-            parts,
-        }
+        Self { facet, parts }
     }
 
-    /// A point of the polygon: uniform for uniform numbers.
-    fn point(&self, along: f64, aside: f64) -> DVec3 {
-        let last = self.triangles.len() - 1;
+    /// A line that leaves the front: uniform points, directions by cosine for uniform numbers.
+    fn line(&self, [along, aside, square, around]: [f64; 4]) -> LocalLine {
+        let triangles = self.facet.triangles();
+        let last = triangles.len() - 1;
         let k = self.parts.partition_point(|part| *part <= along).min(last);
         let before = if k > 0 { self.parts[k - 1] } else { 0.0 };
+        // the number that has chosen the triangle is uniform within its part, and serves again
         let within = ((along - before) / (self.parts[k] - before)).clamp(0.0, 1.0);
-        let [a, b, c] = self.triangles[k];
-        let far = within.sqrt();
-        a + far * ((1.0 - aside) * (b - a) + aside * (c - a))
-    }
-
-    /// Where a line meets the polygon, as the signed distance from its start.
-    fn crossing(&self, start: DVec3, direction: DVec3) -> Option<f64> {
-        let distance = (self.origin - start).dot(self.normal) / direction.dot(self.normal);
-        if !distance.is_finite() {
-            return None;
-        }
-        let point = start + distance * direction - self.origin;
-        let point = DVec2::new(point.dot(self.across), point.dot(self.up));
-        let n = self.outline.len();
-        let inside = (0..n).fold(false, |inside, k| {
-            let (a, b) = (self.outline[k], self.outline[(k + 1) % n]);
-            let spans = (a.y > point.y) != (b.y > point.y);
-            inside ^ (spans && (b - a).perp_dot(point - a) * (b.y - a.y) > 0.0)
-        });
-        inside.then_some(distance)
+        let numbers = [within, aside, square, around];
+        LocalLine::leaving(triangles[k], self.facet.normal(), numbers)
     }
 }

@@ -8,11 +8,13 @@
 
 mod aligned_rectangle;
 mod clip;
+mod containment;
 mod convex_pieces;
 mod convexity;
 mod cut_lines;
 mod ears;
 mod error;
+mod local_line;
 mod offsets;
 mod patch;
 mod placement;
@@ -26,11 +28,13 @@ mod vector;
 
 pub use aligned_rectangle::{AlignedRectangle, FlatBox};
 pub(crate) use clip::{ClippedCorner, clip, clipped};
+pub(crate) use containment::{NotContained, check_contained, distance_from_plane};
 pub use convexity::convex_hull;
 pub(crate) use convexity::is_convex;
 pub use cut_lines::CutLines;
 pub(crate) use ears::EarClipper;
 pub use error::GeometryError;
+pub(crate) use local_line::{Facet, LocalLine, Slope};
 pub use offsets::Offsets;
 pub use patch::Patch;
 pub use placement::{Extent, Placement};

@@ -20,7 +20,7 @@ use crate::chain::ChainError;
 use crate::form_factor::Logarithms;
 use crate::geometry::{GeometryError, Patch};
 use crate::numeric::{CompensatedSum, compensated_sum, tolerance, try_parallel_map};
-use crate::scene::{Occlusion, Scene, SceneError};
+use crate::scene::{ExchangeError, Occlusion, Scene, SceneError};
 use std::f64::consts::LN_2;
 
 /// What a pair of faces contributes to the continuous mutual information, in both directions together.
@@ -59,8 +59,9 @@ pub struct ContinuousInformation {
 /// 1e8 times as high as wide, held by `boxes_agree_with_a_formula_of_their_own`; the error returned is an estimate.
 ///
 /// # Errors
-/// [`ChainError::Scene`] if the room is not convex inside or not closed, an obstruction stands in
-/// it (leave it out with [`Scene::with_obstructions`]), patches overlap, or a pair is refused.
+/// [`ChainError::Scene`] if the room is not convex inside, an obstruction stands in it (leave it
+/// out with [`Scene::with_obstructions`]), or patches overlap; [`ChainError::Exchange`] if it is not
+/// closed, or a pair is refused.
 ///
 /// # Examples
 /// ```
@@ -82,7 +83,7 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
         .collect();
     let measured = try_parallel_map(places.len(), &|place| {
         let [first, second] = places[place];
-        Logarithms::of(&faces[first], &faces[second]).map_err(|source| SceneError::Pair {
+        Logarithms::of(&faces[first], &faces[second]).map_err(|source| ExchangeError::Pair {
             first: first_patch(first),
             second: first_patch(second),
             source,
@@ -103,7 +104,7 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
         let allowed = bound / patch.area() + tolerance::COVERED;
         let sum = received / patch.area();
         if (sum - 1.0).abs() > allowed {
-            return Err(SceneError::OpenScene {
+            return Err(ExchangeError::OpenScene {
                 row: first_patch(face),
                 sum,
                 tolerance: allowed,

@@ -85,7 +85,7 @@ pub fn expected_deviation(cells: impl IntoIterator<Item = ([f64; 2], f64)>, samp
 /// `E[Î] − I` in bits, of N chords of a closed scene without occlusion, when the weights are known.
 ///
 /// # Errors
-/// [`ChainError::Scene`] if two patches are refused, or the scene is open.
+/// [`ChainError::Exchange`] if two patches are refused, or the scene is open.
 pub fn expected_bias_of_scene(pairs: &ScenePairs, samples: u64) -> Result<f64, ChainError> {
     #[allow(clippy::cast_precision_loss, reason = "exact up to 2^53 samples")]
     let samples = samples as f64;

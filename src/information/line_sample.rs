@@ -15,7 +15,7 @@
 use super::chords::{ChordInformation, ChordSums};
 use super::pair_counts::PairCounts;
 use crate::chain::ChainError;
-use crate::scene::{Chord, GridLines, Passage, Scene, SceneError, SceneLines};
+use crate::scene::{Chord, ExchangeError, GridLines, Passage, Scene, SceneLines};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -66,10 +66,10 @@ impl LineSample {
     /// **Arguments** `lines`: how many that meet a front, at least 2; fewer count as 2. `seed`: the same one gives the same sample.
     ///
     /// # Errors
-    /// [`ChainError::Scene`] with [`SceneError::Overlap`] if patches lie on each other; with
-    /// [`SceneError::LinesEscape`] if more than a millionth of the lines leave a front and meet
-    /// none, and with [`SceneError::LinesMiss`] if fewer than one in ten thousand global lines meet
-    /// the scene at all.
+    /// [`ChainError::Scene`] with [`SceneError::Overlap`] if patches lie on each other;
+    /// [`ChainError::Exchange`] with [`ExchangeError::LinesEscape`] if more than a millionth of the
+    /// lines leave a front and meet none, and with [`ExchangeError::LinesMiss`] if fewer than one in
+    /// ten thousand global lines meet the scene at all.
     ///
     /// # Examples
     /// ```
@@ -129,11 +129,11 @@ impl LineSample {
         let mut tally = tallies.reduce(Tally::default, Tally::merged);
         let Tally { lost, missing, .. } = tally;
         if lost > lines / 1_000_000 {
-            return Err(SceneError::LinesEscape { lost, lines }.into());
+            return Err(ExchangeError::LinesEscape { lost, lines }.into());
         }
         if missing > 0 {
             let met = lines - missing;
-            return Err(SceneError::LinesMiss { met, lines }.into());
+            return Err(ExchangeError::LinesMiss { met, lines }.into());
         }
         // whichever thread was first
         tally.chords.sort_unstable_by_key(|(chunk, _)| *chunk);

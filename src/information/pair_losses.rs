@@ -15,7 +15,7 @@ use crate::chain::ChainError;
 use crate::form_factor::Logarithms;
 use crate::geometry::Patch;
 use crate::numeric::{compensated_sum, tolerance, try_parallel_map};
-use crate::scene::{NamedPatch, Occlusion, Scene, SceneError};
+use crate::scene::{ExchangeError, NamedPatch, Occlusion, Scene, SceneError};
 use std::f64::consts::LN_2;
 
 /// What a pair of patches contributes, in both directions together; in bits.
@@ -49,7 +49,8 @@ impl PairLoss {
 ///
 /// # Errors
 /// [`ChainError::Scene`] if the room is not convex inside, an obstruction stands in it, patches
-/// overlap, a patch lies in another or is summed with others, or a pair is refused.
+/// overlap, or a patch lies in another or is summed with others; [`ChainError::Exchange`] if a pair
+/// is refused.
 ///
 /// # Examples
 /// ```
@@ -93,9 +94,9 @@ fn of_pair(
     shapes: &[Patch],
     [first, second]: [usize; 2],
     total: f64,
-) -> Result<Option<PairLoss>, SceneError> {
+) -> Result<Option<PairLoss>, ExchangeError> {
     let [one, other] = [&shapes[first], &shapes[second]];
-    let refused = |source| SceneError::Pair {
+    let refused = |source| ExchangeError::Pair {
         first,
         second,
         source,

@@ -92,7 +92,7 @@ const DIVERGENCE_ERROR: usize = 3;
 /// The information of a scene's visibility chain, each pair taken once and none held.
 ///
 /// # Errors
-/// [`ChainError::Scene`] for an open scene without [`Surroundings::Outside`], for rows above one, and if two patches are
+/// [`ChainError::Exchange`] for an open scene without [`Surroundings::Outside`], for rows above one, and if two patches are
 /// refused.
 ///
 /// # Examples

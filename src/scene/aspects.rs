@@ -3,8 +3,8 @@
 //! Rows whose polygons lie in the same planes have the same *aspect*: they see the same. A row that is one patch has the aspect
 //! of its plane; one that lies in several planes may see itself.
 
+use super::facing::{FacingPlanes, Sight};
 use super::members::Members;
-use super::planes::{Planes, Sight};
 use crate::numeric::compensated_sum;
 use smallvec::SmallVec;
 use std::collections::HashMap;
@@ -23,7 +23,7 @@ pub(super) struct Aspects {
 }
 
 impl Aspects {
-    pub(super) fn of(members: &Members, planes: &Planes) -> Self {
+    pub(super) fn of(members: &Members, planes: &FacingPlanes) -> Self {
         let mut aspects = Self {
             of: Vec::with_capacity(members.rows()),
             rows: Vec::new(),
@@ -56,7 +56,7 @@ impl Aspects {
     }
 
     /// What rows of two aspects can exchange; of the same aspect, what a row can exchange with itself.
-    pub(super) fn sight(&self, planes: &Planes, first: usize, second: usize) -> Sight {
+    pub(super) fn sight(&self, planes: &FacingPlanes, first: usize, second: usize) -> Sight {
         let mut most = Sight::Coplanar;
         for one in &self.planes[first] {
             for other in &self.planes[second] {
@@ -71,7 +71,7 @@ impl Aspects {
     }
 
     /// For each row the sum of the weights of all rows that it exchanges nothing with, its own if it is one.
-    pub(super) fn unseen(&self, planes: &Planes, weights: &[f64]) -> Vec<f64> {
+    pub(super) fn unseen(&self, planes: &FacingPlanes, weights: &[f64]) -> Vec<f64> {
         let sum = |rows: &Vec<usize>| compensated_sum(rows.iter().map(|row| weights[*row]));
         let sums: Vec<f64> = self.rows.iter().map(sum).collect();
         let unseen = |aspect: usize| {

@@ -1,34 +1,36 @@
-//! Does anything stand between two patches?
+//! The search for surfaces that stand between two patches.
 //!
-//! Exchange areas are computed as if nothing were in the way. Until occlusion is, a scene in which something may be in the
-//! way is refused, with the pair and the blocker named.
+//! Exchange areas are computed as if nothing were in the way. Until occlusion is, a scene in which
+//! something may be in the way is refused, with the pair and the blocker named.
 //!
 //! ```text
 //!   k blocks (i, j)  ⇔  k meets the interior of the union of all segments from i⁺ to j⁺
 //!   i⁺: the part of i in front of j's plane,  j⁺: the part of j in front of i's plane
 //! ```
 //!
-//! A pair that exchanges nothing has no i⁺ or no j⁺. Every k counts from both sides. What is decided, and what noise
-//! means: [`Shaft`]; how large it is: about 64 ε of the largest coordinate, plus eight times the largest
-//! deviation of a corner from its patch's plane. So a blocker that enters the shaft by more than the noise is never missed; one
-//! that touches it, up to the rounding of rotated or decimal corners, is never reported.
+//! A pair that exchanges nothing has no i⁺ or no j⁺. Every k counts from both sides. [`Shaft`] says
+//! what is decided and what noise means; it is that of the scene's planes, about 64 ε of the
+//! largest coordinate plus eight times the largest deviation of a corner from its patch's plane. So
+//! a blocker that enters the shaft by more than the noise is never missed; one that touches it, up
+//! to the rounding of rotated or decimal corners, is never reported.
 //!
-//! **Cheap where nothing blocks.** What lies in a plane that has all patches on one side blocks nothing: a closed convex
-//! room is settled by comparing every corner with every plane, each once. What is left is found by boxes, then by planes,
-//! then by [`Shaft`].
+//! **Cheap where nothing blocks.** What lies in a plane that has all patches on one side blocks
+//! nothing: a closed convex room is settled by comparing every corner with every plane, each once.
+//! What is left is found by boxes, then by planes, then by [`Shaft`].
 //!
 //! **Not covered**: how much is blocked.
 
 use super::arrangement::Arrangement;
+use super::planes::ScenePlanes;
+use super::scene_geometry::Surfaces;
 use super::{NamedPatch, Scene, SceneError};
 use crate::geometry::{Outline, Shaft};
 use crate::numeric::parallel_map;
 use rayon::prelude::*;
-use rstar::primitives::{GeomWithData, Rectangle as Box3};
-use rstar::{AABB, RTree};
 use std::fmt;
+use std::ops::Range;
 
-/// What stands in the way.
+/// A surface that stands in the way.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Obstacle {
     /// The patch with this index.
@@ -53,7 +55,7 @@ pub struct Blocker {
     pub first: usize,
     /// Index of the other.
     pub second: usize,
-    /// What stands between: the first of all that do, patches before obstructions.
+    /// The first surface that stands between, patches before obstructions.
     pub obstacle: Obstacle,
     /// Its name.
     pub name: String,
@@ -73,167 +75,141 @@ impl From<Blocker> for SceneError {
 /// The search for blockers among patches and obstructions, made ready.
 #[derive(Debug)]
 pub struct Blockers<'a> {
-    arrangement: Arrangement<'a>,
-    /// Nothing else can block: surfaces in planes with patches on both sides.
-    suspects: Vec<Outline>,
-    /// Their indices among all surfaces, by their boxes.
-    boxes: RTree<GeomWithData<Box3<[f64; 3]>, usize>>,
-    /// The suspects' places among `suspects`, by index of the surface.
-    place_of: Vec<Option<usize>>,
-    /// All patches; empty if there are no suspects.
-    patches: Vec<Outline>,
-    /// Indices of the planes with patches on both sides.
-    planes: Vec<usize>,
-    /// For each patch the one that it lies in and that lies in no other. Patches of one root lie in one plane.
+    scene: &'a Scene,
+    planes: &'a ScenePlanes,
+    /// None if nothing can block.
+    surfaces: Option<&'a Surfaces>,
+    /// Indices of the planes with patches on both sides: what lies in another one blocks nothing.
+    splitting: Vec<usize>,
+    /// For each patch the one that it lies in and that lies in no other. Patches of one root lie in
+    /// one plane and do not block each other.
     roots: Vec<usize>,
 }
 
 impl<'a> Blockers<'a> {
-    /// Makes the search ready, among patches none of which lies in another.
-    #[must_use]
-    pub fn new(patches: &'a [NamedPatch], obstructions: &'a [NamedPatch]) -> Self {
-        Self::with_roots(patches, obstructions, (0..patches.len()).collect())
-    }
-
-    /// Makes the search ready: a base and what lies in it do not block each other.
+    /// Makes the search ready.
     #[must_use]
     pub fn of(scene: &'a Scene) -> Self {
+        let splits = scene.splits();
+        let splitting: Vec<usize> = (0..splits.len()).filter(|plane| splits[*plane]).collect();
         let roots = (0..scene.patches().len()).map(|patch| scene.root_of(patch));
-        Self::with_roots(scene.patches(), scene.obstructions(), roots.collect())
-    }
-
-    fn with_roots(
-        patches: &'a [NamedPatch],
-        obstructions: &'a [NamedPatch],
-        roots: Vec<usize>,
-    ) -> Self {
-        let arrangement = Arrangement::new(patches, obstructions);
-        let splits = arrangement.splits();
-        let suspected: Vec<usize> = (0..arrangement.surfaces.len())
-            .filter(|surface| splits[arrangement.places[*surface].0])
-            .collect();
-        let outline = |surface: usize| arrangement.outline(surface);
-        let suspects = parallel_map(suspected.len(), &|place| outline(suspected[place]));
-        let boxed = suspected.iter().zip(&suspects).map(|(surface, outline)| {
-            let [low, high] = outline.bounds().map(|corner| corner.to_array());
-            GeomWithData::new(Box3::from_corners(low, high), *surface)
-        });
-        let boxes = RTree::bulk_load(boxed.collect());
-        let mut place_of = vec![None; arrangement.surfaces.len()];
-        for (place, surface) in suspected.iter().enumerate() {
-            place_of[*surface] = Some(place);
-        }
-        let patches = if suspects.is_empty() {
-            Vec::new()
-        } else {
-            parallel_map(patches.len(), &outline)
-        };
-        let planes = (0..splits.len()).filter(|plane| splits[*plane]).collect();
         Self {
-            arrangement,
-            suspects,
-            boxes,
-            place_of,
-            patches,
-            planes,
-            roots,
+            scene,
+            planes: scene.planes(),
+            surfaces: (!splitting.is_empty()).then(|| scene.outlined()),
+            splitting,
+            roots: roots.collect(),
         }
     }
 
-    /// The first blocked pair in the order of its indices, and what blocks it first; the same for any number of threads.
+    /// The first blocked pair in the order of its indices, and the first surface that blocks it;
+    /// the same for any number of threads.
     #[must_use]
     pub fn first(&self) -> Option<Blocker> {
-        (0..self.patches.len())
+        let patches = self.roots.len();
+        (0..patches)
             .into_par_iter()
-            .find_map_first(|first| self.between(first, first + 1..self.patches.len()))
+            .find_map_first(|first| self.first_of_row(first, first + 1..patches))
     }
 
-    /// The first patch that one patch is blocked from, and what blocks the two first.
+    /// The first patch that one patch is blocked from, and the first surface that blocks the two.
     #[must_use]
     pub fn of_row(&self, first: usize) -> Option<Blocker> {
-        self.between(first, 0..self.patches.len())
+        self.first_of_row(first, 0..self.roots.len())
     }
 
-    /// What blocks a pair first.
+    /// The first surface that blocks a pair.
     #[must_use]
     pub fn of_pair(&self, first: usize, second: usize) -> Option<Blocker> {
-        self.between(first, second..second + 1)
+        self.first_of_row(first, second..second + 1)
     }
 
-    fn between(&self, first: usize, seconds: std::ops::Range<usize>) -> Option<Blocker> {
-        if self.suspects.is_empty() {
-            return None;
-        }
+    /// All surfaces that block a pair: patches, then obstructions, in the order of their indices.
+    pub fn obstacles(&self, first: usize, second: usize) -> impl Iterator<Item = Obstacle> {
         let reaches = self.reaches(first);
-        seconds
-            .filter(|second| *second != first)
-            .find_map(|second| {
-                let surface = self.obstacle(first, second, &reaches)?;
-                let patches = self.arrangement.patches;
-                Some(Blocker {
-                    first,
-                    second,
-                    obstacle: if surface < patches {
-                        Obstacle::Patch(surface)
-                    } else {
-                        Obstacle::Obstruction(surface - patches)
-                    },
-                    name: self.arrangement.surfaces[surface].name.clone(),
-                })
+        let surfaces = self.in_the_way(first, second, &reaches);
+        surfaces.map(|surface| self.obstacle(surface))
+    }
+
+    fn first_of_row(&self, first: usize, mut seconds: Range<usize>) -> Option<Blocker> {
+        self.surfaces?;
+        let reaches = self.reaches(first);
+        seconds.find_map(|second| {
+            let surface = self.in_the_way(first, second, &reaches).next()?;
+            Some(Blocker {
+                first,
+                second,
+                obstacle: self.obstacle(surface),
+                name: self.scene.surface(surface).name().to_owned(),
             })
+        })
+    }
+
+    fn obstacle(&self, surface: usize) -> Obstacle {
+        match surface.checked_sub(self.roots.len()) {
+            None => Obstacle::Patch(surface),
+            Some(obstruction) => Obstacle::Obstruction(obstruction),
+        }
     }
 
     /// The heights of a patch over every splitting plane.
     fn reaches(&self, patch: usize) -> Vec<[f64; 2]> {
-        let range =
-            |plane: &usize| self.arrangement.planes[*plane].range(self.arrangement.corners(patch));
-        self.planes.iter().map(range).collect()
+        let corners = self.planes.corners(self.scene.surface(patch));
+        let range = |plane: &usize| self.planes.planes()[*plane].range(corners.clone());
+        self.splitting.iter().map(range).collect()
     }
 
-    /// The first surface that blocks a pair.
-    fn obstacle(&self, first: usize, second: usize, reaches: &[[f64; 2]]) -> Option<usize> {
-        let (one, other) = (
-            &self.patches[first.min(second)],
-            &self.patches[first.max(second)],
-        );
-        let noise = self.arrangement.noise;
-        // cheapest first: do they see each other, and is anything's plane between them at all?
+    /// The surfaces that enter the shaft between two patches, in order.
+    fn in_the_way<'s>(
+        &'s self,
+        first: usize,
+        second: usize,
+        reaches: &[[f64; 2]],
+    ) -> impl Iterator<Item = usize> + use<'s, 'a> {
+        let shaft = self.shaft(first, second, reaches);
+        let found = shaft.zip(self.surfaces).map(|(shaft, surfaces)| {
+            let root = |surface: usize| self.roots.get(surface);
+            let ends = [first, second].map(root);
+            let near = surfaces.candidates_near(shaft.bounds());
+            let near = near.filter(|surface| !ends.contains(&root(*surface)));
+            let mut near: Vec<usize> = near.collect();
+            near.sort_unstable();
+            let enters = move |surface: &usize| shaft.is_entered_by(surfaces.outline(*surface));
+            near.into_iter().filter(enters)
+        });
+        found.into_iter().flatten()
+    }
+
+    /// The shaft between two patches that see each other, if a plane of candidates is between them.
+    fn shaft(&self, first: usize, second: usize, reaches: &[[f64; 2]]) -> Option<Shaft> {
+        let surfaces = self.surfaces.filter(|_| first != second)?;
+        let [one, other] = [first.min(second), first.max(second)].map(|p| surfaces.outline(p));
+        // cheapest first: do they see each other, is a plane of candidates between them at all?
+        let noise = self.planes.noise();
         let rises = one.rises_above(other.plane(), noise) && other.rises_above(one.plane(), noise);
         let crossed = || {
-            self.planes.iter().zip(reaches).any(|(plane, [low, high])| {
-                let shared = &self.arrangement.planes[*plane];
-                let [least, most] = shared.range(self.arrangement.corners(second));
+            let corners = self.planes.corners(self.scene.surface(second));
+            let mut planes = self.splitting.iter().zip(reaches);
+            planes.any(|(plane, [low, high])| {
+                let shared = &self.planes.planes()[*plane];
+                let [least, most] = shared.range(corners.clone());
                 shared.is_crossed_by([low.min(least), high.max(most)], noise)
             })
         };
-        if !rises || !crossed() {
-            return None;
+        if rises && crossed() {
+            Shaft::between(one, other, noise)
+        } else {
+            None
         }
-        let shaft = Shaft::between(one, other, noise)?;
-        let [low, high] = shaft.bounds().map(|corner| corner.to_array());
-        let near = self
-            .boxes
-            .locate_in_envelope_intersecting(AABB::from_corners(low, high));
-        let root = |surface: usize| self.roots.get(surface);
-        let ends = [first, second].map(root);
-        let mut near: Vec<usize> = near
-            .map(|boxed| boxed.data)
-            .filter(|surface| !ends.contains(&root(*surface)))
-            .collect();
-        near.sort_unstable();
-        near.into_iter().find(|surface| {
-            let place = self.place_of[*surface];
-            place.is_some_and(|place| shaft.is_entered_by(&self.suspects[place]))
-        })
     }
 }
 
 impl Scene {
-    /// The first pair of patches that something may stand between, and what does; `None` if every pair sees each other
-    /// fully, or exchanges nothing.
+    /// The first pair of patches that something may stand between, and what does; `None` if every
+    /// pair sees each other fully, or exchanges nothing.
     ///
-    /// **Accuracy** what enters the space between two patches by more than the noise of the coordinates is found, what
-    /// touches it is not reported; see the module's text.
+    /// **Accuracy** what enters the space between two patches by more than the noise of the
+    /// coordinates is found, what touches it is not reported; see the module's text.
     ///
     /// # Examples
     /// ```
@@ -244,25 +220,6 @@ impl Scene {
     #[must_use]
     pub fn blocker(&self) -> Option<Blocker> {
         Blockers::of(self).first()
-    }
-
-    /// What stands between two patches, if anything does.
-    ///
-    /// # Errors
-    /// [`SceneError::NoSuchPatch`].
-    pub fn blocker_of(&self, first: usize, second: usize) -> Result<Option<Blocker>, SceneError> {
-        self.check(first)?;
-        self.check(second)?;
-        Ok(Blockers::of(self).of_pair(first, second))
-    }
-
-    /// What stands between one patch and the first of the others that it does not see fully.
-    ///
-    /// # Errors
-    /// [`SceneError::NoSuchPatch`].
-    pub fn blocker_of_row(&self, first: usize) -> Result<Option<Blocker>, SceneError> {
-        self.check(first)?;
-        Ok(Blockers::of(self).of_row(first))
     }
 
     /// Refuses the scene if something may stand between two of its patches.

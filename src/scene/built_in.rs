@@ -9,6 +9,8 @@
 //!   cornell-box     not of the paper: the empty room of Cornell University, from data/scenes/cornell-box.obj
 //! ```
 
+use super::scene_geometry::Prepared;
+use super::solids::regular_solid;
 use super::{NamedPatch, Scene, SceneError, files};
 use crate::geometry::{Patch, Rectangle, SplitAxis};
 use glam::DVec3;
@@ -17,8 +19,8 @@ use glam::DVec3;
 const LARGEST_CUBE: usize = 64;
 
 impl Scene {
-    /// A built-in scene: `two-squares`, `three-squares`, `cube:N`, `box:X,Y,Z`, `tetrahedron`, `octahedron`, `dodecahedron`,
-    /// `icosahedron` or `cornell-box`.
+    /// A built-in scene: `two-squares`, `three-squares`, `cube:N`, `box:X,Y,Z`, `tetrahedron`,
+    /// `octahedron`, `dodecahedron`, `icosahedron` or `cornell-box`.
     ///
     /// In the first two, patch 0 is the one that the paper cuts; its axis u runs away from the
     /// edge it shares with patch 1.
@@ -38,7 +40,7 @@ impl Scene {
             "three-squares" => corner(),
             "cornell-box" => files::cornell_box(),
             _ => {
-                if let Some(solid) = Self::regular_solid(name) {
+                if let Some(solid) = regular_solid(name) {
                     return solid;
                 }
                 let edges = name.strip_prefix("box:").map(|edges| edges.split(','));
@@ -63,8 +65,8 @@ impl Scene {
         }
     }
 
-    /// A floor `depth × 1` and a unit square wall at 90°, with a common edge of length 1; patch 0 is the
-    /// floor, its axis u runs away from the edge.
+    /// A floor `depth × 1` and a unit square wall at 90°, with a common edge of length 1; patch 0
+    /// is the floor, its axis u runs away from the edge.
     ///
     /// # Errors
     /// [`SceneError::Patch`] unless `depth` is finite and > 0.
@@ -73,20 +75,6 @@ impl Scene {
             rectangle_patch(0, "floor", DVec3::ZERO, depth * DVec3::X, DVec3::Y)?,
             rectangle_patch(1, "wall", DVec3::ZERO, DVec3::Y, DVec3::Z)?,
         ])
-    }
-
-    /// The inside of a box: six patches, the floor and the ceiling first.
-    ///
-    /// # Errors
-    /// [`SceneError::Patch`] unless all edges are finite and > 0.
-    pub fn inside_of_box(x: f64, y: f64, z: f64) -> Result<Self, SceneError> {
-        let faces = box_faces(x * DVec3::X, y * DVec3::Y, z * DVec3::Z);
-        let patches = faces.into_iter().enumerate();
-        Self::try_new(
-            patches
-                .map(|(index, (name, origin, u, v))| rectangle_patch(index, name, origin, u, v))
-                .collect::<Result<_, _>>()?,
-        )
     }
 
     /// Two aligned unit squares that face each other at a distance.
@@ -101,8 +89,8 @@ impl Scene {
     }
 
     /// The scene in which patch `index` is cut across an axis; the part at `v0` takes its place,
-    /// the other one follows at the end. Both are of its material and lie where it lay; each is a row of its own
-    /// unless the patch was summed with others.
+    /// the other one follows at the end. Both are of its material and lie where it lay; each is a
+    /// row of its own unless the patch was summed with others.
     ///
     /// # Errors
     /// [`SceneError::NoSuchPatch`], [`SceneError::Patch`] if the patch is not a rectangle or the
@@ -128,7 +116,10 @@ impl Scene {
                 source,
             })?;
         let [near, far] = parts;
-        let mut scene = self.clone();
+        let mut scene = Self {
+            prepared: Prepared::default(),
+            ..self.clone()
+        };
         let part = |name, shape| NamedPatch::new(name, shape).with_material(material);
         scene.patches[index] = part(format!("{name} (near)"), near);
         scene.patches.push(part(format!("{name} (far)"), far));
@@ -153,18 +144,7 @@ fn corner() -> Result<Scene, SceneError> {
     ])
 }
 
-/// Name, corner and edges of the faces of a box, fronts inward.
-pub(super) fn box_faces(x: DVec3, y: DVec3, z: DVec3) -> [(&'static str, DVec3, DVec3, DVec3); 6] {
-    [
-        ("floor", DVec3::ZERO, x, y),
-        ("ceiling", z, y, x),
-        ("left", DVec3::ZERO, y, z),
-        ("right", x, z, y),
-        ("front", DVec3::ZERO, z, x),
-        ("back", y, x, z),
-    ]
-}
-
+/// A rectangle under a name, refused by its index.
 pub(super) fn rectangle_patch(
     index: usize,
     name: &str,

@@ -8,7 +8,7 @@
 //!
 //! What a row of an open scene lacks escapes.
 
-use super::{ExchangeAreas, SceneError, ScenePairs};
+use super::{ExchangeAreas, ExchangeError, ScenePairs};
 use crate::numeric::CompensatedSum;
 
 /// The sum of a row of form factors.
@@ -52,8 +52,8 @@ impl Closure {
     /// Those of a scene.
     ///
     /// # Errors
-    /// [`SceneError::Pair`] if two patches are refused.
-    pub fn of(pairs: &ScenePairs) -> Result<Self, SceneError> {
+    /// [`ExchangeError::Pair`] if two patches are refused.
+    pub fn of(pairs: &ScenePairs) -> Result<Self, ExchangeError> {
         let (sums, _) = pairs.row_sums(|_, _, exchange| [exchange.value, exchange.error_bound])?;
         Ok(Self::new(pairs.areas(), pairs.area_bounds(), sums))
     }
@@ -119,8 +119,8 @@ impl Closure {
     /// Refuses a scene that is not closed.
     ///
     /// # Errors
-    /// [`SceneError::OpenScene`] with the row farthest from one; [`SceneError::RowAboveOne`].
-    pub fn require_closed(&self) -> Result<(), SceneError> {
+    /// [`ExchangeError::OpenScene`] with the row farthest from one; [`ExchangeError::RowAboveOne`].
+    pub fn require_closed(&self) -> Result<(), ExchangeError> {
         self.require_at_most_one()?;
         if self.is_closed() {
             return Ok(());
@@ -130,7 +130,7 @@ impl Closure {
             sum,
             error_bound,
         } = self.worst();
-        Err(SceneError::OpenScene {
+        Err(ExchangeError::OpenScene {
             row,
             sum,
             tolerance: error_bound,
@@ -140,8 +140,8 @@ impl Closure {
     /// Refuses a scene whose patches overlap or hide each other.
     ///
     /// # Errors
-    /// [`SceneError::RowAboveOne`] with the row farthest above one.
-    pub fn require_at_most_one(&self) -> Result<(), SceneError> {
+    /// [`ExchangeError::RowAboveOne`] with the row farthest above one.
+    pub fn require_at_most_one(&self) -> Result<(), ExchangeError> {
         let mut worst: Option<&RowSum> = None;
         for row in &self.rows {
             if row.sum - 1.0 > row.error_bound && worst.is_none_or(|worst| row.sum > worst.sum) {
@@ -149,7 +149,7 @@ impl Closure {
             }
         }
         worst.map_or(Ok(()), |row| {
-            Err(SceneError::RowAboveOne {
+            Err(ExchangeError::RowAboveOne {
                 row: row.row,
                 sum: row.sum,
                 tolerance: row.error_bound,

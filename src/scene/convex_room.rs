@@ -5,24 +5,25 @@
 //!   a face             =   the convex hull of the corners in one plane, if the patches cover it
 //! ```
 //!
-//! Then nothing stands between two points of the walls, and a walk has its continuous form: what does not depend
-//! on the division is computed from the faces.
+//! Then nothing stands between two points of the walls, and a walk has its continuous form: what
+//! does not depend on the division is computed from the faces.
 //!
 //! **Not covered**: whether the faces close up (their exchange areas say so).
 
-use super::planes::Planes;
 use super::{Scene, SceneError};
 use crate::geometry::Patch;
 use crate::numeric::{compensated_sum, tolerance};
 use glam::{DVec2, DVec3};
+use std::collections::HashMap;
 
 impl Scene {
-    /// The faces of the convex room that the patches are the walls of, in the order of their first patches, and for each patch
-    /// its face.
+    /// The faces of the convex room that the patches are the walls of, in the order of their first
+    /// patches, and for each patch its face.
     ///
     /// # Errors
-    /// [`SceneError::NotConvex`] if a corner lies behind a wall; [`SceneError::FaceNotCovered`] if the
-    /// patches of a plane leave part of its hull open; [`SceneError::Patch`] if a face has no area to speak of.
+    /// [`SceneError::NotConvex`] if a corner lies behind a wall; [`SceneError::FaceNotCovered`] if
+    /// the patches of a plane leave part of its hull open; [`SceneError::Patch`] if a face has no
+    /// area to speak of.
     ///
     /// # Examples
     /// ```
@@ -36,13 +37,13 @@ impl Scene {
         let roots: Vec<usize> = (0..self.patches.len())
             .map(|patch| self.root_of(patch))
             .collect();
-        let planes = Planes::of(&self.patches, &roots);
+        let planes = self.planes();
         let mut face_of = vec![0; self.patches.len()];
-        let mut first_of: Vec<Option<usize>> = vec![None; planes.count()];
+        let mut faces_of = HashMap::new();
         let mut members: Vec<Vec<usize>> = Vec::new();
         for patch in 0..self.patches.len() {
-            let plane = planes.of_patch(patch);
-            let face = *first_of[plane].get_or_insert_with(|| {
+            let plane = planes.plane_of(roots[patch]);
+            let face = *faces_of.entry(plane).or_insert_with(|| {
                 members.push(Vec::new());
                 members.len() - 1
             });
@@ -51,11 +52,9 @@ impl Scene {
                 members[face].push(patch);
             }
         }
-        let surfaces = self.patches.iter().chain(&self.obstructions);
-        let corners = surfaces.flat_map(|surface| surface.shape.corners());
+        let corners = self.surfaces().flat_map(|surface| surface.shape.corners());
         let corners: Vec<DVec3> = corners.copied().collect();
-        let extent = corners.iter().map(|corner| corner.abs().max_element());
-        let flat = tolerance::TOUCHING * extent.fold(f64::MIN_POSITIVE, f64::max);
+        let noise = planes.noise_length();
         // heights over the largest patch of a plane are the surest
         let wall = |patches: &[usize]| {
             let shapes = patches.iter().map(|patch| &self.patches[*patch].shape);
@@ -75,7 +74,8 @@ impl Scene {
                 .iter()
                 .map(|corner| -height(corner))
                 .fold(0.0, f64::max);
-            if depth > flat + tolerance::PLANARITY * wall.area().sqrt() {
+            // a wall's own plane is as good as its corners are planar
+            if depth > noise + tolerance::PLANARITY * wall.area().sqrt() {
                 let name = name(index);
                 return Err(SceneError::NotConvex { index, name, depth });
             }
@@ -85,7 +85,7 @@ impl Scene {
             let index = patches[0];
             let shapes = || patches.iter().map(|patch| &self.patches[*patch].shape);
             let own = shapes().flat_map(Patch::corners).copied().collect();
-            let hull = hull(own, wall(patches).normal(), flat);
+            let hull = hull(own, wall(patches).normal(), noise);
             let face = Patch::try_new(hull).map_err(|source| self.refused(index, source))?;
             let missing = face.area() - compensated_sum(shapes().map(Patch::area));
             if missing.abs() > tolerance::COVERED * face.area() {
@@ -102,8 +102,8 @@ impl Scene {
     }
 }
 
-/// The corners of the convex hull of points in a plane, counter-clockwise about the normal; those nearer than `flat` to the line
-/// through their neighbours left out.
+/// The corners of the convex hull of points in a plane, counter-clockwise about the normal; those
+/// nearer than `flat` to the line through their neighbours left out.
 fn hull(mut points: Vec<DVec3>, normal: DVec3, flat: f64) -> Vec<DVec3> {
     let across = normal.any_orthonormal_vector();
     let up = normal.cross(across);

@@ -1,8 +1,7 @@
-//! What is wrong with a scene.
+//! The refusals of a scene: of what is there, whatever is asked of it.
 
 use super::Obstacle;
 use super::files::FileError;
-use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
 
 /// A scene was refused.
@@ -38,18 +37,8 @@ pub enum SceneError {
         index: usize,
         /// Its name.
         name: String,
-        /// Why.
+        /// The geometric reason.
         source: GeometryError,
-    },
-    /// Two patches cannot be computed together.
-    #[error("patches {first} and {second}: {source}")]
-    Pair {
-        /// Index of the first.
-        first: usize,
-        /// Index of the second.
-        second: usize,
-        /// Why.
-        source: FormFactorError,
     },
     /// A file is not a scene.
     #[error(transparent)]
@@ -73,7 +62,7 @@ pub enum SceneError {
         base: usize,
         /// Largest distance of a corner from the plane.
         deviation: f64,
-        /// What would be accepted.
+        /// The deviation that would be accepted.
         allowed: f64,
     },
     /// A part has its front at the back of its base.
@@ -125,7 +114,7 @@ pub enum SceneError {
         /// Patches of the scene.
         patches: usize,
     },
-    /// What cannot be cut, as others lie in it.
+    /// A patch to be cut has others lying in it.
     #[error(
         "patch {base} cannot be cut, as patch {part} lies in it: cut patch {part} or leave it out"
     )]
@@ -135,25 +124,13 @@ pub enum SceneError {
         /// Index of one that lies in it.
         part: usize,
     },
-    /// What takes patches one by one has met one that counts without others.
+    /// A question about whole patches has met one that counts without others.
     #[error("patch {index} {what}, and this takes whole patches: leave it out")]
     NotAPatchOfItsOwn {
         /// Index of the patch.
         index: usize,
-        /// What it is instead.
+        /// The reason, as a predicate.
         what: &'static str,
-    },
-    /// The patches do not enclose their surroundings.
-    #[error(
-        "the scene is open: row {row} of the form factors sums to {sum}, 1 ± {tolerance:e} is closed"
-    )]
-    OpenScene {
-        /// The row farthest from 1.
-        row: usize,
-        /// Its sum.
-        sum: f64,
-        /// What would count as closed.
-        tolerance: f64,
     },
     /// A wall has something behind it.
     #[error(
@@ -164,7 +141,7 @@ pub enum SceneError {
         index: usize,
         /// Its name.
         name: String,
-        /// How far behind it something reaches.
+        /// The depth of the deepest corner.
         depth: f64,
     },
     /// The patches of a plane do not cover a convex face.
@@ -180,68 +157,25 @@ pub enum SceneError {
         /// The part of the face that is open; negative where patches overlap.
         relative: f64,
     },
-    /// Random lines left the scene.
-    #[error(
-        "the scene is open: {lost} of {lines} lines meet no front of a patch, and a chord has two ends"
-    )]
-    LinesEscape {
-        /// Lines that escape, or meet a back or an obstruction.
-        lost: u32,
-        /// Lines drawn.
-        lines: u32,
-    },
     /// The lines of a grid do not increase from 0 to 1.
     #[error("grid line {index} is at {position}: lines must increase between 0 and 1")]
     GridLine {
-        /// Which, from 0.
+        /// Index of the line.
         index: usize,
         /// As given.
         position: f64,
     },
-    /// The scene is too thin for uniform lines.
-    #[error(
-        "of ten thousand times {lines} lines through the sphere around the scene {met} meet it: take local lines"
-    )]
-    LinesMiss {
-        /// Lines that meet a front.
-        met: u32,
-        /// Lines asked for.
-        lines: u32,
-    },
-    /// The form factors of a patch sum to more than one.
-    #[error(
-        "row {row} of the form factors sums to {sum}, 1 + {tolerance:e} at most is possible: patches overlap, or \
-         hide each other"
-    )]
-    RowAboveOne {
-        /// The row farthest above 1.
-        row: usize,
-        /// Its sum.
-        sum: f64,
-        /// The bound on the error of the sum.
-        tolerance: f64,
-    },
-    /// The format has no place for something that the scene has.
-    #[error("{format} cannot say that {what}: {mend}")]
-    NotExpressible {
-        /// Name of the format.
-        format: &'static str,
-        /// What is lost.
-        what: String,
-        /// What to do instead.
-        mend: &'static str,
-    },
     /// Something may stand between two patches.
     #[error(
         "patches {first} and {second} may not see each other fully: {obstacle} ({name}) stands between parts of them, and \
-         occlusion is not computed; --unoccluded computes as if nothing were in the way"
+         occlusion is not computed: take it away, or ask for unoccluded values"
     )]
     MayBeBlocked {
         /// Index of the first.
         first: usize,
         /// Index of the second.
         second: usize,
-        /// What stands between.
+        /// The surface that stands between.
         obstacle: Obstacle,
         /// Its name.
         name: String,

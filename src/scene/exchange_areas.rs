@@ -2,9 +2,9 @@
 //!
 //! **Memory** the pairs i < j are packed: `n²/2` values, `n²/2` bounds, `n²/2` bytes for the routes; and the rows that see themselves.
 
-use super::planes::Sight;
+use super::facing::Sight;
 use super::row_pairs::nothing;
-use super::{Account, Congruence, Occlusion, Scene, SceneError, ScenePairs, Tally};
+use super::{Account, Congruence, ExchangeError, Occlusion, Scene, SceneError, ScenePairs, Tally};
 use crate::form_factor::{Answer, DEFAULT_TOLERANCE, ExchangeArea, Route};
 use nalgebra::DMatrix;
 use rayon::prelude::*;
@@ -115,8 +115,8 @@ impl ScenePairs {
     /// All pairs, each once, in parallel.
     ///
     /// # Errors
-    /// [`SceneError::Pair`] if two patches are refused.
-    pub fn exchange_areas(&self) -> Result<ExchangeAreas, SceneError> {
+    /// [`ExchangeError::Pair`] if two patches are refused.
+    pub fn exchange_areas(&self) -> Result<ExchangeAreas, ExchangeError> {
         let patches = self.patches();
         let pairs = packed(patches);
         let mut values = vec![0.0; pairs];
@@ -158,7 +158,7 @@ impl ScenePairs {
     }
 
     /// Fills a column above the diagonal; and what is on it, if the row may see itself.
-    fn fill(&self, second: usize, column: Column<'_>) -> Result<Filled, SceneError> {
+    fn fill(&self, second: usize, column: Column<'_>) -> Result<Filled, ExchangeError> {
         let mut tally = Tally::default();
         for first in 0..second {
             let answer = self.between(first, second, &mut tally)?;
@@ -183,9 +183,9 @@ impl Scene {
     /// As if nothing were in the way they come from [`ScenePairs`] with [`Occlusion::Ignore`].
     ///
     /// # Errors
-    /// [`SceneError::Overlap`]; [`SceneError::MayBeBlocked`]; [`SceneError::Pair`] if two patches
-    /// are refused.
-    pub fn exchange_areas(&self) -> Result<ExchangeAreas, SceneError> {
+    /// [`ExchangeError::Scene`] if patches overlap or something may stand between two of them;
+    /// [`ExchangeError::Pair`] if two patches are refused.
+    pub fn exchange_areas(&self) -> Result<ExchangeAreas, ExchangeError> {
         let (tolerance, occlusion) = (DEFAULT_TOLERANCE, Occlusion::Refuse);
         ScenePairs::try_new(self, tolerance, Congruence::Shared, occlusion)?.exchange_areas()
     }

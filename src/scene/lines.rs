@@ -5,25 +5,25 @@
 //!   global line   uniform among the lines that meet a sphere around the scene: every piece from a front to the next front
 //! ```
 //!
-//! Both kinds of chords have the same distribution: from patch i to patch j with probability `A_i F_ij / A_T`, F with occlusion,
-//! because what a line first meets is what is visible. A line through a room that is convex inside has one chord; where it is concave
-//! or something stands in it, a global line may have several. A line goes on the innermost of patches that lie in each
+//! Both kinds of chords have the same distribution: from patch i to patch j with probability `A_i
+//! F_ij / A_T`, F with occlusion, because what a line first meets is what is visible. A line
+//! through a room that is convex inside has one chord; where it is concave or something stands in
+//! it, a global line may have several. A line goes on the innermost of patches that lie in each
 //! other.
 //!
-//! Neighbours with a common edge decide by the same numbers on which side of it a line passes, so that no line slips between
-//! them. Candidates are found in a tree of boxes.
+//! No line slips between neighbours with a common edge. Candidates are found in a tree of boxes.
 //!
 //! **Not covered**: where the numbers come from.
 //!
-//! Reference: Sbert, *An Integral Geometry Based Method for Fast Form-Factor Computation*, Eurographics 1993.
+//! Reference: Sbert, *An Integral Geometry Based Method for Fast Form-Factor Computation*,
+//! Eurographics 1993.
 
 use super::{NamedPatch, Scene};
-use crate::geometry::{line_through_sphere, triangulated};
+use crate::geometry::{Facet, LocalLine, line_through_sphere};
 use crate::numeric::tolerance;
 use glam::DVec3;
 use rstar::primitives::{GeomWithData, Rectangle as Box3};
 use rstar::{AABB, RTree, RTreeObject, SelectionFunction};
-use std::f64::consts::TAU;
 
 /// A chord of a line, from the front of a patch to the front of another one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,7 +36,7 @@ pub struct Chord {
     pub square: f64,
 }
 
-/// What a global line comes upon.
+/// The result of following a global line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Passage {
     /// No front.
@@ -50,15 +50,14 @@ pub enum Passage {
 /// A patch that lies in no other one, what lies in it, or an obstruction.
 #[derive(Debug)]
 struct Surface {
-    triangles: Vec<[DVec3; 3]>,
-    normal: DVec3,
+    facet: Facet,
     /// None for an obstruction.
     row: Option<usize>,
     /// Surfaces that lie directly in it.
     parts: Vec<usize>,
 }
 
-/// Where a line meets a surface.
+/// The point at which a line meets a surface.
 #[derive(Debug, Clone, Copy)]
 struct Crossing {
     /// By which crossings are sorted.
@@ -94,12 +93,10 @@ impl SceneLines {
         let unit = unit.round().exp2();
         let count = scene.patches().len();
         let surface = |(index, patch): (usize, &NamedPatch)| {
-            let (corners, normal) = (patch.shape().corners(), patch.shape().normal());
-            let local = |corner: usize| (corners[corner] - middle) / unit;
-            let triangles = triangulated(corners, normal);
+            let shape = patch.shape();
+            let local = |corner: DVec3| (corner - middle) / unit;
             Surface {
-                triangles: triangles.into_iter().map(|t| t.map(local)).collect(),
-                normal,
+                facet: Facet::new(shape.corners(), shape.normal(), local),
                 row: (index < count).then(|| scene.group_of(index)),
                 parts: Vec::new(),
             }
@@ -113,20 +110,20 @@ impl SceneLines {
         let is_whole = |index: usize| index >= count || scene.base_of(index).is_none();
         let radius = surfaces
             .iter()
-            .flat_map(|surface| surface.triangles.iter().flatten())
+            .flat_map(|surface| surface.facet.corners())
             .map(|corner| corner.length())
             .fold(0.0, f64::max);
         let slack = DVec3::splat(tolerance::PLANARITY * radius);
         let (mut boxes, mut starts, mut sums) = (Vec::new(), Vec::new(), Vec::new());
         let mut sum = 0.0;
         for (index, surface) in surfaces.iter().enumerate().filter(|(i, _)| is_whole(*i)) {
-            let corners = || surface.triangles.iter().flatten();
+            let corners = || surface.facet.corners();
             let low = corners().fold(DVec3::INFINITY, |low, c| low.min(*c)) - slack;
             let high = corners().fold(DVec3::NEG_INFINITY, |high, c| high.max(*c)) + slack;
             let place = Box3::from_corners(low.to_array(), high.to_array());
             boxes.push(GeomWithData::new(place, index));
             if surface.row.is_some() {
-                for [a, b, c] in &surface.triangles {
+                for [a, b, c] in surface.facet.triangles() {
                     sum += 0.5 * (*b - *a).cross(*c - *a).length();
                     starts.push((index, [*a, *b, *c]));
                     sums.push(sum);
@@ -149,14 +146,13 @@ impl SceneLines {
     pub fn local(&self, [place, s, t, u, v]: [f64; 5]) -> Option<Chord> {
         let total = *self.sums.last()?;
         let start = self.sums.partition_point(|area| *area <= place * total);
-        let (index, [a, b, c]) = self.starts[start.min(self.starts.len() - 1)];
-        let from = &self.surfaces[index];
-        let root = s.sqrt();
-        let origin = a + root * (1.0 - t) * (b - a) + root * t * (c - a);
-        let (across, up) = from.normal.any_orthonormal_pair();
-        let (sine, cosine) = (u.sqrt(), (1.0 - u).sqrt());
-        let (y, x) = (TAU * v).sin_cos();
-        let direction = sine * (x * across + y * up) + cosine * from.normal;
+        let (index, triangle) = self.starts[start.min(self.starts.len() - 1)];
+        let normal = self.surfaces[index].facet.normal();
+        let LocalLine {
+            origin,
+            direction,
+            cosine,
+        } = LocalLine::leaving(triangle, normal, [s, t, u, v]);
         let mut nearest: Option<Crossing> = None;
         for surface in self.candidates(origin, direction, 0.0) {
             if surface == index {
@@ -251,27 +247,13 @@ impl SceneLines {
     }
 
     fn crossing(&self, surface: usize, origin: DVec3, direction: DVec3) -> Option<Crossing> {
-        let Surface {
-            triangles, normal, ..
-        } = &self.surfaces[surface];
-        let cosine = normal.dot(direction);
-        let distance = normal.dot(triangles[0][0] - origin) / cosine;
-        let is_met = distance.is_finite() && self.is_met(surface, origin, direction);
-        is_met.then_some(Crossing {
+        let facet = &self.surfaces[surface].facet;
+        let distance = facet.crossing(origin, direction)?;
+        Some(Crossing {
             rank: distance,
             distance,
-            cosine,
+            cosine: facet.normal().dot(direction),
             surface,
-        })
-    }
-
-    /// Does the line pass one of the triangles' edges all on one side?
-    fn is_met(&self, surface: usize, origin: DVec3, direction: DVec3) -> bool {
-        let triangles = &self.surfaces[surface].triangles;
-        triangles.iter().any(|triangle| {
-            let [a, b, c] = triangle.map(|corner| corner - origin);
-            let sides = [(a, b), (b, c), (c, a)].map(|(p, q)| side(p, q, direction));
-            sides.iter().all(|s| *s >= 0.0) || sides.iter().all(|s| *s <= 0.0)
         })
     }
 
@@ -287,7 +269,7 @@ impl SceneLines {
             while let Some(part) = self.surfaces[innermost]
                 .parts
                 .iter()
-                .find(|part| self.is_met(**part, origin, direction))
+                .find(|part| self.surfaces[**part].facet.is_met(origin, direction))
             {
                 innermost = *part;
             }
@@ -310,16 +292,6 @@ impl Crossing {
 
     fn precedes(&self, other: &Self) -> bool {
         self.order(other).is_lt()
-    }
-}
-
-/// On which side of the edge from p to q a line from the origin passes; exactly the negative from q to p.
-fn side(p: DVec3, q: DVec3, direction: DVec3) -> f64 {
-    let is_first = p.to_array() <= q.to_array();
-    if is_first {
-        p.cross(q).dot(direction)
-    } else {
-        -q.cross(p).dot(direction)
     }
 }
 

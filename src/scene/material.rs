@@ -1,4 +1,5 @@
-//! What a patch does to light: it reflects a part of it, equally in all directions, and may emit some itself.
+//! Materials: a patch reflects a part of the light that arrives, equally in all directions, and may
+//! emit some itself.
 //!
 //! **Not covered**: spectra (one number stands for all wavelengths), gloss, transparency.
 
@@ -40,11 +41,12 @@ impl Material {
         emittance: 0.0,
     };
 
-    /// The material with this reflectance (dimensionless) and emittance (power per area, in any one unit).
+    /// The material with this reflectance (dimensionless) and emittance (power per area, in any one
+    /// unit).
     ///
     /// # Errors
-    /// [`MaterialError::ReflectanceOutOfRange`] unless `0 ≤ reflectance < 1`: with 1, light would never die out;
-    /// [`MaterialError::EmittanceOutOfRange`] unless `emittance` is finite and ≥ 0.
+    /// [`MaterialError::ReflectanceOutOfRange`] unless `0 ≤ reflectance < 1`: with 1, light would
+    /// never die out; [`MaterialError::EmittanceOutOfRange`] unless `emittance` is finite and ≥ 0.
     ///
     /// # Examples
     /// ```

@@ -1,24 +1,26 @@
 //! Scenes: named patches with their materials, and what they exchange.
 //!
-//! The paper's own scenes are built in ([`Scene::built_in`]), others are read from [`files`] or made from patches.
-//! A scene also says what only obstructs, which patches lie in another one, and which are summed into one row
-//! ([`Scene::base_of`], [`Scene::group_of`]).
+//! The paper's own scenes are built in ([`Scene::built_in`]), others are read from [`files`] or
+//! made from patches. A scene also says what only obstructs, which patches lie in another one, and
+//! which are summed into one row ([`Scene::base_of`], [`Scene::group_of`]).
 //!
 //! **Not covered**: computing with occlusion. What may stand between two patches is found
 //! ([`Scene::blocker`]), and such a scene is refused unless unoccluded values are asked for
 //! ([`Occlusion`]).
 
-mod arrangement;
 mod aspects;
 mod blockers;
+mod boxes;
 mod built_in;
 mod closure;
 mod congruence;
 mod convex_room;
 mod error;
 mod exchange_areas;
+mod exchange_error;
+mod facing;
 pub mod files;
-mod gridded;
+mod grid_lines;
 mod lattice;
 mod lines;
 mod material;
@@ -33,6 +35,7 @@ mod progress;
 mod row_pairs;
 mod row_sums;
 mod rows;
+mod scene_geometry;
 mod shifts;
 mod solids;
 mod subdivision;
@@ -42,7 +45,8 @@ pub use blockers::{Blocker, Blockers, Obstacle};
 pub use closure::{Closure, RowSum};
 pub use error::SceneError;
 pub use exchange_areas::ExchangeAreas;
-pub use gridded::GridLines;
+pub use exchange_error::ExchangeError;
+pub use grid_lines::GridLines;
 pub use lines::{Chord, Passage, SceneLines};
 pub use material::{Material, MaterialError};
 pub use occlusion::Occlusion;
@@ -52,7 +56,8 @@ pub use rows::Entry;
 pub use tally::{PlanSummary, Unreached};
 
 use crate::geometry::{GeometryError, Patch, Rectangle};
-use planes::Sight;
+use facing::Sight;
+use scene_geometry::Prepared;
 use tally::Tally;
 
 /// A patch, its name and its material.
@@ -74,7 +79,7 @@ impl NamedPatch {
         }
     }
 
-    /// The same patch of this material.
+    /// Gives the patch this material.
     #[must_use]
     pub fn with_material(self, material: Material) -> Self {
         Self { material, ..self }
@@ -108,10 +113,13 @@ pub struct Scene {
     bases: Vec<Option<usize>>,
     /// For each patch its row, numbered in the order of their first patches.
     groups: Vec<usize>,
+    /// What has been found of the surfaces; made anew wherever these change.
+    prepared: Prepared,
 }
 
 impl Scene {
-    /// The scene of these patches: nothing else obstructs, no patch lies in another, each is a row of its own.
+    /// The scene of these patches: nothing else obstructs, no patch lies in another, each is a row
+    /// of its own.
     ///
     /// # Errors
     /// [`SceneError::Empty`] without a patch.
@@ -125,6 +133,7 @@ impl Scene {
             obstructions: Vec::new(),
             bases,
             groups,
+            prepared: Prepared::default(),
         })
     }
 
@@ -132,6 +141,19 @@ impl Scene {
     #[must_use]
     pub fn patches(&self) -> &[NamedPatch] {
         &self.patches
+    }
+
+    /// The patches, then the obstructions: all that is there.
+    pub(crate) fn surfaces(&self) -> impl Iterator<Item = &NamedPatch> {
+        self.patches.iter().chain(&self.obstructions)
+    }
+
+    /// A patch, or an obstruction: these are numbered after the patches.
+    pub(crate) fn surface(&self, index: usize) -> &NamedPatch {
+        match index.checked_sub(self.patches.len()) {
+            None => &self.patches[index],
+            Some(obstruction) => &self.obstructions[obstruction],
+        }
     }
 
     /// The sum of the patches' areas `A_T`; what lies in another patch counts once.
@@ -147,8 +169,8 @@ impl Scene {
     /// The patch with this index, as a rectangle.
     ///
     /// # Errors
-    /// [`SceneError::NoSuchPatch`]; [`SceneError::Patch`] if it is not a rectangle, as it is not either when others
-    /// lie in it.
+    /// [`SceneError::NoSuchPatch`]; [`SceneError::Patch`] if it is not a rectangle, as it is not
+    /// either when others lie in it.
     pub fn rectangle(&self, index: usize) -> Result<Rectangle, SceneError> {
         self.check(index)?;
         let patch = &self.patches[index];
@@ -158,11 +180,7 @@ impl Scene {
                 reason: format!("patch {part} lies in it, and it counts without"),
             }),
         };
-        shape.map_err(|source| SceneError::Patch {
-            index,
-            name: patch.name.clone(),
-            source,
-        })
+        shape.map_err(|source| self.refused(index, source))
     }
 
     /// The patch with this index, of which nothing is left out: no other patch lies in it.
@@ -180,7 +198,7 @@ impl Scene {
         }
     }
 
-    /// What is wrong with a patch's shape, by its name.
+    /// The refusal of a patch's shape, with its name.
     pub(crate) fn refused(&self, index: usize, source: GeometryError) -> SceneError {
         SceneError::Patch {
             index,

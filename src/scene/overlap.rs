@@ -1,22 +1,21 @@
 //! Patches that lie on each other.
 //!
-//! Two patches overlap if they lie in one plane, face the same way, and their interiors meet: what falls on one would be
-//! counted twice. Two that face opposite ways are the two sides of a sheet, and allowed.
+//! Two patches overlap if they lie in one plane, face the same way, and their interiors meet: what
+//! falls on one would be counted twice. Two that face opposite ways are the two sides of a sheet,
+//! and allowed.
 //!
-//! Within the noise of the coordinates (see [`blockers`](super::Blockers)) planes count as one, and patches that reach over each
-//! other by no more than it count as touching: neighbours of a rotated wall do not overlap. Patches that lie on each
-//! other at a distance above the noise are not found here; the upper one blocks what the lower one sees.
+//! Within the noise of the coordinates (see [`blockers`](super::Blockers)) planes count as one, and
+//! patches that reach over each other by no more than it count as touching: neighbours of a rotated
+//! wall do not overlap. Patches that lie on each other at a distance above the noise are not found
+//! here; the upper one blocks what the lower one sees.
 //!
 //! **Not covered**: obstructions, which may lie on patches.
 
-use super::arrangement::Arrangement;
 use super::{Scene, SceneError};
 use crate::geometry::{Outline, Plane};
 use crate::numeric::parallel_map;
 use glam::DVec3;
 use rayon::prelude::*;
-use rstar::primitives::{GeomWithData, Rectangle as Box3};
-use rstar::{AABB, RTree};
 
 impl Scene {
     /// The first two patches, in the order of their indices, that lie on each other.
@@ -29,30 +28,23 @@ impl Scene {
     /// ```
     #[must_use]
     pub fn overlap(&self) -> Option<(usize, usize)> {
-        let arrangement = Arrangement::new(&self.patches, &[]);
-        let noise = arrangement.noise;
+        let (surfaces, noise) = (self.outlined(), self.planes().noise());
         let count = self.patches.len();
-        let outlines = parallel_map(count, &|patch| arrangement.outline(patch));
-        let boxed = outlines.iter().enumerate().map(|(patch, outline)| {
-            let [low, high] = outline.bounds().map(|corner| corner.to_array());
-            GeomWithData::new(Box3::from_corners(low, high), patch)
-        });
-        let boxes = RTree::bulk_load(boxed.collect());
         (0..count).into_par_iter().find_map_first(|first| {
-            let own = &outlines[first];
+            let own = surfaces.outline(first);
             let [low, high] = *own.bounds();
-            let room = AABB::from_corners((low - noise).to_array(), (high + noise).to_array());
-            let near = boxes.locate_in_envelope_intersecting(room);
-            near.map(|boxed| boxed.data)
-                .filter(|second| *second > first && !self.is_part(first, *second))
-                .filter(|second| lie_in_one_plane(own, &outlines[*second], noise))
-                .filter(|second| own.overlaps(&outlines[*second], noise))
+            surfaces
+                .near([low - noise, high + noise])
+                .filter(|second| (first + 1..count).contains(second))
+                .filter(|second| !self.is_part(first, *second))
+                .filter(|second| lie_in_one_plane(own, surfaces.outline(*second), noise))
+                .filter(|second| own.overlaps(surfaces.outline(*second), noise))
                 .min()
                 .map(|second| (first, second))
         })
     }
 
-    /// Does one of two patches lie in the other, which counts without it?
+    /// Tells whether one of two patches lies in the other, which counts without it.
     fn is_part(&self, first: usize, second: usize) -> bool {
         let under = |part: usize, base: usize| {
             std::iter::successors(self.base_of(part), |part| self.base_of(*part))
@@ -61,7 +53,8 @@ impl Scene {
         under(first, second) || under(second, first)
     }
 
-    /// Refuses the scene if two of its patches lie on each other; meant to be asked once, after reading.
+    /// Refuses the scene if two of its patches lie on each other; meant to be asked once, after
+    /// reading.
     ///
     /// # Errors
     /// [`SceneError::Overlap`].
@@ -77,7 +70,7 @@ impl Scene {
     }
 }
 
-/// Do two outlines face the same way, and lies one of them in the other's plane?
+/// Tells whether two outlines face the same way and one of them lies in the other's plane.
 fn lie_in_one_plane(one: &Outline, other: &Outline, noise: f64) -> bool {
     let within = |outline: &Outline, plane: &Plane| {
         let mut corners = outline.pieces().iter().flatten();

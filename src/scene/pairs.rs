@@ -11,13 +11,14 @@
 
 use super::aspects::Aspects;
 use super::congruence::allowance;
+use super::facing::{FacingPlanes, Sight};
 use super::members::Members;
 use super::plan::{Congruence, Plan};
-use super::planes::Sight;
+
 use super::progress::Progress;
 use super::shifts::Shifts;
 use super::tally::{PlanSummary, Tally, Unreached};
-use super::{NamedPatch, Occlusion, Scene, SceneError};
+use super::{ExchangeError, NamedPatch, Occlusion, Scene, SceneError};
 use crate::form_factor::{Answer, Polygon, Route};
 use crate::numeric::{compensated_sum, try_parallel_map};
 
@@ -56,8 +57,8 @@ impl ScenePairs {
     /// scenes in which something may stand between two patches.
     ///
     /// # Errors
-    /// [`SceneError::Overlap`]; [`SceneError::MayBeBlocked`] unless occlusion is ignored;
-    /// [`SceneError::Pair`] if two patches are refused.
+    /// [`ExchangeError::Scene`] if patches overlap, or if something may stand between two of them
+    /// and occlusion is not ignored; [`ExchangeError::Pair`] if two patches are refused.
     ///
     /// # Examples
     /// ```
@@ -67,14 +68,14 @@ impl ScenePairs {
     /// let pairs = ScenePairs::try_new(&cube, tolerance, Congruence::Shared, Occlusion::Refuse)?;
     /// // one value per pair: reciprocity is exact
     /// assert_eq!(pairs.pair(0, 20)?, pairs.pair(20, 0)?);
-    /// # Ok::<(), infoscene::scene::SceneError>(())
+    /// # Ok::<(), infoscene::scene::ExchangeError>(())
     /// ```
     pub fn try_new(
         scene: &Scene,
         tolerance: f64,
         congruence: Congruence,
         occlusion: Occlusion,
-    ) -> Result<Self, SceneError> {
+    ) -> Result<Self, ExchangeError> {
         occlusion.check(scene)?;
         Self::unchecked(scene, tolerance, congruence)
     }
@@ -84,10 +85,11 @@ impl ScenePairs {
         scene: &Scene,
         tolerance: f64,
         congruence: Congruence,
-    ) -> Result<Self, SceneError> {
+    ) -> Result<Self, ExchangeError> {
         let members = Members::of(scene);
         let shapes = members.shapes(scene);
-        let plan = Plan::of(&shapes, &members.roots, congruence);
+        let planes = FacingPlanes::of(scene, &members.patches, &members.roots);
+        let plan = Plan::of(&shapes, planes, congruence);
         let [areas, area_bounds] = areas(&members, &shapes);
         let mut pairs = Self {
             aspects: Aspects::of(&members, &plan.planes),
@@ -119,7 +121,7 @@ impl ScenePairs {
             let apart = allowance(spread, one, other);
             let exchange = &mut answer.exchange;
             exchange.error_bound += apart;
-            Ok::<_, SceneError>((apart <= 0.5 * tolerance * exchange.value).then_some(answer))
+            Ok::<_, ExchangeError>((apart <= 0.5 * tolerance * exchange.value).then_some(answer))
         })?;
         Ok(pairs)
     }
@@ -167,7 +169,7 @@ impl ScenePairs {
         first: usize,
         second: usize,
         tally: &mut Tally,
-    ) -> Result<Answer, SceneError> {
+    ) -> Result<Answer, ExchangeError> {
         let shared = self.plan.shared(first, second);
         let shared = shared.and_then(|place| self.shared[place]);
         let answer = match shared {
@@ -184,10 +186,10 @@ impl ScenePairs {
         first: usize,
         second: usize,
         tolerance: f64,
-    ) -> Result<Answer, SceneError> {
+    ) -> Result<Answer, ExchangeError> {
         let (first, second) = (first.min(second), first.max(second));
         let answer = self.polygons[first].exchange_area(&self.polygons[second], tolerance);
-        let mut answer = answer.map_err(|source| SceneError::Pair {
+        let mut answer = answer.map_err(|source| ExchangeError::Pair {
             first: self.members.patches[first],
             second: self.members.patches[second],
             source,

@@ -9,8 +9,8 @@
 //! **Not covered**: congruence of polygons that are not axis-parallel rectangles.
 
 use super::NamedPatch;
+use super::facing::{FacingPlanes, Sight};
 use super::lattice::Lattice;
-use super::planes::{Planes, Sight};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -30,7 +30,7 @@ const NO_PAIR: u64 = u64::MAX;
 /// What is left out and what is shared.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Plan {
-    pub(super) planes: Planes,
+    pub(super) planes: FacingPlanes,
     lattice: Option<Lattice>,
     /// The place of each class among those that occur.
     places: Vec<u32>,
@@ -39,9 +39,8 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// The plan for these patches, some of which may lie in others, in the end in their roots.
-    pub(super) fn of(patches: &[NamedPatch], roots: &[usize], congruence: Congruence) -> Self {
-        let planes = Planes::of(patches, roots);
+    /// The plan for polygons in these planes.
+    pub(super) fn of(patches: &[NamedPatch], planes: FacingPlanes, congruence: Congruence) -> Self {
         let lattice = match congruence {
             Congruence::Shared => Lattice::of(patches),
             Congruence::Ignored => None,

@@ -1,185 +1,343 @@
-//! Patches grouped by plane, and planes that see nothing of each other.
+//! The planes of a scene's surfaces, each once, and the noise of their corners.
+//!
+//! Surfaces whose corners lie within the noise of one plane share it, whichever way they face. A
+//! shared plane is put through three corners that are far apart, so that a wall of small patches
+//! has a plane as well known as the wall, not as one patch of it. Overlap, blockers, convex rooms
+//! and the plan of exchange all ask the planes and the noise that stand here.
 //!
 //! ```text
-//!   h is in front of g   ⇔   some corner of h has n_g · (x − o_g) > 16 ε · extent
+//!   noise = 64 ε · (largest coordinate) + 8 · (largest deviation of a corner from its patch's plane)
 //! ```
 //!
-//! If h is not in front of g, or g not in front of h, no patch of one exchanges anything with a patch of the other:
-//! all their pairs are left out without a look at any of them. Heights up to [`tolerance::ALIGNMENT`] of the largest
-//! coordinate are rounding of the input.
+//! ([`tolerance::TOUCHING`], [`tolerance::DEPTH_PER_DEVIATION`].) Below this length touching cannot
+//! be told from penetrating, in one plane from above it. Why one length serves all:
 //!
-//! **Not covered**: more than [`MOST_PLANES`] planes; then only pairs in one plane are left out here.
+//! ```text
+//!   corner      rotated and shifted, a corner is off by 6 ε of the largest coordinate at most
+//!   plane       put through three such corners, it leaves the others within 30 ε on either side
+//!   height      of one corner over it: 2 · 6 ε more at most for planes that are the same, and 4 ε of rounding
+//!   depth       of one body in another: twice the corners' 6 ε beside what the planes leave
+//! ```
+//!
+//! so that 64 ε holds all of them. Exact scenes have smaller residues and no features of 1e-14 of
+//! their size, so that the choice decides nothing there. A resolution that is known (the decimals
+//! of a file) would take the place of the first term, in [`noise`] and nowhere else.
+//!
+//! **Not covered**: the planes that can see each other (the plan of exchange compares them).
 
-use super::NamedPatch;
+use super::{NamedPatch, Scene};
+use crate::geometry::Plane;
 use crate::numeric::tolerance;
 use glam::DVec3;
+use rayon::prelude::*;
 use std::collections::HashMap;
 
-/// Up to so many planes all pairs of them are compared: the table takes their square in bytes.
-pub(super) const MOST_PLANES: usize = 2048;
-
-/// Two normals or positions nearer than this are looked at together; only how many planes are compared depends on it.
-const BUCKETS: f64 = 1_099_511_627_776.0; // 2⁴⁰
-
-/// What the patches of two planes can exchange.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Sight {
-    /// It takes a look at the pairs.
-    Open,
-    /// Nothing: both lie in one plane.
-    Coplanar,
-    /// Nothing: one lies behind the other.
-    BackFacing,
+/// The length below which coordinates say nothing.
+fn noise(largest: f64, deviation: f64) -> f64 {
+    tolerance::TOUCHING * largest + tolerance::DEPTH_PER_DEVIATION * deviation
 }
 
-/// The planes of a scene.
+/// A plane and the heights between which the corners in it lie.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Planes {
-    /// The plane of each patch.
-    of: Vec<u32>,
-    /// The patches of each plane, in order.
-    members: Vec<Vec<usize>>,
-    /// `sight[g · planes + h]`; empty beyond [`MOST_PLANES`].
-    sight: Vec<Sight>,
+pub(crate) struct SharedPlane {
+    pub plane: Plane,
+    pub low: f64,
+    pub high: f64,
 }
 
-struct Plane {
-    normal: DVec3,
-    origin: DVec3,
-}
+impl SharedPlane {
+    /// Tells whether a surface in this plane can enter a body between these heights over it.
+    pub(crate) fn is_crossed_by(&self, [low, high]: [f64; 2], noise: f64) -> bool {
+        self.high - low > noise && high - self.low > noise
+    }
 
-impl Plane {
-    fn height(&self, point: DVec3) -> f64 {
-        self.normal.dot(point - self.origin)
+    /// The least and the largest height over this plane.
+    pub(crate) fn range(&self, points: impl IntoIterator<Item = DVec3>) -> [f64; 2] {
+        let heights = points.into_iter().map(|point| self.plane.height(point));
+        heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], height| {
+            [low.min(height), high.max(height)]
+        })
+    }
+
+    fn thickness(&self) -> f64 {
+        self.high - self.low
     }
 }
 
-impl Planes {
-    /// The planes of patches; a patch whose root is another one lies in that one, and in its plane.
-    pub(super) fn of(patches: &[NamedPatch], roots: &[usize]) -> Self {
-        let corners = |patch: usize| patches[patch].shape.corners();
-        let extent = (0..patches.len())
-            .flat_map(corners)
+/// The plane that a surface lies in, and whether it faces as the plane does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) struct Placed {
+    pub plane: usize,
+    pub along: bool,
+}
+
+/// The planes of all patches and obstructions.
+///
+/// Heights and lengths are in units of [`unit`](Self::unit).
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct ScenePlanes {
+    unit: f64,
+    noise: f64,
+    planes: Vec<SharedPlane>,
+    /// For each patch, then for each obstruction.
+    plane_of: Vec<Placed>,
+}
+
+impl ScenePlanes {
+    /// Gathers the surfaces of a scene in planes.
+    pub(crate) fn of(scene: &Scene) -> Self {
+        let surfaces: Vec<&NamedPatch> = scene.surfaces().collect();
+        let largest = surfaces
+            .iter()
+            .flat_map(|surface| surface.shape().corners())
             .map(|corner| corner.abs().max_element())
-            .fold(f64::MIN_POSITIVE, f64::max);
-        let flat = tolerance::ALIGNMENT * extent;
-        let mut planes: Vec<Plane> = Vec::new();
-        let mut buckets: HashMap<[i64; 4], Vec<usize>> = HashMap::new();
-        let mut of = vec![u32::MAX; patches.len()];
-        for (patch, named) in patches.iter().enumerate() {
-            if roots[patch] != patch {
-                continue;
-            }
-            let normal = named.shape.normal();
-            let origin = corners(patch)[0];
-            let distance = normal.dot(origin) / extent;
-            #[allow(clippy::cast_possible_truncation, reason = "at most 2 · 2⁴⁰")]
-            let bucket = [normal.x, normal.y, normal.z, distance]
-                .map(|number| (number * BUCKETS).round() as i64);
-            let known = buckets.entry(bucket).or_default();
-            let is_in = |plane: &usize| {
-                let plane = &planes[*plane];
-                let in_plane = |corner: &DVec3| plane.height(*corner).abs() <= flat;
-                normal.dot(plane.normal) > 0.0 && corners(patch).iter().all(in_plane)
-            };
-            let plane = if let Some(plane) = known.iter().copied().find(is_in) {
-                plane
-            } else {
-                known.push(planes.len());
-                planes.push(Plane { normal, origin });
-                planes.len() - 1
-            };
-            of[patch] = u32::try_from(plane).unwrap_or(u32::MAX);
-        }
-        let mut members = vec![Vec::new(); planes.len()];
-        for patch in 0..patches.len() {
-            of[patch] = of[roots[patch]];
-            members[of[patch] as usize].push(patch);
-        }
-        let sight = if planes.len() <= MOST_PLANES {
-            // what lies in a patch is in front of nothing that the patch is not in front of
-            let whole = |patch: usize| {
-                let is_whole = roots[patch] == patch;
-                if is_whole { corners(patch) } else { &[] }
-            };
-            compare(&planes, &members, whole, flat)
-        } else {
-            Vec::new()
+            .fold(0.0, f64::max);
+        // at most 2 after division; a patch has an area, so that something is not 0
+        let unit = largest.log2().floor().exp2();
+        let own: Vec<SharedPlane> = surfaces
+            .par_iter()
+            .map(|surface| own_plane(surface, unit))
+            .collect();
+        let deviation = own.iter().map(|own| own.high).fold(0.0, f64::max);
+        let mut planes = Self {
+            unit,
+            noise: noise(largest / unit, deviation),
+            planes: Vec::new(),
+            plane_of: vec![
+                Placed {
+                    plane: 0,
+                    along: true
+                };
+                surfaces.len()
+            ],
         };
-        Self { of, members, sight }
+        planes.gather(&surfaces, &own);
+        planes
     }
 
-    pub(super) const fn count(&self) -> usize {
-        self.members.len()
+    /// The power of two by which coordinates are divided.
+    pub(crate) const fn unit(&self) -> f64 {
+        self.unit
     }
 
-    /// Is it known which planes see nothing of each other?
-    pub(super) const fn are_compared(&self) -> bool {
-        !self.sight.is_empty()
+    /// The length below which coordinates say nothing, in units of [`unit`](Self::unit).
+    pub(crate) const fn noise(&self) -> f64 {
+        self.noise
     }
 
-    pub(super) fn of_patch(&self, patch: usize) -> usize {
-        self.of[patch] as usize
+    /// The length below which coordinates say nothing, in the scene's own unit of length.
+    pub(crate) const fn noise_length(&self) -> f64 {
+        self.noise * self.unit
     }
 
-    /// What two planes can exchange.
-    pub(super) fn sight(&self, first: usize, second: usize) -> Sight {
-        if first == second {
-            Sight::Coplanar
-        } else if self.sight.is_empty() {
-            Sight::Open
-        } else {
-            self.sight[first * self.count() + second]
+    /// Each plane once.
+    pub(crate) fn planes(&self) -> &[SharedPlane] {
+        &self.planes
+    }
+
+    /// The plane of a surface; obstructions are numbered after the patches.
+    pub(crate) fn plane_of(&self, surface: usize) -> Placed {
+        self.plane_of[surface]
+    }
+
+    /// The plane of a surface, facing as the surface does.
+    pub(crate) fn facing(&self, surface: usize) -> Plane {
+        let Placed { plane, along } = self.plane_of[surface];
+        let plane = self.planes[plane].plane;
+        if along { plane } else { plane.reversed() }
+    }
+
+    /// The corners of a surface, in units of [`unit`](Self::unit).
+    pub(crate) fn corners<'a>(
+        &self,
+        surface: &'a NamedPatch,
+    ) -> impl Iterator<Item = DVec3> + Clone + use<'a> {
+        let unit = self.unit;
+        surface
+            .shape()
+            .corners()
+            .iter()
+            .map(move |corner| *corner / unit)
+    }
+
+    /// For each plane whether patches lie on both sides of it, so that a surface in it can be
+    /// between two.
+    pub(crate) fn splits(&self, patches: &[NamedPatch]) -> Vec<bool> {
+        let all = patches.iter().flat_map(|patch| self.corners(patch));
+        let mut corners: Vec<DVec3> = all.collect();
+        if self.planes.len() > FEW_PLANES {
+            corners.sort_unstable_by_key(|corner| corner.to_array().map(f64::to_bits));
+            corners.dedup();
         }
+        let between = |shared: &SharedPlane| {
+            let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY];
+            corners.chunks(CORNERS_AT_ONCE).any(|corners| {
+                let [least, most] = shared.range(corners.iter().copied());
+                (low, high) = (low.min(least), high.max(most));
+                shared.is_crossed_by([low, high], self.noise)
+            })
+        };
+        self.planes.par_iter().map(between).collect()
     }
 
-    /// Numbers of pairs left out: in one plane, behind each other.
-    pub(super) fn pairs_left_out(&self) -> [usize; 2] {
-        let mut left_out = [0, 0];
-        for (first, patches) in self.members.iter().enumerate() {
-            left_out[0] += patches.len() * (patches.len() - 1) / 2;
-            if self.sight.is_empty() {
+    /// Gathers surfaces in planes: those that agree roughly are tried as one plane. If they are
+    /// not, those that agree closely are put in the first plane that fits.
+    ///
+    /// Surfaces that lie in one plane but are not gathered only cost time.
+    fn gather(&mut self, surfaces: &[&NamedPatch], own: &[SharedPlane]) {
+        let all: Vec<usize> = (0..surfaces.len()).collect();
+        for members in buckets(&all, own, ROUGHLY) {
+            if let Some(shared) = self.common(surfaces, &members, own) {
+                self.place(&members, shared, own);
                 continue;
             }
-            for (second, others) in self.members.iter().enumerate().skip(first + 1) {
-                let pairs = patches.len() * others.len();
-                match self.sight(first, second) {
-                    Sight::Open => {}
-                    Sight::Coplanar => left_out[0] += pairs,
-                    Sight::BackFacing => left_out[1] += pairs,
+            for members in buckets(&members, own, CLOSELY) {
+                for members in self.fitting(surfaces, &members, own) {
+                    let corners = || members.iter().flat_map(|m| self.corners(surfaces[*m]));
+                    let shared = self.common(surfaces, &members, own);
+                    let shared = shared.unwrap_or_else(|| centred(own[members[0]].plane, corners));
+                    self.place(&members, shared, own);
                 }
             }
         }
-        left_out
+    }
+
+    /// The plane of a surface, or of several through corners of theirs, if they lie in one.
+    fn common(
+        &self,
+        surfaces: &[&NamedPatch],
+        members: &[usize],
+        own: &[SharedPlane],
+    ) -> Option<SharedPlane> {
+        if let [single] = members {
+            return Some(own[*single].clone());
+        }
+        let corners = || members.iter().flat_map(|m| self.corners(surfaces[*m]));
+        through_far_corners(corners).filter(|shared| shared.thickness() <= self.noise)
+    }
+
+    /// Surfaces gathered around those that come first: within half the noise of their planes.
+    fn fitting(
+        &self,
+        surfaces: &[&NamedPatch],
+        members: &[usize],
+        own: &[SharedPlane],
+    ) -> Vec<Vec<usize>> {
+        let mut gathered: Vec<Vec<usize>> = Vec::new();
+        for member in members {
+            let fits = |others: &&mut Vec<usize>| {
+                let plane = &own[others[0]].plane;
+                let mut corners = self.corners(surfaces[*member]);
+                corners.all(|corner| plane.height(corner).abs() <= 0.5 * self.noise)
+            };
+            match gathered.iter_mut().find(fits) {
+                Some(others) => others.push(*member),
+                None => gathered.push(vec![*member]),
+            }
+        }
+        gathered
+    }
+
+    fn place(&mut self, members: &[usize], shared: SharedPlane, own: &[SharedPlane]) {
+        for member in members {
+            self.plane_of[*member] = Placed {
+                plane: self.planes.len(),
+                along: own[*member].plane.normal.dot(shared.plane.normal) > 0.0,
+            };
+        }
+        self.planes.push(shared);
     }
 }
 
-/// What each plane can exchange with each other one.
-fn compare<'p>(
-    planes: &[Plane],
-    members: &[Vec<usize>],
-    corners: impl Fn(usize) -> &'p [DVec3],
-    flat: f64,
-) -> Vec<Sight> {
-    let count = planes.len();
-    // is something of `other` above, or more than rounding off, the plane?
-    let any = |plane: &Plane, other: usize, is: fn(f64) -> f64| {
-        let all = members[other].iter().flat_map(|patch| corners(*patch));
-        all.into_iter()
-            .any(|corner| is(plane.height(*corner)) > flat)
+/// The largest number of planes for which it does not pay to look for equal corners.
+const FEW_PLANES: usize = 64;
+
+/// A plane with corners on both sides is found out after this many.
+const CORNERS_AT_ONCE: usize = 64;
+
+/// Planes that agree to six digits are tried as one.
+const ROUGHLY: f64 = 1e6;
+
+/// Planes that agree to twelve digits are tried in turn.
+const CLOSELY: f64 = 1_099_511_627_776.0; // 2⁴⁰
+
+/// Surfaces whose normals and distances round to the same, in the order of the first of them.
+fn buckets(members: &[usize], own: &[SharedPlane], per_unit: f64) -> Vec<Vec<usize>> {
+    let mut place_of: HashMap<[i64; 4], usize> = HashMap::new();
+    let mut found: Vec<Vec<usize>> = Vec::new();
+    for member in members {
+        let plane = &own[*member].plane;
+        let normal = unoriented(plane.normal);
+        let distance = plane.origin.dot(normal);
+        #[allow(
+            clippy::cast_possible_truncation,
+            reason = "numbers up to 4 · 2⁴⁰, and any rounding serves"
+        )]
+        let key = [normal.x, normal.y, normal.z, distance].map(|x| (x * per_unit).round() as i64);
+        let place = *place_of.entry(key).or_insert_with(|| {
+            found.push(Vec::new());
+            found.len() - 1
+        });
+        found[place].push(*member);
+    }
+    found
+}
+
+/// A surface's plane through the middle of its corners' heights.
+fn own_plane(surface: &NamedPatch, unit: f64) -> SharedPlane {
+    let shape = surface.shape();
+    let plane = Plane {
+        normal: shape.normal(),
+        origin: shape.corners()[0] / unit,
     };
-    let in_front: Vec<bool> = (0..count * count)
-        .map(|pair| any(&planes[pair / count], pair % count, |height| height))
-        .collect();
-    let sight = |pair: usize| {
-        let (first, second) = (pair / count, pair % count);
-        if in_front[pair] && in_front[second * count + first] {
-            Sight::Open
-        } else if any(&planes[first.min(second)], first.max(second), f64::abs) {
-            Sight::BackFacing
-        } else {
-            Sight::Coplanar
+    centred(plane, || {
+        shape.corners().iter().map(|corner| *corner / unit)
+    })
+}
+
+/// The plane moved to the middle between the heights of corners.
+fn centred<C: Iterator<Item = DVec3>>(plane: Plane, corners: impl Fn() -> C) -> SharedPlane {
+    let mut shared = SharedPlane {
+        plane,
+        low: 0.0,
+        high: 0.0,
+    };
+    let [low, high] = shared.range(corners());
+    let half = 0.5 * (high - low);
+    shared.plane.origin += 0.5 * (low + high) * plane.normal;
+    (shared.low, shared.high) = (-half, half);
+    shared
+}
+
+/// The plane through a corner, the one farthest from it, and the one farthest from the line through
+/// both.
+fn through_far_corners<C: Iterator<Item = DVec3>>(corners: impl Fn() -> C) -> Option<SharedPlane> {
+    let farthest = |distance: &dyn Fn(DVec3) -> f64| {
+        let mut best = (-1.0, DVec3::ZERO);
+        for corner in corners() {
+            let found = distance(corner);
+            if found > best.0 {
+                best = (found, corner);
+            }
         }
+        best.1
     };
-    (0..count * count).map(sight).collect()
+    let origin = corners().next()?;
+    let along = farthest(&|corner| corner.distance_squared(origin)) - origin;
+    let aside = farthest(&|corner| (corner - origin).cross(along).length_squared()) - origin;
+    let normal = along.cross(aside).try_normalize()?;
+    Some(centred(Plane { normal, origin }, corners))
+}
+
+/// The normal or its opposite, so that two surfaces that face away from each other agree.
+fn unoriented(normal: DVec3) -> DVec3 {
+    let size = normal.abs();
+    let largest = if size.x >= size.y && size.x >= size.z {
+        normal.x
+    } else if size.y >= size.z {
+        normal.y
+    } else {
+        normal.z
+    };
+    normal * largest.signum()
 }

@@ -41,7 +41,7 @@ impl ScenePairs {
     /// });
     /// pairs.exchange_areas()?;
     /// assert_eq!(done.load(Ordering::Relaxed), pairs.pairs());
-    /// # Ok::<(), infoscene::scene::SceneError>(())
+    /// # Ok::<(), infoscene::scene::ExchangeError>(())
     /// ```
     #[must_use]
     pub fn with_progress(mut self, told: impl Fn(usize) + Send + Sync + 'static) -> Self {

@@ -11,9 +11,9 @@
 //!
 //! Cancellation costs digits: where the bound misses the tolerance, the terms are computed again to a finer one.
 
+use super::facing::Sight;
 use super::members::Member;
-use super::planes::Sight;
-use super::{SceneError, ScenePairs, Tally};
+use super::{ExchangeError, SceneError, ScenePairs, Tally};
 use crate::form_factor::{Answer, ExchangeArea, Route};
 use crate::numeric::CompensatedSum;
 
@@ -44,17 +44,17 @@ impl ScenePairs {
     /// itself only if it is summed of patches in several planes.
     ///
     /// # Errors
-    /// [`SceneError::NoSuchPatch`]; [`SceneError::Pair`] if two patches are refused.
-    pub fn pair(&self, first: usize, second: usize) -> Result<Answer, SceneError> {
+    /// [`SceneError::NoSuchPatch`]; [`ExchangeError::Pair`] if two patches are refused.
+    pub fn pair(&self, first: usize, second: usize) -> Result<Answer, ExchangeError> {
         self.check(first)?;
         self.check(second)?;
         self.between(first, second, &mut Tally::default())
     }
 
-    pub(super) fn check(&self, row: usize) -> Result<(), SceneError> {
+    pub(super) fn check(&self, row: usize) -> Result<(), ExchangeError> {
         let last = self.patches() - 1;
         if row > last {
-            return Err(SceneError::NoSuchPatch { index: row, last });
+            return Err(SceneError::NoSuchPatch { index: row, last }.into());
         }
         Ok(())
     }
@@ -65,7 +65,7 @@ impl ScenePairs {
         first: usize,
         second: usize,
         tally: &mut Tally,
-    ) -> Result<Answer, SceneError> {
+    ) -> Result<Answer, ExchangeError> {
         match self.sight(first, second) {
             Sight::Open => self.open(first, second, tally),
             Sight::BackFacing if first != second => Ok(nothing(Route::BackFacing)),
@@ -80,7 +80,7 @@ impl ScenePairs {
         first: usize,
         second: usize,
         tally: &mut Tally,
-    ) -> Result<Answer, SceneError> {
+    ) -> Result<Answer, ExchangeError> {
         let answer = match self.members.single(first, second) {
             Some([one, other]) => self.look(one, other, tally)?,
             None => self.sum(first.min(second), first.max(second), tally)?,
@@ -89,7 +89,7 @@ impl ScenePairs {
         Ok(answer)
     }
 
-    fn sum(&self, first: usize, second: usize, tally: &mut Tally) -> Result<Answer, SceneError> {
+    fn sum(&self, first: usize, second: usize, tally: &mut Tally) -> Result<Answer, ExchangeError> {
         let mut sum = self.terms(first, second, |one, other| {
             // a part is counted in its own row
             let mut counts = Tally::default();
@@ -138,8 +138,8 @@ impl ScenePairs {
         &self,
         first: usize,
         second: usize,
-        mut term: impl FnMut(&Member, &Member) -> Result<Answer, SceneError>,
-    ) -> Result<Terms, SceneError> {
+        mut term: impl FnMut(&Member, &Member) -> Result<Answer, ExchangeError>,
+    ) -> Result<Terms, ExchangeError> {
         let [mut value, mut bound, mut size] = [CompensatedSum::default(); 3];
         let (mut route, mut largest) = (Route::Coplanar, -1.0);
         let times = if first == second { 2.0 } else { 1.0 };

@@ -10,9 +10,9 @@
 //!
 //! **Memory** O(n).
 
-use super::SceneError;
+use super::ExchangeError;
+use super::facing::Sight;
 use super::pairs::{Account, ScenePairs};
-use super::planes::Sight;
 use super::tally::Tally;
 use crate::form_factor::ExchangeArea;
 use crate::numeric::CompensatedSum;
@@ -34,14 +34,14 @@ struct Chunk {
 }
 
 /// One tile: what it adds to the sums of its rows, and its counts.
-type Tile<const K: usize> = Result<(Vec<Sums<K>>, Tally), SceneError>;
+type Tile<const K: usize> = Result<(Vec<Sums<K>>, Tally), ExchangeError>;
 
 impl ScenePairs {
     /// `K` sums over each row, of terms that are the same for (i, j) and (j, i); pairs that the plan leaves out are not
     /// asked for, nor a row with itself unless it may see itself.
     ///
     /// # Errors
-    /// [`SceneError::Pair`] if two patches are refused.
+    /// [`ExchangeError::Pair`] if two patches are refused.
     ///
     /// # Examples
     /// ```
@@ -51,12 +51,12 @@ impl ScenePairs {
     /// let (sums, _) = pairs.row_sums(|_, _, exchange| [exchange.value])?;
     /// // the form factors of a closed scene sum to one
     /// assert!((sums[0][0] / pairs.areas()[0] - 1.0).abs() < 1e-13);
-    /// # Ok::<(), infoscene::scene::SceneError>(())
+    /// # Ok::<(), infoscene::scene::ExchangeError>(())
     /// ```
     pub fn row_sums<const K: usize>(
         &self,
         term: impl Fn(usize, usize, &ExchangeArea) -> [f64; K] + Sync,
-    ) -> Result<(Vec<[f64; K]>, Account), SceneError> {
+    ) -> Result<(Vec<[f64; K]>, Account), ExchangeError> {
         let order: Vec<usize> = self.aspects.rows().concat();
         let chunks = self.chunks();
         let mut sums = vec![[CompensatedSum::default(); K]; order.len()];

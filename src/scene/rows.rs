@@ -1,6 +1,6 @@
 //! Rows of exchange areas, one at a time; and single rows, columns and entries.
 
-use super::{Account, SceneError, ScenePairs, Sight, Tally};
+use super::{Account, ExchangeError, ScenePairs, Sight, Tally};
 use crate::form_factor::Answer;
 use crate::numeric::try_parallel_map;
 use std::collections::BTreeSet;
@@ -24,8 +24,8 @@ impl ScenePairs {
     /// held. A pair that shares no value is computed for both of its rows, in the same way.
     ///
     /// # Errors
-    /// [`SceneError::Pair`](super::SceneError::Pair) if two patches are refused, or what `visit` returns.
-    pub fn for_each_row<E: From<SceneError>>(
+    /// [`ExchangeError::Pair`](super::ExchangeError::Pair) if two patches are refused, or what `visit` returns.
+    pub fn for_each_row<E: From<ExchangeError>>(
         &self,
         mut visit: impl FnMut(usize, &[Answer]) -> Result<(), E>,
     ) -> Result<Account, E> {
@@ -54,7 +54,7 @@ impl ScenePairs {
         &self,
         from: usize,
         columns: std::ops::Range<usize>,
-    ) -> Result<(Vec<Answer>, Tally), SceneError> {
+    ) -> Result<(Vec<Answer>, Tally), ExchangeError> {
         let mut tally = Tally::default();
         let mut answers = Vec::with_capacity(columns.len());
         for to in columns {
@@ -69,12 +69,12 @@ impl ScenePairs {
     /// that of these pairs alone.
     ///
     /// # Errors
-    /// [`SceneError::NoSuchPatch`](super::SceneError::NoSuchPatch), [`SceneError::Pair`](super::SceneError::Pair).
+    /// [`SceneError::NoSuchPatch`](super::SceneError::NoSuchPatch), [`ExchangeError::Pair`](super::ExchangeError::Pair).
     pub fn entries(
         &self,
         from: Option<usize>,
         to: Option<usize>,
-    ) -> Result<(Vec<Entry>, Account), SceneError> {
+    ) -> Result<(Vec<Entry>, Account), ExchangeError> {
         for row in [from, to].into_iter().flatten() {
             self.check(row)?;
         }

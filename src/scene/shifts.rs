@@ -5,8 +5,7 @@
 
 use super::Scene;
 use super::congruence::shift_allowance;
-use super::parts::distance_from_plane;
-use crate::geometry::Patch;
+use crate::geometry::{Patch, distance_from_plane};
 use crate::numeric::tolerance;
 
 /// How far polygons are from the planes of their bases.

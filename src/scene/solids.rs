@@ -16,44 +16,40 @@ use glam::DVec3;
 /// Heights that differ by less are one face's; the next vertex is 0.7 lower.
 const APART: f64 = 1e-9;
 
-impl Scene {
-    /// The inside of a regular solid, or `None` if it is not the name of one: `tetrahedron`, `octahedron`, `dodecahedron`,
-    /// `icosahedron`.
-    pub(super) fn regular_solid(name: &str) -> Option<Result<Self, SceneError>> {
-        let phi = 0.5 * (1.0 + 5f64.sqrt());
-        let signs = || [1.0, -1.0].into_iter();
-        let octants = || {
-            signs().flat_map(move |x| {
-                signs().flat_map(move |y| signs().map(move |z| DVec3::new(x, y, z)))
-            })
-        };
-        let cyclic = |point: DVec3| {
-            [
-                point,
-                DVec3::new(point.z, point.x, point.y),
-                DVec3::new(point.y, point.z, point.x),
-            ]
-        };
-        let planes = |a: f64, b: f64| {
-            signs()
-                .flat_map(move |s| signs().flat_map(move |t| cyclic(DVec3::new(s * a, 0.0, t * b))))
-        };
-        let tetrahedron =
-            |sign: f64| octants().filter(move |point| point.x * point.y * point.z * sign > 0.0);
-        let octahedron =
-            || signs().flat_map(|sign| [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| sign * axis));
-        let dodecahedron = || octants().chain(planes(1.0 / phi, phi));
-        // (0, 1, φ) and cyclic, as (φ, 0, 1) and cyclic
-        let icosahedron = || planes(phi, 1.0);
-        let [vertices, directions]: [Vec<DVec3>; 2] = match name {
-            "tetrahedron" => [tetrahedron(1.0).collect(), tetrahedron(-1.0).collect()],
-            "octahedron" => [octahedron().collect(), octants().collect()],
-            "dodecahedron" => [dodecahedron().collect(), icosahedron().collect()],
-            "icosahedron" => [icosahedron().collect(), dodecahedron().collect()],
-            _ => return None,
-        };
-        Some(solid(&vertices, &directions))
-    }
+/// The inside of a regular solid, or `None` if it is not the name of one: `tetrahedron`,
+/// `octahedron`, `dodecahedron`, `icosahedron`.
+pub(super) fn regular_solid(name: &str) -> Option<Result<Scene, SceneError>> {
+    let phi = 0.5 * (1.0 + 5f64.sqrt());
+    let signs = || [1.0, -1.0].into_iter();
+    let octants = || {
+        signs()
+            .flat_map(move |x| signs().flat_map(move |y| signs().map(move |z| DVec3::new(x, y, z))))
+    };
+    let cyclic = |point: DVec3| {
+        [
+            point,
+            DVec3::new(point.z, point.x, point.y),
+            DVec3::new(point.y, point.z, point.x),
+        ]
+    };
+    let planes = |a: f64, b: f64| {
+        signs().flat_map(move |s| signs().flat_map(move |t| cyclic(DVec3::new(s * a, 0.0, t * b))))
+    };
+    let tetrahedron =
+        |sign: f64| octants().filter(move |point| point.x * point.y * point.z * sign > 0.0);
+    let octahedron =
+        || signs().flat_map(|sign| [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| sign * axis));
+    let dodecahedron = || octants().chain(planes(1.0 / phi, phi));
+    // (0, 1, φ) and cyclic, as (φ, 0, 1) and cyclic
+    let icosahedron = || planes(phi, 1.0);
+    let [vertices, directions]: [Vec<DVec3>; 2] = match name {
+        "tetrahedron" => [tetrahedron(1.0).collect(), tetrahedron(-1.0).collect()],
+        "octahedron" => [octahedron().collect(), octants().collect()],
+        "dodecahedron" => [dodecahedron().collect(), icosahedron().collect()],
+        "icosahedron" => [icosahedron().collect(), dodecahedron().collect()],
+        _ => return None,
+    };
+    Some(solid(&vertices, &directions))
 }
 
 /// The faces of a convex solid around the origin, in these directions, fronts inward.

@@ -4,11 +4,13 @@ use super::{NamedPatch, Scene, SceneError};
 use crate::geometry::quartered;
 
 impl Scene {
-    /// The scene with every patch [`quartered`](crate::geometry::quartered()) so many times, and for each new patch the one it is a part of. Parts keep
-    /// the material; their names are the patch's with their number.
+    /// The scene with every patch [`quartered`](crate::geometry::quartered()) so many times, and
+    /// for each new patch the one it is a part of. Parts keep the material; their names are the
+    /// patch's with their number.
     ///
     /// # Errors
-    /// [`SceneError::CutThroughPart`] if a patch lies in another; [`SceneError::Patch`] if parts are too small for `f64`.
+    /// [`SceneError::CutThroughPart`] if a patch lies in another; [`SceneError::Patch`] if parts
+    /// are too small for `f64`.
     ///
     /// # Examples
     /// ```

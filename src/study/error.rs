@@ -5,7 +5,7 @@ use crate::claims::ClaimError;
 use crate::discretize::DiscretizeError;
 use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
-use crate::scene::SceneError;
+use crate::scene::{ExchangeError, SceneError};
 use crate::transport::TransportError;
 
 /// A case of a study was refused.
@@ -27,6 +27,9 @@ pub enum StudyError {
     /// A room's patches.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// The exchange of a scene's rows was refused.
+    #[error(transparent)]
+    Exchange(#[from] ExchangeError),
     /// A room's light.
     #[error(transparent)]
     Transport(#[from] TransportError),

@@ -1,6 +1,6 @@
 //! Why there is no equilibrium of light.
 
-use crate::scene::SceneError;
+use crate::scene::ExchangeError;
 
 /// A scene has no radiosity or importance; the message names the patch.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -75,7 +75,7 @@ pub enum TransportError {
     },
     /// The scene's form factors were refused.
     #[error(transparent)]
-    Scene(#[from] SceneError),
+    Exchange(#[from] ExchangeError),
 }
 
 /// The smallest reflectance that is not 0.

@@ -90,7 +90,7 @@ impl<'e> Interreflection<'e> {
     ///
     /// # Errors
     /// [`TransportError::WrongCount`] unless there is a material for each patch; [`TransportError::ReflectanceTooSmall`];
-    /// [`TransportError::Scene`] if a row is above one, as where patches hide each other and
+    /// [`TransportError::Exchange`] if a row is above one, as where patches hide each other and
     /// occlusion was ignored.
     pub fn of(exchange: &'e ExchangeAreas, materials: &[Material]) -> Result<Self, TransportError> {
         let reflectances: Vec<f64> = materials.iter().map(Material::reflectance).collect();

@@ -91,6 +91,32 @@ fn counts_of_cases_out_of_range_are_refused() {
     ]);
 }
 
+/// The library names the condition, the command the option that mends it; other options are not named.
+#[test]
+fn a_refusal_names_the_option_that_mends_it() {
+    assert_refused(
+        &["reproduce", "fig9"],
+        "no claim \"fig9\"; `infoscene reproduce` shows all ids\n",
+    );
+    assert_refused(
+        &[
+            "split",
+            "octahedron",
+            "--patch",
+            "0",
+            "--against",
+            "7",
+            "--precision",
+            "128",
+        ],
+        "or do without an enclosure; leave out --precision for values without an enclosure\n",
+    );
+    assert_refused(
+        &["split", "two-squares", "--patch", "2"],
+        "the scene has patches 0 to 1\n",
+    );
+}
+
 #[test]
 fn an_output_folder_that_is_not_there_is_refused() {
     let folder = tempfile::tempdir().unwrap();

@@ -109,7 +109,10 @@ fn what_is_ignored_is_said_on_standard_error() {
     let arguments = ["split", path, "--patch", "0", "--format", "json"];
     let refused = infoscene(&arguments).assert().code(2);
     let message = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
-    assert!(message.contains("--unoccluded"), "{message}");
+    assert!(
+        message.contains("unoccluded values; --unoccluded computes"),
+        "{message}"
+    );
     let answered = infoscene(&arguments).arg("--unoccluded").assert().success();
     let message = String::from_utf8(answered.get_output().stderr.clone()).unwrap();
     assert!(message.contains("encl, maxu are ignored"), "{message}");

@@ -1,4 +1,4 @@
-//! What is wrong with a scene file: where, which condition is broken, and what mends it.
+//! The refusals of a scene file: the place, the broken condition and its remedy.
 
 use crate::geometry::GeometryError;
 use crate::scene::{MaterialError, SceneError};
@@ -203,7 +203,19 @@ pub enum Fault {
     NoEnd,
 }
 
-/// What mends a shape, as far as the geometry does not say so itself.
+/// The format has no place for something that the scene has.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{format} cannot say that {what}: {mend}")]
+pub struct NotExpressible {
+    /// Name of the format.
+    pub format: &'static str,
+    /// The part of the scene that would be lost.
+    pub what: String,
+    /// The remedy.
+    pub mend: &'static str,
+}
+
+/// The remedy of a shape, as far as the geometry does not name it itself.
 const fn mend(error: &GeometryError) -> &'static str {
     match error {
         GeometryError::TooFewCorners { .. } => ": add corners or remove the face",
@@ -211,7 +223,7 @@ const fn mend(error: &GeometryError) -> &'static str {
         GeometryError::NoArea { .. } => {
             ": move its corners apart, off one line and into their order, or remove the face"
         }
-        GeometryError::NotPlanar { .. } => " (--triangulate does)",
+        GeometryError::NotPlanar { .. } => ", or let its reader do so",
         GeometryError::NotSimple { .. } => ", so reorder or split the face",
         _ => "",
     }

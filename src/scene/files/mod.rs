@@ -22,7 +22,7 @@ mod view3d;
 mod view3d_surfaces;
 mod view3d_writer;
 
-pub use error::{Fault, FileError};
+pub use error::{Fault, FileError, NotExpressible};
 pub use obj::read_obj;
 pub use obj_writer::{ObjText, write_obj};
 pub use source::Source;

@@ -1,7 +1,7 @@
 //! A scene as Wavefront OBJ and MTL.
 
-use super::error::excerpt;
-use crate::scene::{Material, NamedPatch, Scene, SceneError};
+use super::error::{NotExpressible, excerpt};
+use crate::scene::{Material, NamedPatch, Scene};
 use glam::DVec3;
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -17,21 +17,22 @@ pub struct ObjText {
 
 /// Writes a scene whose materials go to a file of the name `library`.
 ///
-/// Shapes and materials read back exactly. Names do if they are a text and the number of the patch among those of that
-/// text, as the reader makes them; else the reader puts such a number after them. `#` and `\` in a name become `_`.
+/// Shapes and materials read back exactly. Names do if they are a text and the number of the patch
+/// among those of that text, as the reader makes them; else the reader puts such a number after
+/// them. `#` and `\` in a name become `_`.
 ///
 /// # Errors
-/// [`SceneError::NotExpressible`] if polygons only obstruct, a patch lies in another one, or patches are summed; or
-/// if `library` is no name that such a file can hold.
-pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, SceneError> {
-    let not = |what: &str| SceneError::NotExpressible {
+/// [`NotExpressible`] if polygons only obstruct, a patch lies in another one, or patches are
+/// summed; or if `library` is no name that such a file can hold.
+pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible> {
+    let not = |what: &str| NotExpressible {
         format: "Wavefront OBJ",
         what: what.to_owned(),
         mend: "write View3D .vs3",
     };
     let count = scene.patches().len();
     if library.is_empty() || library.trim() != library || library.contains(['#', '\\', '\n']) {
-        return Err(SceneError::NotExpressible {
+        return Err(NotExpressible {
             format: "Wavefront OBJ",
             what: format!("its materials are in \"{}\"", excerpt(library)),
             mend: "choose a name without # and \\, and without spaces around it",

@@ -4,7 +4,7 @@ use super::NonPlanarFaces;
 use super::error::{Fault, FileError, excerpt};
 use super::source::Source;
 use super::triangles::patches_of_face;
-use crate::scene::parts::check_inside;
+use crate::geometry::check_contained;
 use crate::scene::{Material, NamedPatch, Scene};
 use glam::DVec3;
 use std::collections::{HashMap, HashSet};
@@ -132,7 +132,7 @@ pub(super) fn assemble(
 fn in_obstruction(scene: Scene, part: usize, base: &Placed) -> Result<Scene, Fault> {
     let index = base.indices.start;
     let (inner, outer) = (&scene.patches[part], &scene.obstructions[index]);
-    match check_inside((part, &inner.shape), (index, &outer.shape)) {
+    match check_contained(&inner.shape, &outer.shape) {
         Ok(()) => Ok(scene),
         Err(_) => Err(Fault::NotSupported {
             what: format!(
@@ -144,8 +144,8 @@ fn in_obstruction(scene: Scene, part: usize, base: &Placed) -> Result<Scene, Fau
     }
 }
 
-/// For each patch the surface that it is summed into, and which of its triangles stays apart from the others: those of
-/// one surface do unless it is combined.
+/// For each patch the surface that it is summed into, and which of its triangles stays apart from
+/// the others: those of one surface do unless it is combined.
 fn labels(
     source: &Source,
     surfaces: &[Surface],

@@ -1,8 +1,9 @@
 //! A scene as View3D `.vs3`.
 
 use super::decimal::complement;
+use super::error::NotExpressible;
 use super::obj_writer::VertexNumbers;
-use crate::scene::{NamedPatch, Scene, SceneError};
+use crate::scene::{NamedPatch, Scene};
 use glam::DVec3;
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -12,8 +13,8 @@ use std::fmt::Write;
 /// In a name, white space becomes single spaces, and `!` and a `/` that begins a word become `_`.
 ///
 /// # Errors
-/// [`SceneError::NotExpressible`] if a patch emits light or has more than four corners.
-pub fn write_view3d(scene: &Scene) -> Result<String, SceneError> {
+/// [`NotExpressible`] if a patch emits light or has more than four corners.
+pub fn write_view3d(scene: &Scene) -> Result<String, NotExpressible> {
     let count = scene.patches().len();
     let mut vertices = VertexNumbers::default();
     let mut leads = HashMap::new();
@@ -45,8 +46,8 @@ fn corners(
     patch: &NamedPatch,
     vertices: &mut VertexNumbers,
     points: &mut String,
-) -> Result<[usize; 4], SceneError> {
-    let not = |what: String, mend: &'static str| SceneError::NotExpressible {
+) -> Result<[usize; 4], NotExpressible> {
+    let not = |what: String, mend: &'static str| NotExpressible {
         format: "View3D",
         what,
         mend,

@@ -2,7 +2,7 @@
 
 use infoscene::chain::{ChainError, visibility_chain};
 use infoscene::numeric::tolerance;
-use infoscene::scene::{NamedPatch, Scene, SceneError};
+use infoscene::scene::{ExchangeError, NamedPatch, Scene};
 
 /// `Σ_j F_ij = 1` for the cube, from 1 to 6 cells a side.
 #[test]
@@ -27,7 +27,7 @@ fn an_open_scene_is_refused_with_its_worst_row() {
     let cube = Scene::built_in("cube:1").unwrap();
     let five: Vec<NamedPatch> = cube.patches()[..5].to_vec();
     let refusal = visibility_chain(&Scene::try_new(five).unwrap()).unwrap_err();
-    let ChainError::Scene(SceneError::OpenScene { row, sum, .. }) = refusal else {
+    let ChainError::Exchange(ExchangeError::OpenScene { row, sum, .. }) = refusal else {
         panic!("{refusal}")
     };
     // the lacking face is opposite to face 4 and adjacent to the others, and sees 0.2000 of each

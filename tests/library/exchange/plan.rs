@@ -1,10 +1,12 @@
 //! What a plan leaves out and shares: known by counting, and without a change of any value beyond its bound.
 
+use super::support::rooms::{mapped, placing};
 use glam::DVec3;
 use infoscene::geometry::Patch;
 use infoscene::scene::{
     Account, Congruence, NamedPatch, Occlusion, PlanSummary, Scene, ScenePairs,
 };
+use proptest::prelude::*;
 
 /// Reached by every route.
 const TOLERANCE: f64 = 1e-6;
@@ -128,6 +130,21 @@ fn planes_that_see_nothing_are_not_looked_at() {
     );
 }
 
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// The walls of a turned cube are six planes, however many patches they are divided into: all pairs in one wall are
+    /// left out, 6 · N²(N² − 1)/2.
+    #[test]
+    fn the_walls_of_a_turned_room_are_one_plane_each((turn, size, shift) in placing(), cells in 1..7usize) {
+        let turned = mapped(&cube(cells), |corner| turn * corner * size + shift);
+        let pairs = ScenePairs::try_new(&turned, 0.5, Congruence::Ignored).unwrap();
+        let plan = pairs.entries(None, None).unwrap().1.plan;
+        let coplanar = 3 * cells * cells * (cells * cells - 1);
+        prop_assert_eq!((plan.planes, plan.untouched, plan.coplanar), (6, coplanar, coplanar));
+    }
+}
+
 /// A value shared and the same computed differ by less than their bounds, which the rounding of lines widens: far from the
 /// origin coordinates are rounded to 1e-13.
 #[test]
@@ -184,7 +201,7 @@ fn reciprocity_is_exact() {
         let pairs = pairs(&cube(3), congruence);
         let held = pairs.exchange_areas().unwrap();
         let account = pairs
-            .for_each_row(|i, row| -> Result<(), infoscene::scene::SceneError> {
+            .for_each_row(|i, row| -> Result<(), infoscene::scene::ExchangeError> {
                 for (j, answer) in row.iter().enumerate() {
                     assert_eq!(*answer, pairs.pair(j, i)?);
                     assert_eq!(answer.exchange, held.get(j, i).exchange);

@@ -7,8 +7,8 @@ use infoscene::geometry::Patch;
 use infoscene::information::{Surroundings, mutual_information, scene_information};
 use infoscene::numeric::tolerance;
 use infoscene::scene::{
-    Closure, Congruence, ExchangeAreas, Material, NamedPatch, Occlusion, Scene, SceneError,
-    ScenePairs,
+    Closure, Congruence, ExchangeAreas, ExchangeError, Material, NamedPatch, Occlusion, Scene,
+    SceneError, ScenePairs,
 };
 use nalgebra::DMatrix;
 use std::sync::Arc;
@@ -161,7 +161,7 @@ fn all_ways_to_the_rows_agree() {
             let row = (0..held.patches()).map(|j| held.get(i, j).exchange.value);
             assert!((sum - row.sum::<f64>()).abs() <= 1e-15);
         }
-        let by_rows = pairs.for_each_row(|i, row| -> Result<(), SceneError> {
+        let by_rows = pairs.for_each_row(|i, row| -> Result<(), ExchangeError> {
             for (j, answer) in row.iter().enumerate() {
                 assert_eq!(answer, &held.get(i, j));
             }
@@ -232,7 +232,7 @@ fn progress_ends_with_all_pairs() {
         all();
         pairs.row_sums(|_, _, exchange| [exchange.value]).unwrap();
         all();
-        let visited = pairs.for_each_row(|_, _| Ok::<(), SceneError>(()));
+        let visited = pairs.for_each_row(|_, _| Ok::<(), ExchangeError>(()));
         visited.unwrap();
         all();
     }

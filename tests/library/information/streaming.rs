@@ -8,7 +8,7 @@ use infoscene::information::{
     positional_entropy, scene_information,
 };
 use infoscene::numeric::{tolerance, x_log2_ratio};
-use infoscene::scene::{Congruence, NamedPatch, Occlusion, Scene, SceneError, ScenePairs};
+use infoscene::scene::{Congruence, ExchangeError, NamedPatch, Occlusion, Scene, ScenePairs};
 
 fn pairs(scene: &Scene, occlusion: Occlusion) -> ScenePairs {
     ScenePairs::try_new(scene, DEFAULT_TOLERANCE, Congruence::Shared, occlusion).unwrap()
@@ -162,7 +162,7 @@ fn a_row_above_one_is_refused() {
     assert!(
         matches!(
             refusal,
-            ChainError::Scene(SceneError::RowAboveOne { row: 0, .. })
+            ChainError::Exchange(ExchangeError::RowAboveOne { row: 0, .. })
         ),
         "{refusal}"
     );

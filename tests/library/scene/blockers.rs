@@ -1,10 +1,10 @@
 //! Whatever stands between two patches is found, and nothing else is.
 
 use crate::support::rooms::{
-    L, any_polygon, blocked, level, mapped, mapped_patch, placing, polygon, prism, squares,
+    L, among, any_polygon, blocked, level, mapped, mapped_patch, placing, polygon, prism, squares,
 };
 use glam::DVec3;
-use infoscene::geometry::{Outline, Patch, Plane, Shaft};
+use infoscene::geometry::{Outline, Patch, Plane, Shaft, SplitAxis};
 use infoscene::numeric::tolerance;
 use infoscene::scene::{Blocker, Blockers, NamedPatch, Obstacle, Scene, SceneError};
 use proptest::prelude::*;
@@ -106,13 +106,14 @@ proptest! {
         }
     }
 
-    /// Whenever a segment between inner points of two patches that see each other crosses a third, the pair is blocked,
-    /// and so is the scene, by a pair and a surface that come no later.
+    /// Whenever a segment between inner points of two patches that see each other crosses a third, the third is among
+    /// the pair's obstacles, the pair is blocked, and so is the scene, by a pair and a surface that come no later.
     #[test]
     fn what_a_segment_hits_is_blocked(patches in proptest::collection::vec(any_polygon(), 3..7), seed: u64) {
         let mut dice = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
         let (seen, obstructions) = patches.split_at(patches.len() - 1);
-        let search = Blockers::new(seen, obstructions);
+        let scene = among(seen, obstructions);
+        let search = Blockers::of(&scene);
         for _ in 0..300 {
             let [i, j] = [(); 2].map(|()| dice.random_range(0..seen.len()));
             let Some(hit) = (i != j).then(|| sampled_hit(&patches, i, j, &mut dice)).flatten() else {
@@ -121,6 +122,8 @@ proptest! {
             let pair = search.of_pair(i, j);
             prop_assert!(pair.is_some(), "{} and {} by {}", i, j, hit);
             prop_assert!(surface(pair.unwrap().obstacle, seen.len()) <= hit);
+            let all: Vec<usize> = search.obstacles(i, j).map(|o| surface(o, seen.len())).collect();
+            prop_assert!(all.is_sorted() && all.contains(&hit), "{} and {} by {}: {:?}", i, j, hit, all);
             prop_assert!(search.of_row(i).is_some_and(|row| row.second <= j));
             let first = search.first();
             prop_assert!(first.is_some_and(|first| (first.first, first.second) <= (i.min(j), i.max(j))));
@@ -203,12 +206,13 @@ fn is_inside(shape: &Patch, point: DVec3) -> bool {
     (0..corners.len()).map(angle).sum::<f64>() > std::f64::consts::PI
 }
 
-/// `MayBeBlocked` names pair, blocker and mend; indices are checked.
+/// `MayBeBlocked` names pair, blocker and mend.
 #[test]
 fn a_blocked_scene_is_refused_by_name() {
     let mut patches = squares();
     patches.push(level("screen", [0.2, 0.4], [0.2, 0.4], 0.5, true));
-    let scene = Scene::try_new(patches).unwrap();
+    let fin = level("fin", [0.6, 0.8], [0.6, 0.8], 0.25, true);
+    let scene = among(&patches, &[fin]);
     let refusal = scene.check_unblocked().unwrap_err();
     assert!(matches!(
         refusal,
@@ -220,25 +224,40 @@ fn a_blocked_scene_is_refused_by_name() {
         }
     ));
     let text = refusal.to_string();
-    for part in ["patches 0 and 1", "patch 2 (screen)", "--unoccluded"] {
+    for part in ["patches 0 and 1", "patch 2 (screen)", "unoccluded values"] {
         assert!(text.contains(part), "{text}");
     }
+    let search = Blockers::of(&scene);
     let of = |first, second| {
-        scene
-            .blocker_of(first, second)
-            .unwrap()
-            .map(|b| (b.first, b.second))
+        let found = search.of_pair(first, second);
+        found.map(|b| (b.first, b.second))
     };
     assert_eq!(of(0, 1), Some((0, 1)));
     assert_eq!(of(1, 0), Some((1, 0)));
     assert_eq!(of(0, 0), None);
     assert_eq!(of(1, 2), None);
-    assert_eq!(scene.blocker_of_row(1).unwrap().map(|b| b.second), Some(0));
-    assert_eq!(scene.blocker_of_row(2).unwrap(), None);
-    let none = SceneError::NoSuchPatch { index: 3, last: 2 };
-    assert_eq!(scene.blocker_of(0, 3).unwrap_err(), none);
-    assert_eq!(scene.blocker_of_row(3).unwrap_err(), none);
+    let all: Vec<Obstacle> = search.obstacles(1, 0).collect();
+    assert_eq!(all, [Obstacle::Patch(2), Obstacle::Obstruction(0)]);
+    assert_eq!(search.obstacles(1, 2).next(), None);
+    assert_eq!(search.of_row(1).map(|b| b.second), Some(0));
+    assert_eq!(search.of_row(2), None);
     assert_eq!(Scene::built_in("cube:2").unwrap().check_unblocked(), Ok(()));
+}
+
+/// A scene keeps what it has found of its surfaces; with other surfaces it is asked anew.
+#[test]
+fn surfaces_that_are_changed_later_are_seen() {
+    let empty = Scene::try_new(squares()).unwrap();
+    assert_eq!((empty.blocker(), empty.overlap()), (None, None));
+    let screen = level("screen", [0.2, 0.4], [0.2, 0.4], 0.5, true);
+    let blocked = empty.clone().with_obstructions(vec![screen]);
+    let found = blocked.blocker().map(|found| found.obstacle);
+    assert_eq!(found, Some(Obstacle::Obstruction(0)));
+    let cut = blocked.with_patch_split(0, SplitAxis::U, 0.3).unwrap();
+    assert_eq!(cut.overlap(), None);
+    let found = Blockers::of(&cut).of_pair(1, 2).map(|found| found.second);
+    assert_eq!(found, Some(2));
+    assert_eq!(cut.with_obstructions(Vec::new()).blocker(), None);
 }
 
 /// In an L the arms' ends do not see each other fully; the walls of the corner stand between.
@@ -254,12 +273,11 @@ fn an_l_shaped_room_has_a_blocker() {
     } = room.blocker().unwrap();
     assert_eq!((first, second, name.as_str()), (0, 1, "wall 2"));
     // the ends of the arms: walls 1 (x = 2) and 4 (y = 2) are patches 3 and 6
-    assert_eq!(
-        room.blocker_of(3, 6).unwrap().unwrap().obstacle,
-        Obstacle::Patch(4)
-    );
+    let search = Blockers::of(&room);
+    let obstacle = search.of_pair(3, 6).unwrap().obstacle;
+    assert_eq!(obstacle, Obstacle::Patch(4));
     // within one arm nothing is between: walls 0 and 2 (y = 0 and y = 1, 1 ≤ x ≤ 2)
-    assert_eq!(room.blocker_of(2, 4).unwrap(), None);
+    assert_eq!(search.of_pair(2, 4), None);
 }
 
 /// With several threads the last rows are reached before the first are done: still the first blocked pair is named.

@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec3};
 use infoscene::geometry::Patch;
-use infoscene::scene::{Blocker, Blockers, NamedPatch, Obstacle, Scene};
+use infoscene::scene::{Blocker, NamedPatch, Obstacle, Scene};
 use proptest::prelude::*;
 
 /// A polygon by its corners.
@@ -143,6 +143,12 @@ pub fn any_polygon() -> impl Strategy<Value = NamedPatch> {
     })
 }
 
+/// The scene of patches and what only obstructs.
+pub fn among(patches: &[NamedPatch], obstructions: &[NamedPatch]) -> Scene {
+    let scene = Scene::try_new(patches.to_vec()).unwrap();
+    scene.with_obstructions(obstructions.to_vec())
+}
+
 /// The first blocked pair, and what blocks it.
 pub fn blocked(
     patches: &[NamedPatch],
@@ -153,7 +159,7 @@ pub fn blocked(
         second,
         obstacle,
         ..
-    } = Blockers::new(patches, obstructions).first()?;
+    } = among(patches, obstructions).blocker()?;
     Some((first, second, obstacle))
 }
 

@@ -7,7 +7,7 @@ use infoscene::form_factor::{Logarithms, point_kernel};
 use infoscene::geometry::{Patch, quartered};
 use infoscene::information::chord_information;
 use infoscene::numeric::GaussLegendre;
-use infoscene::scene::{NamedPatch, Scene, SceneError};
+use infoscene::scene::{ExchangeError, NamedPatch, Scene};
 use std::f64::consts::PI;
 
 /// Points and weights of a product rule over a triangle, or over a quadrilateral as two.
@@ -189,7 +189,8 @@ fn chords_serve_concave_rooms_and_refuse_open_ones() {
     assert!(sample.mutual_information > 0.0 && sample.standard_error < 0.05);
     let open = Scene::try_new(room.patches()[..4].to_vec()).unwrap();
     let refused = chord_information(&open, 1000, 1).unwrap_err();
-    let infoscene::chain::ChainError::Scene(SceneError::LinesEscape { lost, lines }) = refused
+    let infoscene::chain::ChainError::Exchange(ExchangeError::LinesEscape { lost, lines }) =
+        refused
     else {
         panic!("{refused}");
     };

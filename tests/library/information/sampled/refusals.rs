@@ -4,11 +4,11 @@ use super::scene;
 use crate::support::rooms::level;
 use infoscene::chain::ChainError;
 use infoscene::information::{LineKind, LineSample, PairCounts};
-use infoscene::scene::{Scene, SceneError};
+use infoscene::scene::{ExchangeError, Scene};
 
-fn refusal(scene: &Scene, kind: LineKind) -> SceneError {
+fn refusal(scene: &Scene, kind: LineKind) -> ExchangeError {
     match LineSample::draw(scene, kind, 2000, 1) {
-        Err(ChainError::Scene(refusal)) => refusal,
+        Err(ChainError::Exchange(refusal)) => refusal,
         other => panic!("{other:?}"),
     }
 }
@@ -24,7 +24,7 @@ fn open_scenes_are_refused() {
         for kind in [LineKind::Local, LineKind::Global] {
             let refused = refusal(scene, kind);
             assert!(
-                matches!(refused, SceneError::LinesEscape { lost, lines: 2000 } if lost > 20),
+                matches!(refused, ExchangeError::LinesEscape { lost, lines: 2000 } if lost > 20),
                 "{refused}"
             );
         }

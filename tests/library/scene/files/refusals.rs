@@ -54,11 +54,15 @@ fn bad_faces_are_named_with_line_and_patch() {
         ("v 2 0 0\nf 1 2 5", &["no area", "move its corners apart"]),
         (
             "v 0 0 0.5\nf 1 2 3 5 4",
-            &["off the plane", "of the diameter", "--triangulate"],
+            &[
+                "off the plane",
+                "of the diameter",
+                "into triangles, or let its reader",
+            ],
         ),
         (
             "v 1e-11 0 1e-11\nv 0 1 1e-11\nf 1 2 3 6",
-            &["off the plane", "--triangulate"],
+            &["off the plane", "into triangles, or let its reader"],
         ),
     ] {
         let refusal = obj(&format!("{SQUARE}o wall\nf 1 2 3\n{face}\n")).unwrap_err();
@@ -252,7 +256,11 @@ fn bad_surfaces_of_view3d_are_named_with_their_patch() {
         ),
         (
             "S 8 1 2 3 5 0 0 .9 a",
-            &["patch 1 (S 8, a)", "off the plane", "--triangulate"],
+            &[
+                "patch 1 (S 8, a)",
+                "off the plane",
+                "into triangles, or let its reader",
+            ],
         ),
         (
             "V 6 0 3 0\nO 8 1 3 2 6",

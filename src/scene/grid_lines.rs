@@ -1,73 +1,25 @@
-//! The inside of a box whose faces all carry the same grid: as a scene, and for lines that find their cells by bisection.
+//! Random lines in the inside of a box whose faces all carry one grid; their cells are found by
+//! bisection.
 //!
-//! Cells are numbered face by face: floor, ceiling, left, right, front, back; each row by row.
+//! The cells are those of [`Scene::gridded_box`](super::Scene::gridded_box), in its order.
 //!
-//! **Not covered**: form factors.
+//! **Not covered**: the cells' polygons, which these lines do without.
 
-use super::{Chord, NamedPatch, Scene, SceneError, built_in};
+use super::boxes::{box_faces, ends_of_cells};
+use super::built_in::rectangle_patch;
+use super::{Chord, SceneError};
+use crate::geometry::Slope;
 use glam::DVec3;
-use std::f64::consts::TAU;
 
-impl Scene {
-    /// The inside of a box, each of its six faces cut by the same relative lines in both directions.
-    ///
-    /// **Arguments** `edges`: of the box. `lines`: increasing between 0 and 1, which are left out.
-    ///
-    /// # Errors
-    /// [`SceneError::GridLine`] for the lines; [`SceneError::Patch`] unless edges and cells are finite and > 0.
-    ///
-    /// # Examples
-    /// ```
-    /// use infoscene::scene::Scene;
-    /// let grid = Scene::gridded_box([1.0, 1.0, 2.0], &[0.25, 0.5])?;
-    /// assert_eq!((grid.patches().len(), grid.total_area()), (6 * 9, 10.0));
-    /// # Ok::<(), infoscene::scene::SceneError>(())
-    /// ```
-    pub fn gridded_box(edges: [f64; 3], lines: &[f64]) -> Result<Self, SceneError> {
-        let ends = ends_of_cells(lines)?;
-        let axes = [DVec3::X, DVec3::Y, DVec3::Z];
-        let [x, y, z] = [0, 1, 2].map(|axis| edges[axis] * axes[axis]);
-        let mut patches: Vec<NamedPatch> = Vec::with_capacity(6 * (lines.len() + 1).pow(2));
-        for (name, origin, u, v) in built_in::box_faces(x, y, z) {
-            for (row, across) in ends.windows(2).enumerate() {
-                for (column, along) in ends.windows(2).enumerate() {
-                    let index = patches.len();
-                    // corners from the grid lines themselves, so that neighbours share them exactly
-                    let corner = origin + u * along[0] + v * across[0];
-                    let (du, dv) = (along[1] - along[0], across[1] - across[0]);
-                    let name = format!("{name} {row},{column}");
-                    let patch = built_in::rectangle_patch(index, &name, corner, u * du, v * dv)?;
-                    patches.push(patch);
-                }
-            }
-        }
-        Self::try_new(patches)
-    }
-}
-
-/// The lines with 0 and 1, if they increase.
-fn ends_of_cells(lines: &[f64]) -> Result<Vec<f64>, SceneError> {
-    let ends = [&[0.0], lines, &[1.0]].concat();
-    // no comparison holds for NaN
-    let increases =
-        |index: &usize| ends[*index] < ends[index + 1] && ends[index + 1] < ends[index + 2];
-    match (0..lines.len()).find(|index| !increases(index)) {
-        Some(index) => Err(SceneError::GridLine {
-            index,
-            position: lines[index],
-        }),
-        None => Ok(ends),
-    }
-}
-
-/// The same box for local lines, without its patches.
+/// The inside of a box with a grid on every face, for local lines.
 #[derive(Debug, Clone)]
 pub struct GridLines {
     edges: [f64; 3],
     lines: Vec<f64>,
 }
 
-/// For each face the axis across it and those that its columns and rows run along; its side of the box is that of its number.
+/// For each face the axis across it and those that its columns and rows run along; its side of the
+/// box is that of its number.
 const AXES: [[usize; 3]; 6] = [
     [2, 0, 1],
     [2, 1, 0],
@@ -81,16 +33,16 @@ impl GridLines {
     /// A box with these edges, whose faces all have these relative lines.
     ///
     /// # Errors
-    /// [`SceneError::Patch`] for what [`Scene::gridded_box`] refuses.
+    /// [`SceneError::Patch`] for what [`Scene::gridded_box`](super::Scene::gridded_box) refuses.
     pub fn try_new(edges: [f64; 3], lines: &[f64]) -> Result<Self, SceneError> {
         let ends = ends_of_cells(lines)?;
         // one face a direction, of the narrowest cells, has all that can be wrong
         let narrowest = ends.windows(2).map(|cell| cell[1] - cell[0]);
         let narrowest = narrowest.fold(1.0, f64::min);
         let [x, y, z] = edges.map(|edge| narrowest * edge);
-        let faces = built_in::box_faces(x * DVec3::X, y * DVec3::Y, z * DVec3::Z);
+        let faces = box_faces(x * DVec3::X, y * DVec3::Y, z * DVec3::Z);
         for (index, (name, origin, u, v)) in faces.into_iter().enumerate() {
-            built_in::rectangle_patch(index, name, origin, u, v)?;
+            rectangle_patch(index, name, origin, u, v)?;
         }
         // squares stay in range in units of a power of two near the size
         let unit = edges
@@ -135,14 +87,17 @@ impl GridLines {
             face += 1;
         }
         let [axis, along, across] = AXES[face];
-        let (sine, cosine) = (u.sqrt(), (1.0 - u).sqrt());
-        let (y, x) = (TAU * v).sin_cos();
+        let Slope {
+            around,
+            sine,
+            cosine,
+        } = Slope::by_cosine([u, v]);
         let (mut origin, mut direction) = ([0.0; 3], [0.0; 3]);
         let inward = if face % 2 == 0 { 1.0 } else { -1.0 };
         origin[axis] = if face % 2 == 0 { 0.0 } else { self.edges[axis] };
         (origin[along], origin[across]) = (s * self.edges[along], t * self.edges[across]);
         direction[axis] = inward * cosine;
-        (direction[along], direction[across]) = (sine * x, sine * y);
+        (direction[along], direction[across]) = (sine * around.x, sine * around.y);
         let (mut distance, mut exit) = (f64::INFINITY, axis);
         for k in 0..3 {
             let end = if direction[k] > 0.0 {

@@ -1,0 +1,81 @@
+//! The options that mend what the library refuses.
+//!
+//! The library names the broken condition and its remedy; which option of the command that is
+//! stands here, once for all subcommands.
+
+use crate::chain::ChainError;
+use crate::claims::ClaimError;
+use crate::discretize::DiscretizeError;
+use crate::geometry::GeometryError;
+use crate::scene::files::Fault;
+use crate::scene::{ExchangeError, SceneError};
+use crate::study::StudyError;
+use crate::transport::TransportError;
+use std::error::Error;
+
+/// The end of a message: the option that mends the error, if one does.
+pub(super) fn mend(error: &(dyn Error + 'static)) -> &'static str {
+    let causes = std::iter::successors(Some(error), |error| cause(*error));
+    let mut mends = causes.filter_map(option);
+    mends.next().unwrap_or_default()
+}
+
+/// The option that mends an error itself, whatever it is the cause of.
+fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
+    if let Some(SceneError::MayBeBlocked { .. }) = error.downcast_ref() {
+        return Some("; --unoccluded computes as if nothing were in the way");
+    }
+    if let Some(Fault::Geometry { source }) = error.downcast_ref() {
+        let is_bent = matches!(source, GeometryError::NotPlanar { .. });
+        return is_bent.then_some("; --triangulate does");
+    }
+    if let Some(DiscretizeError::NotEnclosed) = error.downcast_ref() {
+        return Some("; leave out --precision for values without an enclosure");
+    }
+    if let Some(ClaimError::UnknownClaim { .. }) = error.downcast_ref() {
+        return Some("; `infoscene reproduce` shows all ids");
+    }
+    None
+}
+
+/// The cause of an error. One that only passes on another's message has it inside.
+fn cause<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'static)> {
+    if let Some(SceneError::File(inner)) = error.downcast_ref() {
+        return Some(&**inner);
+    }
+    if let Some(ExchangeError::Scene(inner)) = error.downcast_ref() {
+        return Some(inner);
+    }
+    match error.downcast_ref() {
+        Some(ChainError::Scene(inner)) => return Some(inner),
+        Some(ChainError::Exchange(inner)) => return Some(inner),
+        _ => {}
+    }
+    if let Some(TransportError::Exchange(inner)) = error.downcast_ref() {
+        return Some(inner);
+    }
+    match error.downcast_ref() {
+        Some(DiscretizeError::Scene(inner)) => return Some(inner),
+        Some(DiscretizeError::Exchange(inner)) => return Some(inner),
+        Some(DiscretizeError::Chain(inner)) => return Some(inner),
+        _ => {}
+    }
+    match error.downcast_ref() {
+        Some(ClaimError::Scene(inner)) => return Some(inner),
+        Some(ClaimError::Exchange(inner)) => return Some(inner),
+        Some(ClaimError::Chain(inner)) => return Some(inner),
+        Some(ClaimError::Transport(inner)) => return Some(inner),
+        Some(ClaimError::Discretize(inner)) => return Some(inner),
+        _ => {}
+    }
+    match error.downcast_ref() {
+        Some(StudyError::Scene(inner)) => return Some(inner),
+        Some(StudyError::Exchange(inner)) => return Some(inner),
+        Some(StudyError::Chain(inner)) => return Some(inner),
+        Some(StudyError::Claim(inner)) => return Some(inner),
+        Some(StudyError::Transport(inner)) => return Some(inner),
+        Some(StudyError::Discretize(inner)) => return Some(inner),
+        _ => {}
+    }
+    error.source()
+}
