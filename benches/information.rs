@@ -12,8 +12,7 @@ use infoscene::discretize::{BestGrid, BoxGrid, GradientCut, PatchSplit, UNIT_CUB
 use infoscene::form_factor::DEFAULT_TOLERANCE;
 use infoscene::geometry::SplitAxis;
 use infoscene::information::{
-    Surroundings, divergence, entropy_rate, mutual_information, positional_entropy,
-    scene_information,
+    OpenScene, divergence, entropy_rate, mutual_information, positional_entropy, scene_information,
 };
 use infoscene::scene::{Congruence, Scene, ScenePairs};
 use std::hint::black_box;
@@ -96,7 +95,7 @@ fn grids(criterion: &mut Criterion) {
     // a quarter as fine, by other code
     let cube = Scene::built_in("cube:16").unwrap();
     let pairs = ScenePairs::try_new(&cube, DEFAULT_TOLERANCE, Congruence::Shared).unwrap();
-    let exact = scene_information(&pairs, Surroundings::None).unwrap();
+    let exact = scene_information(&pairs, OpenScene::Refuse).unwrap();
     let found = BoxGrid::regular(UNIT_CUBE, 16)
         .unwrap()
         .information()

@@ -6,11 +6,11 @@ use super::scene_pairs::{ScenePairsOptions, outcome};
 use super::{Answer, Outcome};
 use crate::chain::ChainError;
 use crate::information::{
-    LineKind, LineSample, Surroundings, brightness_information, continuous_information,
+    LineKind, LineSample, OpenScene, brightness_information, continuous_information,
     expected_bias_of_scene, pair_losses, scene_information,
 };
 use crate::report::{measure_report, sample_report};
-use crate::scene::{NamedPatch, Scene, SceneError};
+use crate::scene::{NamedPatch, SceneError};
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]
@@ -62,14 +62,10 @@ impl From<KindName> for LineKind {
 /// Rows up to which the exact value stands beside a sampled one, where nothing is in the way: a second or so.
 const MOST_ROWS: usize = 6144;
 
-/// A row of form factors that does not sum to one, with the name of its patch.
+/// An open scene was refused, and could have been taken.
 #[derive(Debug, thiserror::Error)]
-#[error("{source}; that is patch {name}{mend}")]
-struct BadRow {
-    source: ChainError,
-    name: String,
-    mend: &'static str,
-}
+#[error("{0}; --open adds the state outside")]
+struct OpenRefused(ChainError);
 
 impl Measure {
     pub(super) fn answer(&self) -> Answer {
@@ -78,14 +74,15 @@ impl Measure {
             return self.sampled(lines);
         }
         let scene = self.scene.scene(None, None)?;
-        let pairs = self.scene.pairs(&scene)?;
-        let surroundings = if self.open {
-            Surroundings::Outside
+        let bar = self.scene.bar(&scene)?;
+        let pairs = self.scene.pairs(&scene, &bar)?;
+        let open_scene = if self.open {
+            OpenScene::AddOutsideState
         } else {
-            Surroundings::None
+            OpenScene::Refuse
         };
         let measured = if self.light.is_visibility()? {
-            scene_information(&pairs, surroundings).map_err(|error| named(error, &scene))?
+            scene_information(&pairs, open_scene).map_err(with_mend)?
         } else {
             let exchange = pairs.exchange_areas()?;
             brightness_information(&exchange, &self.light.brightness(&scene, &exchange)?)?
@@ -98,7 +95,7 @@ impl Measure {
         let losses = if self.pairs {
             let all = scene.patches().len();
             let bar = progress_bar((all * (all - 1) / 2) as u64, "pairs")?;
-            let losses = pair_losses(&scene, || bar.inc(1))?;
+            let losses = pair_losses(&scene, &|finished: usize| bar.inc(finished as u64))?;
             bar.finish_and_clear();
             Some(losses)
         } else {
@@ -112,7 +109,7 @@ impl Measure {
             continuous,
             losses.as_deref(),
         )?)?;
-        match outcome(&scene, Some(&measured.account), pairs.tolerance()) {
+        match outcome(&scene, Some(&measured.summary), pairs.tolerance()) {
             Outcome::Done => Ok(written),
             differs @ Outcome::Differs => Ok(differs),
         }
@@ -128,8 +125,9 @@ impl Measure {
         let scene = self.scene.occluded_scene()?;
         let sample = LineSample::draw(&scene, self.kind.into(), lines, self.seed)?;
         let exact = if scene.group_count() <= MOST_ROWS && scene.check_unblocked().is_ok() {
-            let pairs = self.scene.pairs(&scene)?;
-            let measured = scene_information(&pairs, Surroundings::None)?;
+            let bar = self.scene.bar(&scene)?;
+            let pairs = self.scene.pairs(&scene, &bar)?;
+            let measured = scene_information(&pairs, OpenScene::Refuse)?;
             let bias = expected_bias_of_scene(&pairs, sample.counts.samples())?;
             Some([measured.mutual_information, bias])
         } else {
@@ -140,14 +138,10 @@ impl Measure {
     }
 }
 
-fn named(source: ChainError, scene: &Scene) -> Box<dyn Error> {
-    let (row, mend) = match &source {
-        ChainError::Scene(SceneError::OpenScene { row, .. }) => {
-            (*row, "; --open adds the state outside")
-        }
-        ChainError::Scene(SceneError::RowAboveOne { row, .. }) => (*row, ""),
-        _ => return source.into(),
-    };
-    let name = scene.group_names()[row].to_owned();
-    BadRow { source, name, mend }.into()
+/// Names the flag that mends it.
+fn with_mend(source: ChainError) -> Box<dyn Error> {
+    match source {
+        ChainError::Scene(SceneError::OpenScene { .. }) => OpenRefused(source).into(),
+        _ => source.into(),
+    }
 }

@@ -4,7 +4,10 @@ use super::Outcome;
 use super::output::progress_bar;
 use super::scene::SceneArgument;
 use crate::form_factor::DEFAULT_TOLERANCE;
-use crate::scene::{Account, Blockers, Congruence, Scene, SceneError, ScenePairs, Unreached};
+use crate::scene::{
+    Blockers, Congruence, PassSummary, Progress, Scene, SceneError, ScenePairs, Unreached,
+};
+use indicatif::{ProgressBar, style::TemplateError};
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]
@@ -74,30 +77,49 @@ impl ScenePairsOptions {
         Ok(scene)
     }
 
-    /// The pairs of a scene; the first pass over all of them shows its progress.
-    pub(super) fn pairs(&self, scene: &Scene) -> Result<ScenePairs, Box<dyn Error>> {
+    /// A bar that shows the progress of the first pass over all pairs of a scene.
+    pub(super) fn bar(&self, scene: &Scene) -> Result<PairsBar, TemplateError> {
+        let rows = scene.group_count();
+        let all = (rows * (rows - 1) / 2) as u64;
+        let bar = progress_bar(all, "pairs")?;
+        Ok(PairsBar { bar, all })
+    }
+
+    /// The pairs of a scene, whose passes advance a bar.
+    pub(super) fn pairs<'b>(
+        &self,
+        scene: &Scene,
+        bar: &'b PairsBar,
+    ) -> Result<ScenePairs<'b>, SceneError> {
         let congruence = if self.every_pair {
             Congruence::Ignored
         } else {
             Congruence::Shared
         };
-        let pairs = ScenePairs::try_new(scene, self.tolerance, congruence)?;
-        let all = pairs.pairs() as u64;
-        let bar = progress_bar(all, "pairs")?;
-        if bar.is_hidden() {
-            return Ok(pairs);
+        Ok(ScenePairs::try_new(scene, self.tolerance, congruence)?.with_progress(bar))
+    }
+}
+
+/// A progress bar that goes when all pairs have been visited once.
+pub(super) struct PairsBar {
+    bar: ProgressBar,
+    all: u64,
+}
+
+impl Progress for PairsBar {
+    fn advance(&self, finished: usize) {
+        if self.bar.is_hidden() {
+            return;
         }
-        Ok(pairs.with_progress(move |more| {
-            bar.inc(more as u64);
-            if bar.position() >= all {
-                bar.finish_and_clear();
-            }
-        }))
+        self.bar.inc(finished as u64);
+        if self.bar.position() >= self.all {
+            self.bar.finish_and_clear();
+        }
     }
 }
 
 /// The exit status of an answer; what misses the tolerance is named on standard error.
-pub(super) fn outcome(scene: &Scene, account: Option<&Account>, tolerance: f64) -> Outcome {
+pub(super) fn outcome(scene: &Scene, account: Option<&PassSummary>, tolerance: f64) -> Outcome {
     let Some((account, worst)) = account.and_then(|account| Some((account, account.worst?))) else {
         return Outcome::Done;
     };

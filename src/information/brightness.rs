@@ -14,7 +14,7 @@ use super::{ErrorGrade, SceneInformation};
 use crate::chain::{ChainError, brightness_chain};
 use crate::numeric::{compensated_sum, tolerance};
 use crate::scene::{Closure, ExchangeAreas};
-use crate::transport::Brightness;
+use crate::transport::RadiositySolution;
 use rayon::prelude::*;
 use std::f64::consts::LN_2;
 
@@ -25,21 +25,21 @@ use std::f64::consts::LN_2;
 ///
 /// # Examples
 /// ```
-/// use infoscene::information::{Surroundings, brightness_information, scene_information};
+/// use infoscene::information::{OpenScene, brightness_information, scene_information};
 /// use infoscene::scene::{Congruence, Material, Scene, ScenePairs};
-/// use infoscene::transport::Interreflection;
+/// use infoscene::transport::RadiositySystem;
 /// // with E = k (1 − R) everywhere the radiosity chain is the visibility chain (§3.4)
 /// let pairs = ScenePairs::try_new(&Scene::built_in("cube:2")?, 1e-12, Congruence::Shared)?;
 /// let exchange = pairs.exchange_areas()?;
-/// let room = Interreflection::of(&exchange, &[Material::try_new(0.5, 0.0)?; 24])?;
+/// let room = RadiositySystem::of(&exchange, &[Material::try_new(0.5, 0.0)?; 24])?;
 /// let radiosity = brightness_information(&exchange, &room.radiosity(&[0.5; 24])?)?;
-/// let visibility = scene_information(&pairs, Surroundings::None)?;
+/// let visibility = scene_information(&pairs, OpenScene::Refuse)?;
 /// assert!((radiosity.mutual_information - visibility.mutual_information).abs() < 1e-13);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn brightness_information(
     exchange: &ExchangeAreas,
-    brightness: &Brightness,
+    brightness: &RadiositySolution,
 ) -> Result<SceneInformation, ChainError> {
     let chain = brightness_chain(exchange, &brightness.values)?;
     let n = chain.states();
@@ -100,6 +100,6 @@ pub fn brightness_information(
         weights: (0..n).map(|i| chain.stationary_probability(i)).collect(),
         total_area: compensated_sum(exchange.areas().iter().copied()),
         closure: Closure::of_held(exchange),
-        account: exchange.account().clone(),
+        summary: exchange.summary().clone(),
     })
 }

@@ -102,8 +102,10 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
         let allowed = bound / patch.area() + tolerance::COVERED;
         let sum = received / patch.area();
         if (sum - 1.0).abs() > allowed {
+            let row = first_patch(face);
             return Err(SceneError::OpenScene {
-                row: first_patch(face),
+                row,
+                name: scene.patches()[row].name().to_owned(),
                 sum,
                 tolerance: allowed,
             }

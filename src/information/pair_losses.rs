@@ -15,7 +15,7 @@ use crate::chain::ChainError;
 use crate::form_factor::Logarithms;
 use crate::geometry::Patch;
 use crate::numeric::{compensated_sum, tolerance};
-use crate::scene::{NamedPatch, Scene, SceneError};
+use crate::scene::{NamedPatch, Progress, Scene, SceneError};
 use rayon::prelude::*;
 use std::f64::consts::LN_2;
 
@@ -45,7 +45,7 @@ impl PairLoss {
 
 /// The losses of all pairs of patches that see each other, in a closed room that is convex inside.
 ///
-/// **Arguments** `done`: told as each pair is done, from any thread.
+/// **Arguments** `progress`: told as each pair is done.
 /// **Returns** the pairs in order of their indices, the same for any number of threads.
 ///
 /// # Errors
@@ -53,13 +53,14 @@ impl PairLoss {
 ///
 /// # Examples
 /// ```
-/// use infoscene::{information::pair_losses, scene::Scene};
-/// let losses = pair_losses(&Scene::built_in("cube:1")?, || ())?;
+/// use infoscene::information::pair_losses;
+/// use infoscene::scene::{Scene, Unheard};
+/// let losses = pair_losses(&Scene::built_in("cube:1")?, &Unheard)?;
 /// // the contribution of two adjacent faces, there and back, from an independent evaluation to 26 digits
 /// assert!((losses[1].continuous_mutual_information - 2.0 * 0.064_165_266_508_643_42).abs() < 1e-13);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn pair_losses(scene: &Scene, done: impl Fn() + Sync) -> Result<Vec<PairLoss>, ChainError> {
+pub fn pair_losses(scene: &Scene, progress: &dyn Progress) -> Result<Vec<PairLoss>, ChainError> {
     let (_, face_of) = scene.convex_room()?;
     let n = scene.patches().len();
     for index in 0..n {
@@ -86,7 +87,7 @@ pub fn pair_losses(scene: &Scene, done: impl Fn() + Sync) -> Result<Vec<PairLoss
             } else {
                 of_pair(&shapes, [first, second], total)
             };
-            done();
+            progress.advance(1);
             loss
         });
     let losses: Vec<Option<PairLoss>> = losses.collect::<Result<_, _>>()?;

@@ -1,4 +1,4 @@
-//! What the exchange area of a pair may change by when its corners move by little.
+//! Bounds on the change of an exchange area when corners move by little.
 //!
 //! ```text
 //!   |Δ(A F)| ≤ swept(Q) · E_P + swept(P) · E_Q,    E_P ≤ min(1, A_P h_P h_Q / (π r⁴))

@@ -16,6 +16,7 @@ mod congruence;
 mod convex_room;
 mod error;
 mod exchange_areas;
+mod facing;
 pub mod files;
 mod gridded;
 mod lattice;
@@ -35,6 +36,7 @@ mod shifts;
 mod solids;
 mod subdivision;
 mod tally;
+mod tiles;
 
 pub use blockers::{Blocker, Blockers, Obstacle};
 pub use closure::{Closure, RowSum};
@@ -43,14 +45,15 @@ pub use exchange_areas::ExchangeAreas;
 pub use gridded::GridLines;
 pub use lines::{Chord, Passage, SceneLines};
 pub use material::{Material, MaterialError};
-pub use pairs::{Account, ScenePairs};
+pub use pairs::ScenePairs;
 pub use plan::Congruence;
+pub use progress::{Progress, Unheard};
+pub use row_sums::TileSums;
 pub use rows::Entry;
-pub use tally::{PlanSummary, Unreached};
+pub use tally::{PassCounts, PassSummary, PlanSummary, Unreached};
+pub use tiles::{Tile, TileAnswers};
 
 use crate::geometry::{GeometryError, Patch, Rectangle};
-use planes::Sight;
-use tally::Tally;
 
 /// A patch, its name and its material.
 #[derive(Debug, Clone, PartialEq)]

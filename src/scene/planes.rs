@@ -1,36 +1,16 @@
-//! Patches grouped by plane, and planes that see nothing of each other.
+//! Patches grouped by plane.
 //!
-//! ```text
-//!   h is in front of g   ⇔   some corner of h has n_g · (x − o_g) > 16 ε · extent
-//! ```
-//!
-//! If h is not in front of g, or g not in front of h, no patch of one exchanges anything with a patch of the other:
-//! all their pairs are left out without a look at any of them. Heights up to [`tolerance::ALIGNMENT`] of the largest
-//! coordinate are rounding of the input.
-//!
-//! **Not covered**: more than [`MOST_PLANES`] planes; then only pairs in one plane are left out here.
+//! A patch lies in a plane if none of its corners is farther from it than
+//! [`tolerance::ALIGNMENT`] of the largest coordinate, which is rounding of the input, and faces the
+//! same way.
 
 use super::NamedPatch;
 use crate::numeric::tolerance;
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// Up to so many planes all pairs of them are compared: the table takes their square in bytes.
-pub(super) const MOST_PLANES: usize = 2048;
-
 /// Two normals or positions nearer than this are looked at together; only how many planes are compared depends on it.
 const BUCKETS: f64 = 1_099_511_627_776.0; // 2⁴⁰
-
-/// What the patches of two planes can exchange.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Sight {
-    /// It takes a look at the pairs.
-    Open,
-    /// Nothing: both lie in one plane.
-    Coplanar,
-    /// Nothing: one lies behind the other.
-    BackFacing,
-}
 
 /// The planes of a scene.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,10 +19,12 @@ pub(super) struct Planes {
     of: Vec<u32>,
     /// The patches of each plane, in order.
     members: Vec<Vec<usize>>,
-    /// `sight[g · planes + h]`; empty beyond [`MOST_PLANES`].
-    sight: Vec<Sight>,
+    planes: Vec<Plane>,
+    /// Heights up to this one are rounding.
+    noise: f64,
 }
 
+#[derive(Debug, Clone, PartialEq)]
 struct Plane {
     normal: DVec3,
     origin: DVec3,
@@ -96,90 +78,34 @@ impl Planes {
             of[patch] = of[roots[patch]];
             members[of[patch] as usize].push(patch);
         }
-        let sight = if planes.len() <= MOST_PLANES {
-            // what lies in a patch is in front of nothing that the patch is not in front of
-            let whole = |patch: usize| {
-                let is_whole = roots[patch] == patch;
-                if is_whole { corners(patch) } else { &[] }
-            };
-            compare(&planes, &members, whole, flat)
-        } else {
-            Vec::new()
-        };
-        Self { of, members, sight }
+        Self {
+            of,
+            members,
+            planes,
+            noise: flat,
+        }
     }
 
     pub(super) const fn count(&self) -> usize {
         self.members.len()
     }
 
-    /// Is it known which planes see nothing of each other?
-    pub(super) const fn are_compared(&self) -> bool {
-        !self.sight.is_empty()
-    }
-
     pub(super) fn of_patch(&self, patch: usize) -> usize {
         self.of[patch] as usize
     }
 
-    /// What two planes can exchange.
-    pub(super) fn sight(&self, first: usize, second: usize) -> Sight {
-        if first == second {
-            Sight::Coplanar
-        } else if self.sight.is_empty() {
-            Sight::Open
-        } else {
-            self.sight[first * self.count() + second]
-        }
+    /// The patches of a plane, in order.
+    pub(super) fn patches(&self, plane: usize) -> &[usize] {
+        &self.members[plane]
     }
 
-    /// Numbers of pairs left out: in one plane, behind each other.
-    pub(super) fn pairs_left_out(&self) -> [usize; 2] {
-        let mut left_out = [0, 0];
-        for (first, patches) in self.members.iter().enumerate() {
-            left_out[0] += patches.len() * (patches.len() - 1) / 2;
-            if self.sight.is_empty() {
-                continue;
-            }
-            for (second, others) in self.members.iter().enumerate().skip(first + 1) {
-                let pairs = patches.len() * others.len();
-                match self.sight(first, second) {
-                    Sight::Open => {}
-                    Sight::Coplanar => left_out[0] += pairs,
-                    Sight::BackFacing => left_out[1] += pairs,
-                }
-            }
-        }
-        left_out
+    /// The height of a point over a plane.
+    pub(super) fn height(&self, plane: usize, point: DVec3) -> f64 {
+        self.planes[plane].height(point)
     }
-}
 
-/// What each plane can exchange with each other one.
-fn compare<'p>(
-    planes: &[Plane],
-    members: &[Vec<usize>],
-    corners: impl Fn(usize) -> &'p [DVec3],
-    flat: f64,
-) -> Vec<Sight> {
-    let count = planes.len();
-    // is something of `other` above, or more than rounding off, the plane?
-    let any = |plane: &Plane, other: usize, is: fn(f64) -> f64| {
-        let all = members[other].iter().flat_map(|patch| corners(*patch));
-        all.into_iter()
-            .any(|corner| is(plane.height(*corner)) > flat)
-    };
-    let in_front: Vec<bool> = (0..count * count)
-        .map(|pair| any(&planes[pair / count], pair % count, |height| height))
-        .collect();
-    let sight = |pair: usize| {
-        let (first, second) = (pair / count, pair % count);
-        if in_front[pair] && in_front[second * count + first] {
-            Sight::Open
-        } else if any(&planes[first.min(second)], first.max(second), f64::abs) {
-            Sight::BackFacing
-        } else {
-            Sight::Coplanar
-        }
-    };
-    (0..count * count).map(sight).collect()
+    /// The height up to which a point may be in a plane.
+    pub(super) const fn noise(&self) -> f64 {
+        self.noise
+    }
 }

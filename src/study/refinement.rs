@@ -23,7 +23,7 @@
 
 use super::StudyError;
 use crate::form_factor::DEFAULT_TOLERANCE;
-use crate::information::{Surroundings, continuous_information, scene_information};
+use crate::information::{OpenScene, continuous_information, scene_information};
 use crate::scene::{Congruence, Scene, ScenePairs};
 use std::time::Instant;
 
@@ -107,7 +107,7 @@ pub fn refinements(quick: bool) -> Result<Vec<RefinementRow>, StudyError> {
             }
             let start = Instant::now();
             let pairs = ScenePairs::try_new(&scene, DEFAULT_TOLERANCE, Congruence::Shared)?;
-            let discrete = scene_information(&pairs, Surroundings::None)?;
+            let discrete = scene_information(&pairs, OpenScene::Refuse)?;
             let seconds = start.elapsed().as_secs_f64();
             let information = discrete.mutual_information;
             let before = rows.last().filter(|row| row.scene == name);

@@ -1,8 +1,7 @@
-//! The solution of the equations of [`Interreflection`], and how far it can be trusted.
+//! The solution of the equations of [`RadiositySystem`], with a bound on its error.
 
 use super::conjugate_gradients::conjugate_gradients;
-use super::flows::Flows;
-use super::{Brightness, Importance, Interreflection, TransportError};
+use super::{ExchangeOperator, Importance, RadiositySolution, RadiositySystem, TransportError};
 use crate::numeric::{DoubleDouble, SQUARED_EPSILON, Scalar, Scaled};
 
 /// A smaller relative error than this is lost in the rounding of the answer.
@@ -33,10 +32,10 @@ struct Solved {
     iterations: usize,
 }
 
-impl Interreflection<'_> {
+impl<O: ExchangeOperator> RadiositySystem<O> {
     /// The radiosities for these emittances.
     ///
-    /// **Accuracy** [`Brightness::relative_error`] is a bound, apart from the error of the exchange areas; for stiff scenes, too,
+    /// **Accuracy** [`RadiositySolution::relative_error`] is a bound, apart from the error of the exchange areas; for stiff scenes, too,
     /// it comes out below 1e-15 (`stiff_scenes_keep_their_digits`).
     ///
     /// # Errors
@@ -46,15 +45,15 @@ impl Interreflection<'_> {
     /// ```
     /// use infoscene::scene::Scene;
     /// use infoscene::scene::Material;
-    /// use infoscene::transport::Interreflection;
+    /// use infoscene::transport::RadiositySystem;
     /// // a furnace: what emits as much as it absorbs glows evenly
     /// let cube = Scene::built_in("cube:2")?.exchange_areas()?;
-    /// let room = Interreflection::of(&cube, &[Material::try_new(0.75, 0.25)?; 24])?;
+    /// let room = RadiositySystem::of(&cube, &[Material::try_new(0.75, 0.25)?; 24])?;
     /// let radiosity = room.radiosity(&[0.25; 24])?;
     /// assert!(radiosity.values.iter().all(|value| (value - 1.0).abs() < 1e-15));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn radiosity(&self, emittances: &[f64]) -> Result<Brightness, TransportError> {
+    pub fn radiosity(&self, emittances: &[f64]) -> Result<RadiositySolution, TransportError> {
         self.check("emittance", "emittances", emittances)?;
         Ok(self.brightness(emittances))
     }
@@ -71,7 +70,7 @@ impl Interreflection<'_> {
         let reflected = if sources.iter().any(|source| *source > 0.0) {
             self.brightness(&sources)
         } else {
-            Brightness::dark(sources.len())
+            RadiositySolution::dark(sources.len())
         };
         let received = reflected.received.iter().zip(direct);
         let values = received
@@ -107,7 +106,7 @@ impl Interreflection<'_> {
     }
 
     /// The answer for sources of which one is positive.
-    fn brightness(&self, sources: &[f64]) -> Brightness {
+    fn brightness(&self, sources: &[f64]) -> RadiositySolution {
         let largest = sources.iter().copied().fold(0.0, f64::max);
         let power = Scaled::new(largest).exponent;
         let sources: Vec<f64> = sources
@@ -128,7 +127,7 @@ impl Interreflection<'_> {
             })
             .fold(0.0, f64::max);
         let unscaled = |value: f64| Scaled::new(value).times_power(power);
-        Brightness {
+        RadiositySolution {
             values: values.into_iter().map(unscaled).collect(),
             received: received
                 .iter()
@@ -143,16 +142,9 @@ impl Interreflection<'_> {
         }
     }
 
-    fn flows(&self) -> Flows<'_> {
-        Flows {
-            count: self.own.len(),
-            values: &self.values,
-        }
-    }
-
     /// `Σ_j F_ij B_j`.
     fn received(&self, values: &[f64]) -> Vec<DoubleDouble> {
-        let gathered = self.flows().gathered(values);
+        let gathered = self.exchange.gathered(values);
         let rows = gathered.into_iter().enumerate();
         rows.map(|(i, others)| {
             let own = DoubleDouble::from(self.own[i] * values[i]);
@@ -167,7 +159,7 @@ impl Interreflection<'_> {
 
     /// `M x`, with x = 0 where nothing is reflected.
     fn product(&self, x: &[f64]) -> Vec<f64> {
-        let mut image = self.flows().differences(x);
+        let mut image = self.exchange.differences(x);
         for (i, image) in image.iter_mut().enumerate() {
             if self.diagonal[i] > 0.0 {
                 *image += self.excess[i] * x[i];
@@ -188,7 +180,7 @@ impl Interreflection<'_> {
             if given.is_none() && before == sum.len() {
                 break;
             }
-            last = self.over_diagonal(&leading(&self.flows().gathered(&last)));
+            last = self.over_diagonal(&leading(&self.exchange.gathered(&last)));
             for (sum, last) in sum.iter_mut().zip(&last) {
                 *sum += last;
             }
@@ -208,8 +200,8 @@ impl Interreflection<'_> {
 
     /// `A_i (E_i − (1−R_i) B_i)/R_i − e_i B_i − Σ_j J_ij (B_i − B_j)` and a bound on its rounding.
     fn residual(&self, values: &[DoubleDouble], sources: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let differences = self.flows().precise_differences(values);
-        let sizes = self.flows().absolute_differences(&leading(values));
+        let differences = self.exchange.precise_differences(values);
+        let sizes = self.exchange.absolute_differences(&leading(values));
         #[allow(clippy::cast_precision_loss, reason = "no scene has 2^53 patches")]
         let unit = {
             let n = values.len() as f64;
@@ -283,10 +275,7 @@ impl Interreflection<'_> {
 
     /// `g(x)`: what the errors of the exchange areas can do to the equations.
     fn perturbation(&self, x: &[f64], sources: &[f64]) -> Option<Vec<f64>> {
-        let bounds = Flows {
-            count: self.own.len(),
-            values: self.error_bounds.as_deref()?,
-        };
+        let bounds = self.error_bounds.as_ref()?;
         let (between, from_others) = (bounds.absolute_differences(x), leading(&bounds.gathered(x)));
         let row = |i: usize| {
             let reflectance = self.reflectances[i];
@@ -322,7 +311,7 @@ impl Interreflection<'_> {
         let image = self.product(&reaction);
         let sideways = self.perturbation(&reaction, &none)?;
         // what rounding may have added to the product
-        let size = self.flows().absolute_differences(&reaction);
+        let size = self.exchange.absolute_differences(&reaction);
         #[allow(clippy::cast_precision_loss, reason = "no scene has 2^53 patches")]
         let unit = (values.len() + 32) as f64 * f64::EPSILON;
         let shares = (0..values.len()).filter(|i| forces[*i] > 0.0).map(|i| {
@@ -348,7 +337,7 @@ fn largest_ratio(a: &[f64], b: &[f64]) -> f64 {
     ratios.fold(0.0, |most, ratio| if ratio <= most { most } else { ratio })
 }
 
-impl Brightness {
+impl RadiositySolution {
     fn dark(count: usize) -> Self {
         Self {
             values: vec![0.0; count],

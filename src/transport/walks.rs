@@ -18,8 +18,7 @@
 //! Reference: Sbert, Brusi, Tobler, Purgathofer, *Random Walk Radiosity with Generalized Transition Probabilities*, report
 //! IIIA-98-07-RR, Universitat de Girona, 1998.
 
-use super::flows::start;
-use super::{Importance, Interreflection, TransportError};
+use super::{DenseExchange, Importance, RadiositySystem, TransportError};
 use crate::numeric::compensated_sum;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -63,7 +62,7 @@ const LEFT: f64 = 1.0 / (1u128 << 70) as f64;
 /// A walk that is longer is cut off: with reflectances up to 0.9999 none is.
 const MOST_STEPS: u32 = 1_000_000;
 
-impl Interreflection<'_> {
+impl RadiositySystem<DenseExchange<'_>> {
     /// The radiosity of one patch by gathering walks.
     ///
     /// **Arguments** `steering`: by the form factors, or towards radiosities, one for each patch; `seed`: the same one gives the
@@ -174,13 +173,13 @@ impl Cumulative {
 
 /// Where walks go on to, row by row as they are needed.
 struct Ways<'w, 'e> {
-    room: &'w Interreflection<'e>,
+    room: &'w RadiositySystem<DenseExchange<'e>>,
     brightness: &'w [f64],
     rows: HashMap<usize, Cumulative>,
 }
 
 impl<'w, 'e> Ways<'w, 'e> {
-    fn new(room: &'w Interreflection<'e>, brightness: &'w [f64]) -> Self {
+    fn new(room: &'w RadiositySystem<DenseExchange<'e>>, brightness: &'w [f64]) -> Self {
         let rows = HashMap::new();
         Self {
             room,
@@ -227,13 +226,13 @@ impl<'w, 'e> Ways<'w, 'e> {
     }
 }
 
-impl Interreflection<'_> {
+impl RadiositySystem<DenseExchange<'_>> {
     /// `A_i F_ij`.
     fn exchange(&self, i: usize, j: usize) -> f64 {
         if i == j {
             self.own[i]
         } else {
-            self.values[start(i.max(j)) + i.min(j)]
+            self.exchange.get(i, j)
         }
     }
 }

@@ -39,4 +39,5 @@ mod straight_cuts;
 mod streaming;
 #[path = "../support/mod.rs"]
 mod support;
+mod tiles;
 mod wide_numbers;

@@ -2,18 +2,18 @@
 
 use glam::DVec3;
 use infoscene::geometry::Patch;
-use infoscene::scene::{Account, Congruence, NamedPatch, PlanSummary, Scene, ScenePairs};
+use infoscene::scene::{Congruence, NamedPatch, PassSummary, PlanSummary, Scene, ScenePairs};
 
 /// Reached by every route.
 const TOLERANCE: f64 = 1e-6;
 
-fn pairs(scene: &Scene, congruence: Congruence) -> ScenePairs {
+fn pairs(scene: &Scene, congruence: Congruence) -> ScenePairs<'static> {
     ScenePairs::try_new(scene, TOLERANCE, congruence).unwrap()
 }
 
-fn account(scene: &Scene, congruence: Congruence) -> Account {
+fn account(scene: &Scene, congruence: Congruence) -> PassSummary {
     let exchange = pairs(scene, congruence).exchange_areas().unwrap();
-    exchange.account().clone()
+    exchange.summary().clone()
 }
 
 fn cube(cells: usize) -> Scene {
@@ -78,7 +78,7 @@ fn rounded_lines_share_within_the_tolerance() {
     let scene = cube(3);
     let computed = |tolerance: f64| {
         let pairs = ScenePairs::try_new(&scene, tolerance, Congruence::Shared).unwrap();
-        pairs.exchange_areas().unwrap().account().plan.computed
+        pairs.exchange_areas().unwrap().summary().plan.computed
     };
     assert_eq!(computed(1e-6), 6 + 3 * 6);
     // near pairs do not: the bound on what their corners' rounding does is cruder there
@@ -142,7 +142,7 @@ fn congruence_changes_no_value_beyond_its_bound() {
             pairs.exchange_areas().unwrap()
         };
         let (shared, apart) = (exchange(Congruence::Shared), exchange(Congruence::Ignored));
-        let congruent = shared.account().plan.congruent;
+        let congruent = shared.summary().plan.congruent;
         assert!(congruent > 0, "{index}: nothing is shared");
         let n = scene.patches().len();
         for i in 0..n {
@@ -182,7 +182,7 @@ fn reciprocity_is_exact() {
         let account = pairs
             .for_each_row(|i, row| -> Result<(), infoscene::scene::SceneError> {
                 for (j, answer) in row.iter().enumerate() {
-                    assert_eq!(*answer, pairs.pair(j, i)?);
+                    assert_eq!(*answer, pairs.row_pair(j, i)?);
                     assert_eq!(answer.exchange, held.get(j, i).exchange);
                     // 0 ≤ F ≤ 1
                     let most = pairs.areas()[i].min(pairs.areas()[j]);
@@ -191,9 +191,9 @@ fn reciprocity_is_exact() {
                 Ok(())
             })
             .unwrap();
-        assert_eq!(&account, held.account());
+        assert_eq!(&account, held.summary());
         let (entries, account) = pairs.entries(None, None).unwrap();
-        assert_eq!(&account, held.account());
+        assert_eq!(&account, held.summary());
         assert_eq!(entries.len(), 54 * 53);
     }
 }

@@ -94,7 +94,7 @@ fn importance_is_adjoint_to_radiosity() {
                 infoscene::scene::Material::try_new(reflectance, 0.0).unwrap()
             })
             .collect();
-        let room = infoscene::transport::Interreflection::of(&exchange, &materials).unwrap();
+        let room = infoscene::transport::RadiositySystem::of(&exchange, &materials).unwrap();
         let emittances: Vec<f64> = (0..n).map(|patch| uneven(patch, 5)).collect();
         let direct: Vec<f64> = (0..n).map(|patch| uneven(patch, 6)).collect();
         let radiosity = room.radiosity(&emittances).unwrap();

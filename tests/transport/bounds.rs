@@ -2,7 +2,7 @@
 
 use super::{closed_scenes, uneven};
 use infoscene::scene::{Congruence, Material, Scene, ScenePairs};
-use infoscene::transport::Interreflection;
+use infoscene::transport::RadiositySystem;
 
 /// Form factors asked for 1e-3 … 1e-9 only: their errors move the radiosities by no more than the bound says, in closed
 /// scenes and open ones.
@@ -27,7 +27,7 @@ fn form_factor_errors_stay_within_their_bound() {
         let solved = |tolerance: f64| {
             let pairs = ScenePairs::try_new(&scene, tolerance, Congruence::Ignored).unwrap();
             let exchange = pairs.exchange_areas().unwrap();
-            let room = Interreflection::of(&exchange, &materials).unwrap();
+            let room = RadiositySystem::of(&exchange, &materials).unwrap();
             room.radiosity(&emittances).unwrap()
         };
         let exact = solved(1e-14);
@@ -64,7 +64,7 @@ fn bounds_follow_the_form_factors() {
     let largest = |tolerance: f64| {
         let pairs = ScenePairs::try_new(&scene, tolerance, Congruence::Shared).unwrap();
         let exchange = pairs.exchange_areas().unwrap();
-        let room = Interreflection::of(&exchange, &materials).unwrap();
+        let room = RadiositySystem::of(&exchange, &materials).unwrap();
         let errors = room
             .radiosity(&emittances)
             .unwrap()
@@ -78,7 +78,7 @@ fn bounds_follow_the_form_factors() {
         .exchange_areas()
         .unwrap()
         .into_values();
-    let room = Interreflection::of_matrix(&exact, vec![0.5; 6]).unwrap();
+    let room = RadiositySystem::of_matrix(&exact, vec![0.5; 6]).unwrap();
     let found = room.radiosity(&[1.0, 0.0, 0.0, 0.0, 0.0, 0.0]).unwrap();
     assert_eq!(found.form_factor_errors, None);
 }
@@ -90,7 +90,7 @@ fn the_bound_is_no_lower_than_what_one_error_does() {
     let pairs = ScenePairs::try_new(&scene, 1e-12, Congruence::Shared).unwrap();
     let exchange = pairs.exchange_areas().unwrap();
     let half = Material::try_new(0.5, 0.0).unwrap();
-    let room = Interreflection::of(&exchange, &[half; 2]).unwrap();
+    let room = RadiositySystem::of(&exchange, &[half; 2]).unwrap();
     let found = room.radiosity(&[1.0, 0.0]).unwrap();
     let moved = 0.5 * found.values[0] * exchange.get(0, 1).exchange.error_bound;
     let bound = found.form_factor_errors.unwrap()[1];
