@@ -15,14 +15,14 @@
 //! **Not covered**: other polygons, and scenes with so many lines that the tables would outgrow the pairs.
 
 use super::NamedPatch;
-use crate::numeric::tolerance;
+use super::line_differences::{Differences, FlatBox, others};
 use std::collections::{BTreeMap, HashMap};
 use std::hash::Hash;
 
-/// Entries that a table of pairs of lines, or of spans, may have: so many, and so many per patch.
+/// Most entries of a table of pairs of lines, or of spans: so many, and so many per patch.
 const TABLE: [usize; 2] = [1 << 16, 64];
 
-/// Classes there may be at most.
+/// Largest number of classes.
 const MOST_CLASSES: usize = 1 << 23;
 
 /// Numbers in the order in which they first come.
@@ -55,19 +55,19 @@ struct Cell {
     spans: [usize; 3],
 }
 
-/// What of a scene's axis-parallel rectangles lies alike.
+/// Groups congruent pairs of axis-parallel rectangles.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Lattice {
     cells: Vec<Option<Cell>>,
     spans: usize,
-    /// How two spans of one axis lie to each other, up to reflection: `[first · spans + second]`.
+    /// The relation of two spans of one axis, up to reflection: `[first · spans + second]`.
     relations: Vec<u32>,
     relation_count: usize,
     planes: usize,
-    /// Where a span lies above a plane of its axis: `[plane · spans + span]`.
+    /// The position of a span above a plane of its axis: `[plane · spans + span]`.
     depths: Vec<u32>,
     depth_count: usize,
-    /// How two planes of one axis lie to each other: `[first · planes + second]`.
+    /// The distance of two planes of one axis: `[first · planes + second]`.
     distances: Vec<u32>,
     distance_count: usize,
     spread: f64,
@@ -96,11 +96,11 @@ impl Lattice {
             return None;
         }
         let differences = Differences::of(&lines);
-        Tables::default().fill(patches, &boxes, &lines, &differences, most)
+        Tables::default().fill(&boxes, &lines, &differences, most)
     }
 
-    /// How much farther apart than exactly equal two coordinates of congruent pairs may be; 0 if all differences of
-    /// lines are exact.
+    /// The distance by which coordinates of congruent pairs may differ; 0 if all differences of lines
+    /// are exact.
     pub(super) const fn spread(&self) -> f64 {
         self.spread
     }
@@ -145,141 +145,7 @@ impl Lattice {
     }
 }
 
-const fn others(axis: usize) -> [usize; 2] {
-    [(axis + 1) % 3, (axis + 2) % 3]
-}
-
-/// A rectangle with edges exactly along the axes.
-#[derive(Debug, Clone, Copy)]
-struct FlatBox {
-    axis: usize,
-    faces_up: bool,
-    lower: [f64; 3],
-    upper: [f64; 3],
-}
-
-impl FlatBox {
-    fn of(patch: &NamedPatch) -> Option<Self> {
-        let corners: [[f64; 3]; 4] = patch
-            .shape
-            .corners()
-            .iter()
-            .map(glam::DVec3::to_array)
-            .collect::<Vec<_>>()
-            .try_into()
-            .ok()?;
-        let ends = |axis: usize, best: fn(f64, f64) -> f64| {
-            // −0 and 0 are one line
-            corners
-                .iter()
-                .map(|c| c[axis])
-                .reduce(best)
-                .map(|x| x + 0.0)
-        };
-        let mut lower = [0.0; 3];
-        let mut upper = [0.0; 3];
-        for axis in 0..3 {
-            lower[axis] = ends(axis, f64::min)?;
-            upper[axis] = ends(axis, f64::max)?;
-        }
-        let is_flat = |axis: &usize| lower[*axis].total_cmp(&upper[*axis]).is_eq();
-        let axis = (0..3).find(is_flat)?;
-        // neighbouring corners differ along one axis only, and end where the rectangle ends
-        let same = |a: f64, b: f64| (a - b).abs() <= 0.0;
-        for (corner, next) in (0..4).map(|k| (corners[k], corners[(k + 1) % 4])) {
-            let moves = others(axis).map(|k| !same(corner[k], next[k]));
-            let ends = others(axis).map(|k| same(corner[k], lower[k]) || same(corner[k], upper[k]));
-            if moves[0] == moves[1] || ends != [true; 2] {
-                return None;
-            }
-        }
-        Some(Self {
-            axis,
-            faces_up: patch.shape.normal()[axis] > 0.0,
-            lower,
-            upper,
-        })
-    }
-}
-
-/// The differences between the lines of each axis, numbered: equal ones alike, with a sign.
-#[derive(Debug)]
-struct Differences {
-    /// `[axis][first · lines + second]`: the number of second − first, negative if second lies below.
-    numbers: [Vec<i32>; 3],
-    lines: [usize; 3],
-    spread: f64,
-}
-
-impl Differences {
-    fn of(lines: &[Vec<f64>; 3]) -> Self {
-        let extent = lines
-            .iter()
-            .flatten()
-            .fold(0.0, |most: f64, x| most.max(x.abs()));
-        // each with what rounding took from it
-        let mut sizes = vec![(0.0, 0.0)];
-        for lines in lines {
-            for (k, line) in lines.iter().enumerate() {
-                sizes.extend(
-                    lines[..k]
-                        .iter()
-                        .map(|below| exact_difference(*line, *below)),
-                );
-            }
-        }
-        sizes.sort_by(|(one, _), (other, _)| one.total_cmp(other));
-        let mut starts: Vec<f64> = Vec::new();
-        let (mut least, mut most) = (0.0_f64, 0.0_f64);
-        let mut spread: f64 = 0.0;
-        for (size, lost) in sizes {
-            match starts.last() {
-                Some(start) if size - start <= tolerance::ALIGNMENT * extent => {
-                    let offset = (size - start) + lost;
-                    (least, most) = (least.min(offset), most.max(offset));
-                }
-                _ => {
-                    starts.push(size);
-                    (least, most) = (lost, lost);
-                }
-            }
-            spread = spread.max(most - least);
-        }
-        let number = |size: f64| starts.partition_point(|start| *start <= size) - 1;
-        let signed = |from: f64, to: f64| {
-            let number = i32::try_from(number((to - from).abs())).unwrap_or(i32::MAX);
-            if to < from { -number } else { number }
-        };
-        let table = |axis: usize| {
-            let lines: &Vec<f64> = &lines[axis];
-            let row = |from: &f64| {
-                lines
-                    .iter()
-                    .map(|to| signed(*from, *to))
-                    .collect::<Vec<_>>()
-            };
-            lines.iter().flat_map(row).collect()
-        };
-        Self {
-            numbers: [0, 1, 2].map(table),
-            lines: [0, 1, 2].map(|axis| lines[axis].len()),
-            spread,
-        }
-    }
-
-    fn number(&self, axis: usize, from: usize, to: usize) -> i32 {
-        self.numbers[axis][from * self.lines[axis] + to]
-    }
-}
-
-/// `upper − lower`, rounded, and what rounding took from it (Knuth).
-fn exact_difference(upper: f64, lower: f64) -> (f64, f64) {
-    let size = upper - lower;
-    let taken = upper - size;
-    (size, (upper - (size + taken)) + (taken - lower))
-}
-
-/// What the tables are made from.
+/// The spans and planes that the tables are about.
 #[derive(Debug, Default)]
 struct Tables {
     spans: Vec<(usize, Lines)>,
@@ -287,48 +153,39 @@ struct Tables {
 }
 
 impl Tables {
+    /// Numbers the span and the plane of each rectangle.
+    fn cells(&mut self, boxes: &[Option<FlatBox>], lines: &[Vec<f64>; 3]) -> Vec<Option<Cell>> {
+        let line = |axis: usize, at: f64| lines[axis].partition_point(|line| *line < at);
+        let (mut span_numbers, mut plane_numbers) = (BTreeMap::new(), BTreeMap::new());
+        let mut cell = |flat: &FlatBox| {
+            let mut spans = [0; 3];
+            for axis in others(flat.axis) {
+                let ends = [flat.lower, flat.upper].map(|ends| line(axis, ends[axis]));
+                spans[axis] = numbered(&mut self.spans, &mut span_numbers, (axis, ends));
+            }
+            let at = line(flat.axis, flat.lower[flat.axis]);
+            let plane = (flat.axis, at, flat.faces_up);
+            Cell {
+                axis: flat.axis,
+                plane: numbered(&mut self.planes, &mut plane_numbers, plane),
+                spans,
+            }
+        };
+        boxes
+            .iter()
+            .map(|flat| flat.as_ref().map(&mut cell))
+            .collect()
+    }
+
+    /// The lattice of these rectangles, if no table has more than `most` entries.
     fn fill(
         mut self,
-        patches: &[NamedPatch],
         boxes: &[Option<FlatBox>],
         lines: &[Vec<f64>; 3],
         differences: &Differences,
         most: usize,
     ) -> Option<Lattice> {
-        let line = |axis: usize, at: f64| lines[axis].partition_point(|line| *line < at);
-        let (mut span_numbers, mut plane_numbers) = (BTreeMap::new(), BTreeMap::new());
-        let mut cells = Vec::with_capacity(patches.len());
-        for flat in boxes {
-            cells.push(flat.map(|flat| {
-                let mut spans = [0; 3];
-                for axis in others(flat.axis) {
-                    let span = (
-                        axis,
-                        [flat.lower, flat.upper].map(|ends| line(axis, ends[axis])),
-                    );
-                    let next = self.spans.len();
-                    spans[axis] = *span_numbers.entry(span).or_insert(next);
-                    if spans[axis] == next {
-                        self.spans.push(span);
-                    }
-                }
-                let plane = (
-                    flat.axis,
-                    line(flat.axis, flat.lower[flat.axis]),
-                    flat.faces_up,
-                );
-                let next = self.planes.len();
-                let number = *plane_numbers.entry(plane).or_insert(next);
-                if number == next {
-                    self.planes.push(plane);
-                }
-                Cell {
-                    axis: flat.axis,
-                    plane: number,
-                    spans,
-                }
-            }));
-        }
+        let cells = self.cells(boxes, lines);
         let (spans, planes) = (self.spans.len(), self.planes.len());
         if spans.max(planes).pow(2) > most {
             return None;
@@ -342,6 +199,7 @@ impl Tables {
         let (distances, distance_count) = table(&self.planes, &self.planes, |one, other| {
             distance(differences, one, other)
         });
+        let pairs = cells.len() * cells.len() / 2;
         let lattice = Lattice {
             cells,
             spans,
@@ -354,9 +212,16 @@ impl Tables {
             distance_count,
             spread: differences.spread,
         };
-        let pairs = patches.len() * patches.len() / 2;
         (lattice.classes() <= MOST_CLASSES.min(pairs.max(TABLE[0]))).then_some(lattice)
     }
+}
+
+/// The number of an item in a list, to which it is added if it is new.
+fn numbered<T: Ord + Copy>(list: &mut Vec<T>, known: &mut BTreeMap<T, usize>, item: T) -> usize {
+    *known.entry(item).or_insert_with(|| {
+        list.push(item);
+        list.len() - 1
+    })
 }
 
 /// A number for each combination that has a key, equal keys alike; 0 for those without.

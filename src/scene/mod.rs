@@ -20,6 +20,7 @@ mod facing;
 pub mod files;
 mod gridded;
 mod lattice;
+mod line_differences;
 mod lines;
 mod material;
 mod members;

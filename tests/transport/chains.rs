@@ -49,7 +49,7 @@ fn off(
 fn the_radiosity_chain_is_that_of_section_3_4() {
     for (name, scene) in closed_scenes() {
         let exchange = scene.exchange_areas().unwrap();
-        let materials = materials(exchange.patches());
+        let materials = materials(exchange.rows());
         let room = RadiositySystem::of(&exchange, &materials).unwrap();
         let radiosity = room.radiosity(&emittances(&materials)).unwrap();
         let b = &radiosity.values;
@@ -82,9 +82,9 @@ fn the_radiosity_chain_is_that_of_section_3_4() {
 fn the_importance_chain_is_that_of_section_3_5() {
     for (name, scene) in closed_scenes() {
         let exchange = scene.exchange_areas().unwrap();
-        let materials = materials(exchange.patches());
+        let materials = materials(exchange.rows());
         let room = RadiositySystem::of(&exchange, &materials).unwrap();
-        let direct: Vec<f64> = (0..exchange.patches()).map(|i| uneven(i, 7)).collect();
+        let direct: Vec<f64> = (0..exchange.rows()).map(|i| uneven(i, 7)).collect();
         let importance = room.importance(&direct).unwrap();
         let values = &importance.values;
         let chain = brightness_chain(&exchange, &importance.reflected.values).unwrap();
@@ -126,7 +126,7 @@ fn rows_and_reciprocity(chain: &ReversibleChain, name: &str) {
 fn even_light_reverts_to_visibility() {
     for (name, scene) in closed_scenes() {
         let exchange = scene.exchange_areas().unwrap();
-        let materials = materials(exchange.patches());
+        let materials = materials(exchange.rows());
         let room = RadiositySystem::of(&exchange, &materials).unwrap();
         let even: Vec<f64> = materials
             .iter()
