@@ -6,7 +6,8 @@
 //!   ΔI = Σ_ij ΔJ_ij (x_ij − I)/W,    |ΔJ_ij| ≤ β_i β_j δ_ij + J_ij (η_i + η_j)
 //! ```
 //!
-//! δ the bounds of the exchange areas, η those of the brightnesses relative to themselves. The answer's error is an *estimate*.
+//! δ the bounds of the exchange areas, η those of the brightnesses relative to themselves. The
+//! answer's error is an *estimate*.
 
 use super::measures::{pair_divergence, positional_entropy};
 use super::scene::divergence_error;
@@ -18,7 +19,8 @@ use crate::transport::RadiositySolution;
 use rayon::prelude::*;
 use std::f64::consts::LN_2;
 
-/// The information of the chain that this brightness makes of a scene; light that escapes has no state in it.
+/// The information of the chain that this brightness makes of a scene; light that escapes has no
+/// state in it.
 ///
 /// # Errors
 /// As [`brightness_chain`].

@@ -1,11 +1,13 @@
-//! What each pair of patches contributes to the discrete and to the continuous mutual information, and what lies between.
+//! The contributions of each pair of patches to the discrete and to the continuous mutual
+//! information, and their difference.
 //!
 //! ```text
 //!   I_ij = (J_ij/A_T) log2( J_ij A_T/(A_i A_j) ),     I^c_ij = (1/A_T) ∫∫ F log2(A_T F) dy dx ≥ I_ij
 //! ```
 //!
-//! by Jensen's inequality. The loss `I^c_ij − I_ij` is the most that the pair can gain by subdividing both patches, however finely;
-//! the losses of all pairs sum to `I^c − I`. So a row of losses says of a patch what eq. (6) only bounds for one subdivision.
+//! by Jensen's inequality. The loss `I^c_ij − I_ij` is the most that the pair can gain by
+//! subdividing both patches, however finely; the losses of all pairs sum to `I^c − I`. So a row of
+//! losses says of a patch what eq. (6) only bounds for one subdivision.
 //!
 //! **Not covered**: rooms that are not convex inside.
 
@@ -19,7 +21,7 @@ use crate::scene::{NamedPatch, Progress, Scene, SceneError};
 use rayon::prelude::*;
 use std::f64::consts::LN_2;
 
-/// What a pair of patches contributes, in both directions together; in bits.
+/// The contributions of a pair of patches, in both directions together; in bits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairLoss {
     /// Index of one patch.
@@ -32,14 +34,14 @@ pub struct PairLoss {
     pub mutual_information: f64,
     /// Its part of (4); may be negative.
     pub continuous_mutual_information: f64,
-    /// What (3) lacks of (4), ≥ 0 but for the error.
+    /// The difference of (4) and (3), ≥ 0 but for the error.
     pub loss: f64,
     /// Estimated absolute error of each of the three.
     pub error: f64,
 }
 
 impl PairLoss {
-    /// What the error is.
+    /// The grade of the error.
     pub const ERROR_GRADE: ErrorGrade = ErrorGrade::Estimate;
 }
 
@@ -49,7 +51,8 @@ impl PairLoss {
 /// **Returns** the pairs in order of their indices, the same for any number of threads.
 ///
 /// # Errors
-/// [`ChainError::Scene`] if the room is not convex inside, a patch lies in another or is summed with others, or a pair is refused.
+/// [`ChainError::Scene`] if the room is not convex inside, a patch lies in another or is summed
+/// with others, or a pair is refused.
 ///
 /// # Examples
 /// ```

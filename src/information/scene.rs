@@ -1,23 +1,27 @@
-//! Positional entropy, entropy rate and mutual information of a scene's visibility chain, from its pairs as they come.
+//! Positional entropy, entropy rate and mutual information of a scene's visibility chain, from its
+//! pairs as they come.
 //!
-//! The matrix is never held. With the areas as weights the sums over rows need one pass, because the total N of an open
-//! chain can be put in afterwards:
+//! The matrix is never held. With the areas as weights the sums over rows need one pass, because
+//! the total N of an open chain can be put in afterwards:
 //!
 //! ```text
-//!   q_ij = A_i A_j / A_T:   Σ_j J_ij ln(J_ij N/(A_i A_j)) = Σ_j q_ij φ(J_ij/q_ij − 1) + (r_i − A_i) + r_i ln(N/A_T)
+//!   q_ij = A_i A_j / A_T:
+//!   Σ_j J_ij ln(J_ij N/(A_i A_j)) = Σ_j q_ij φ(J_ij/q_ij − 1) + (r_i − A_i) + r_i ln(N/A_T)
 //! ```
 //!
-//! where `r_i = Σ_j J_ij`. For a closed scene the last two vanish and what is left is a sum of terms ≥ 0; pairs left out by
-//! the plan give `Σ q_ij`, plane by plane.
+//! where `r_i = Σ_j J_ij`. For a closed scene the last two vanish and what is left is a sum of
+//! terms ≥ 0; pairs left out by the plan give `Σ q_ij`, plane by plane.
 //!
-//! **Errors** `f(J) = J log2(J/q) − (J − q)/ln 2` is convex with slope `log2(J/q)`. If J is known to ± e < J,
+//! **Errors** `f(J) = J log2(J/q) − (J − q)/ln 2` is convex with slope `log2(J/q)`. If J is known
+//! to ± e < J,
 //!
 //! ```text
 //!   |Δf| ≤ e (|log2(J/q)| + e/((J − e) ln 2)),
 //! ```
 //!
-//! summed over all pairs: a *bound* for a closed scene, whose exact weights are the areas. For an open scene the errors also
-//! move the escaping parts and N; their first-order effect is added, and the result is an *estimate*.
+//! summed over all pairs: a *bound* for a closed scene, whose exact weights are the areas. For an
+//! open scene the errors also move the escaping parts and N; their first-order effect is added, and
+//! the result is an *estimate*.
 //!
 //! **Not covered**: what is below 1e-308 of the total.
 
@@ -32,16 +36,16 @@ use std::f64::consts::LN_2;
 pub enum OpenScene {
     /// It is refused.
     Refuse,
-    /// What escapes goes to one more state, `outside`.
+    /// One more state, `outside`, takes what escapes.
     AddOutsideState,
 }
 
-/// How well the error of an answer is known.
+/// The grade of an answer's error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorGrade {
     /// To first order.
     Estimate,
-    /// As derived, from the bounds of the form factors.
+    /// Derived from the bounds of the form factors.
     Bound,
 }
 
@@ -67,11 +71,12 @@ pub struct SceneInformation {
     pub mutual_information: f64,
     /// The error of the mutual information.
     pub error: f64,
-    /// What the error is.
+    /// The grade of the error.
     pub error_grade: ErrorGrade,
-    /// The terms of eq. (3) by patch, or by the row that several are summed into, `w_i Σ_j P_ij log2(P_ij/w_j)`.
+    /// The terms of eq. (3) by patch, or by the row that several are summed into, `w_i Σ_j P_ij
+    /// log2(P_ij/w_j)`.
     pub contributions: Vec<f64>,
-    /// The same of the state `outside`, if there is one.
+    /// The term of the state `outside`, if there is one.
     pub outside_contribution: Option<f64>,
     /// Stationary probabilities of the patches: areas, or generalised areas, over their sum.
     pub weights: Vec<f64>,
@@ -239,7 +244,8 @@ impl RowSums {
     fn error(&self, outside: &Outside, is_closed: bool, bits: f64) -> f64 {
         let errors = self.sums.iter().map(|sum| sum[DIVERGENCE_ERROR]);
         let from_pairs = compensated_sum(errors) / LN_2;
-        // Σ |q − J| ≤ 2 A_i in row and column i; where an area is one patch's, its 4 ε are in the rounding
+        // Σ |q − J| ≤ 2 A_i in row and column i; where an area is one patch's, its 4 ε are in the
+        // rounding
         let areas = self.areas.iter().zip(&self.area_bounds);
         let from_areas = compensated_sum(areas.map(|(area, bound)| {
             let more = bound - 4.0 * f64::EPSILON * area;
@@ -282,7 +288,8 @@ impl Outside {
         }
     }
 
-    /// To first order, in bits times the total: what the rows' bounds do to the escaping parts and to N.
+    /// To first order, in bits times the total: what the rows' bounds do to the escaping parts and
+    /// to N.
     fn error(&self, area: f64, areas: &[f64], bounds: impl Iterator<Item = f64>, bits: f64) -> f64 {
         let growth = (self.total / area).log2();
         let rows = areas.iter().zip(&self.escaping).zip(bounds);

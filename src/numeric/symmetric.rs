@@ -4,8 +4,8 @@
 //!   entry (i, j), j < i, at place i(i − 1)/2 + j
 //! ```
 //!
-//! The rows below the diagonal stand one after the other, so that a block of consecutive rows is one
-//! slice. The diagonal is not held.
+//! The rows below the diagonal stand one after the other, so that a block of consecutive rows is
+//! one slice. The diagonal is not held.
 
 use std::ops::Range;
 

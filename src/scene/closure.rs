@@ -32,8 +32,8 @@ pub struct Closure {
 }
 
 impl Closure {
-    /// The closure of rows with these names, from the areas and the bounds on their rounding and the
-    /// quotient's, the sums of the rows of exchange areas and of their error bounds.
+    /// The closure of rows with these names, from the areas and the bounds on their rounding and
+    /// the quotient's, the sums of the rows of exchange areas and of their error bounds.
     pub(crate) fn new(
         names: Arc<[String]>,
         areas: &[f64],

@@ -15,8 +15,8 @@ use rayon::prelude::*;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// A symmetric matrix of exchange areas, with a bound on the error of each. A row stands for a patch,
-/// or for several that are summed; only these may have something on the diagonal.
+/// A symmetric matrix of exchange areas, with a bound on the error of each. A row stands for a
+/// patch, or for several that are summed; only these may have something on the diagonal.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExchangeAreas {
     names: Arc<[String]>,
@@ -75,7 +75,8 @@ impl ExchangeAreas {
         &self.areas
     }
 
-    /// Bounds on the rounding of the areas and of one quotient by them ([`ScenePairs::area_bounds`]).
+    /// Bounds on the rounding of the areas and of one quotient by them
+    /// ([`ScenePairs::area_bounds`]).
     #[must_use]
     pub fn area_bounds(&self) -> &[f64] {
         &self.area_bounds
@@ -186,7 +187,8 @@ impl ScenePairs<'_> {
 }
 
 impl Scene {
-    /// The unoccluded exchange areas of all pairs, to [`DEFAULT_TOLERANCE`] where a route reaches it.
+    /// The unoccluded exchange areas of all pairs, to [`DEFAULT_TOLERANCE`] where a route reaches
+    /// it.
     ///
     /// # Errors
     /// [`SceneError::Pair`] if two patches are refused.

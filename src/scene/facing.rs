@@ -9,7 +9,8 @@
 //! [`tolerance::ALIGNMENT`](crate::numeric::tolerance::ALIGNMENT) of the largest coordinate are
 //! rounding of the input.
 //!
-//! **Not covered**: more than [`MOST_PLANES`] planes; then only pairs in one plane are left out here.
+//! **Not covered**: more than [`MOST_PLANES`] planes; then only pairs in one plane are left out
+//! here.
 
 use super::NamedPatch;
 use super::planes::Planes;

@@ -1,18 +1,21 @@
 //! Congruent pairs of axis-parallel rectangles, found by counting instead of by computing.
 //!
-//! Rectangles of a regular or symmetric division lie between few lines. All differences of lines are numbered once,
-//! equal ones alike; what two rectangles look like to each other is then a few such numbers:
+//! Rectangles of a regular or symmetric division lie between few lines. All differences of lines
+//! are numbered once, equal ones alike; the relative position of two rectangles is then given by a
+//! few such numbers:
 //!
 //! ```text
-//!   perpendicular   depth of each over the other's plane, and how their spans on the common axis lie to each other
-//!   parallel        distance, and how the spans on either axis lie to each other
+//!   perpendicular   depth of each over the other's plane, relation of their spans on the common axis
+//!   parallel        distance, relations of the spans on either axis
 //! ```
 //!
-//! Pairs with the same numbers, up to a reflection of an axis, an exchange of the axes and an exchange of the two, are
-//! congruent: they exchange the same. Differences equal up to a few roundings of the coordinates are numbered alike,
-//! too; [`Lattice::spread`] says how far apart such are.
+//! Pairs with the same numbers, up to a reflection of an axis, an exchange of the axes and an
+//! exchange of the two, are congruent: they exchange the same. Differences equal up to a few
+//! roundings of the coordinates are numbered alike, too; [`Lattice::spread`] says how far apart
+//! such are.
 //!
-//! **Not covered**: other polygons, and scenes with so many lines that the tables would outgrow the pairs.
+//! **Not covered**: other polygons, and scenes with so many lines that the tables would outgrow the
+//! pairs.
 
 use super::NamedPatch;
 use super::line_differences::{Differences, FlatBox, others};
@@ -99,8 +102,8 @@ impl Lattice {
         Tables::default().fill(&boxes, &lines, &differences, most)
     }
 
-    /// The distance by which coordinates of congruent pairs may differ; 0 if all differences of lines
-    /// are exact.
+    /// The distance by which coordinates of congruent pairs may differ; 0 if all differences of
+    /// lines are exact.
     pub(super) const fn spread(&self) -> f64 {
         self.spread
     }
@@ -111,7 +114,8 @@ impl Lattice {
             + self.distance_count * self.relation_count * self.relation_count
     }
 
-    /// The class of a pair: pairs of one class are congruent. It does not depend on the order of the two.
+    /// The class of a pair: pairs of one class are congruent. It does not depend on the order of
+    /// the two.
     pub(super) fn class(&self, first: usize, second: usize) -> Option<usize> {
         let (first, second) = (self.cells[first].as_ref()?, self.cells[second].as_ref()?);
         let relation = |axis: usize| {
@@ -240,7 +244,8 @@ fn table<A, B, K: Hash + Eq>(
     (numbers, numbering.count().max(1))
 }
 
-/// Both lengths and the differences of the ends, the smaller of the two reflections.
+/// The relation of two spans: both lengths and the differences of the ends, the smaller of the two
+/// reflections.
 fn relation(
     differences: &Differences,
     (axis, [low, high]): &(usize, Lines),

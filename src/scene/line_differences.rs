@@ -67,7 +67,8 @@ impl FlatBox {
 /// The differences between the lines of each axis, numbered: equal ones alike, with a sign.
 #[derive(Debug)]
 pub(super) struct Differences {
-    /// `[axis][first · lines + second]`: the number of second − first, negative if second lies below.
+    /// `[axis][first · lines + second]`: the number of second − first, negative if second lies
+    /// below.
     numbers: [Vec<i32>; 3],
     lines: [usize; 3],
     /// The distance by which differences of one number may differ.

@@ -1,7 +1,7 @@
 //! The pairs of a scene, ready to be evaluated as its plan wants them.
 //!
-//! The exchange area of two rows is a sum over pairs of polygons ([`row_pair`](ScenePairs::row_pair));
-//! the plan, its classes and its counts are about these.
+//! The exchange area of two rows is a sum over pairs of polygons
+//! ([`row_pair`](ScenePairs::row_pair)); the plan, its classes and its counts are about these.
 //!
 //! # Words
 //!
@@ -9,11 +9,11 @@
 //! * A *polygon* is a patch as the form factors see it, prepared for evaluation.
 //! * A *surface* is what a file calls a patch, before it is checked.
 //! * A *part* is a patch that lies in another one, its *base*; the base counts without it.
-//! * A *group* is the set of patches that are summed ([`Scene::group_of`]): one patch, unless labels
-//!   say otherwise.
+//! * A *group* is the set of patches that are summed ([`Scene::group_of`]): one patch, unless
+//!   labels say otherwise.
 //! * A *row* is what stands for a group in matrices, lists and sums: its patches less their parts.
 //! * A *term* of a row is one of its polygons with its sign: 1, or −1 for a part of a base in it.
-//! * A *plane set* is the planes that the terms of a row lie in; rows of one set see the same planes.
+//! * A *plane set* is the planes that the terms of a row lie in.
 //! * A *tile* is the pairs of some rows with some rows, the unit of work of a pass over all pairs.
 //! * A *cell* is one rectangle of a grid on a face; the cells of a box are patches like any other.
 //!
@@ -53,7 +53,8 @@ pub struct ScenePairs<'p> {
     areas: Vec<f64>,
     area_bounds: Vec<f64>,
     tolerance: f64,
-    /// The value of each class of congruent pairs; none where they are not equal within the tolerance.
+    /// The value of each class of congruent pairs; none where they are not equal within the
+    /// tolerance.
     shared: Vec<Option<Answer>>,
 }
 
@@ -161,7 +162,8 @@ impl ScenePairs<'_> {
         &self.areas
     }
 
-    /// Bounds on the rounding of the areas and of one quotient by them: 4 ε of what they are summed of.
+    /// Bounds on the rounding of the areas and of one quotient by them: 4 ε of what they are summed
+    /// of.
     #[must_use]
     pub fn area_bounds(&self) -> &[f64] {
         &self.area_bounds

@@ -1,15 +1,15 @@
 //! Patches grouped by plane.
 //!
-//! A patch lies in a plane if none of its corners is farther from it than
-//! [`tolerance::ALIGNMENT`] of the largest coordinate, which is rounding of the input, and faces the
-//! same way.
+//! A patch lies in a plane if none of its corners is farther from it than [`tolerance::ALIGNMENT`]
+//! of the largest coordinate, which is rounding of the input, and faces the same way.
 
 use super::NamedPatch;
 use crate::numeric::tolerance;
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// Two normals or positions nearer than this are looked at together; only how many planes are compared depends on it.
+/// Two normals or positions nearer than this are looked at together; only how many planes are
+/// compared depends on it.
 const BUCKETS: f64 = 1_099_511_627_776.0; // 2⁴⁰
 
 /// The planes of a scene.

@@ -4,11 +4,11 @@
 //!   G_gh = Σ_k Σ_l c_gk c_hl G_kl ,     |error| ≤ Σ_k Σ_l (e_kl + 2 ε G_kl)
 //! ```
 //!
-//! with the signs of [`RowTerms`](super::members::RowTerms); the rounding of the sum is the last term
-//! ([`CompensatedSum`]). A pair of rows has one value, whichever way it is asked for, so that
-//! `A_i F_ij = A_j F_ji` holds exactly. It is at least 0 and at most the smaller area, so that
-//! `0 ≤ F ≤ 1`: a value beyond a limit is off by more than the limit is, and moving it there brings
-//! it nearer to the exact one. Where a base's remainder cancels below its bound, that bound stands
+//! with the signs of [`RowTerms`](super::members::RowTerms); the rounding of the sum is the last
+//! term ([`CompensatedSum`]). A pair of rows has one value, whichever way it is asked for, so that
+//! `A_i F_ij = A_j F_ji` holds exactly. It is at least 0 and at most the smaller area, so that `0 ≤
+//! F ≤ 1`: a value beyond a limit is off by more than the limit is, and moving it there brings it
+//! nearer to the exact one. Where a base's remainder cancels below its bound, that bound stands
 //! beside the remainder.
 //!
 //! Cancellation costs digits: where the bound misses the tolerance, the terms are computed again to
@@ -48,8 +48,8 @@ struct Sum {
 }
 
 impl ScenePairs<'_> {
-    /// The exchange area of two rows, and the route that found it: for a sum, the route of its least
-    /// certain term. A row exchanges something with itself only if it is summed of patches in
+    /// The exchange area of two rows, and the route that found it: for a sum, the route of its
+    /// least certain term. A row exchanges something with itself only if it is summed of patches in
     /// several planes.
     ///
     /// # Errors

@@ -1,12 +1,12 @@
 //! Sums over the rows of a symmetric matrix that is never held.
 //!
 //! ```text
-//!   S_i = Σ_j f(i, j),     f(i, j) = f(j, i) computed once, for the pairs of rows that see each other
+//!   S_i = Σ_j f(i, j),     f(i, j) = f(j, i) computed once, for rows that see each other
 //! ```
 //!
-//! Each [tile](super::Tile) is summed on its own, over its rows and over its columns, and the sums of
-//! the tiles are added up in their order. So every sum takes its terms in an order that depends on
-//! the scene alone, and comes out the same for any number of threads.
+//! Each [tile](super::Tile) is summed on its own, over its rows and over its columns, and the sums
+//! of the tiles are added up in their order. So every sum takes its terms in an order that depends
+//! on the scene alone, and comes out the same for any number of threads.
 //!
 //! **Memory** O(n).
 
@@ -53,8 +53,8 @@ impl<const K: usize> RowSums<K> {
 }
 
 impl ScenePairs<'_> {
-    /// `K` sums over each row, of terms that are the same for (i, j) and (j, i); pairs that the plan leaves out are not
-    /// asked for, nor a row with itself unless it may see itself.
+    /// `K` sums over each row, of terms that are the same for (i, j) and (j, i); pairs that the
+    /// plan leaves out are not asked for, nor a row with itself unless it may see itself.
     ///
     /// # Errors
     /// [`SceneError::Pair`] if two patches are refused.
@@ -91,8 +91,8 @@ impl ScenePairs<'_> {
         Ok(self.totals(sums))
     }
 
-    /// The sums over one tile, of terms that are the same for (i, j) and (j, i); terms are asked for as in
-    /// [`row_sums`](Self::row_sums).
+    /// The sums over one tile, of terms that are the same for (i, j) and (j, i); terms are asked
+    /// for as in [`row_sums`](Self::row_sums).
     ///
     /// # Errors
     /// [`SceneError::Pair`] if two patches are refused.

@@ -35,12 +35,13 @@ struct RowPart {
 }
 
 impl ScenePairs<'_> {
-    /// Shows all rows in order, each a list of the exchange areas with rows 0, 1, …, itself included;
-    /// only one is held. A pair that shares no value is computed for both of its rows, in the same
-    /// way: [tiles](Self::tiles) compute it once.
+    /// Shows all rows in order, each a list of the exchange areas with rows 0, 1, …, itself
+    /// included; only one is held. A pair that shares no value is computed for both of its rows, in
+    /// the same way: [tiles](Self::tiles) compute it once.
     ///
     /// # Errors
-    /// [`SceneError::Pair`](super::SceneError::Pair) if two patches are refused, or what `visit` returns.
+    /// [`SceneError::Pair`](super::SceneError::Pair) if two patches are refused, or what `visit`
+    /// returns.
     pub fn for_each_row<E: From<SceneError>>(
         &self,
         mut visit: impl FnMut(usize, &[Answer]) -> Result<(), E>,
@@ -97,11 +98,12 @@ impl ScenePairs<'_> {
         })
     }
 
-    /// The ordered pairs from one row, or to one, or both; a row is paired with itself only where it
-    /// may see itself. The summary is that of these pairs alone.
+    /// The ordered pairs from one row, or to one, or both; a row is paired with itself only where
+    /// it may see itself. The summary is that of these pairs alone.
     ///
     /// # Errors
-    /// [`SceneError::NoSuchPatch`](super::SceneError::NoSuchPatch), [`SceneError::Pair`](super::SceneError::Pair).
+    /// [`SceneError::NoSuchPatch`](super::SceneError::NoSuchPatch),
+    /// [`SceneError::Pair`](super::SceneError::Pair).
     pub fn entries(
         &self,
         from: Option<usize>,

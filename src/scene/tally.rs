@@ -73,9 +73,9 @@ pub struct PassCounts {
     routes: [usize; Route::ALL.len()],
     /// Pairs whose planes face each other.
     visible: usize,
-    /// Those of them that were computed on their own.
+    /// Pairs that were computed on their own.
     alone: usize,
-    /// Those that miss the tolerance.
+    /// Pairs of rows that miss the tolerance.
     unreached: usize,
     /// The worst of them.
     worst: Option<Unreached>,
@@ -108,7 +108,7 @@ impl PassCounts {
         }
     }
 
-    /// Of equally bad ones the first.
+    /// Keeps the worse of two, and of equally bad ones the first.
     fn keep_worst(&mut self, other: &Unreached) {
         let rank = |pair: &Unreached| {
             (

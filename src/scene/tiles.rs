@@ -1,8 +1,8 @@
 //! Tiles: the unit of work of a pass over all pairs.
 //!
 //! ```text
-//!   off the diagonal:  all pairs (i, j) with i in the rows, j in the columns, which have no row in common
-//!   on the diagonal:   the pairs i ≤ j of one run of rows; (i, i) is nothing unless row i may see itself
+//!   off the diagonal:  all (i, j) with i in the rows, j in the columns; these have no row in common
+//!   on the diagonal:   the pairs i ≤ j of one run of rows; (i, i) is 0 unless row i may see itself
 //! ```
 //!
 //! All passes walk over pairs in the same way ([`ScenePairs::walk`]), each pair once. A tile needs
@@ -221,8 +221,8 @@ impl ScenePairs<'_> {
         }))
     }
 
-    /// The rows in the order of their plane sets, cut into runs; a run starts with each plane set of
-    /// many rows.
+    /// The rows in the order of their plane sets, cut into runs; a run starts with each plane set
+    /// of many rows.
     fn runs(&self, side: usize) -> Vec<Run> {
         let mut runs: Vec<Run> = Vec::new();
         for (plane_set, places) in self.plane_sets().places().enumerate() {

@@ -1,9 +1,9 @@
 //! Passes over a symmetric matrix that is held, row by row below its diagonal.
 //!
-//! In the pass of differences, what leaves one patch arrives at the other, so that a constant x gives
-//! 0 exactly, however far J is known. The rows come in blocks that depend on their number alone, each
-//! with sums of its own that are added up in order: the answer does not depend on the number of
-//! threads.
+//! In the pass of differences, what leaves one patch arrives at the other, so that a constant x
+//! gives 0 exactly, however far J is known. The rows come in blocks that depend on their number
+//! alone, each with sums of its own that are added up in order: the answer does not depend on the
+//! number of threads.
 //!
 //! Compensated sums of n terms t are within `n² ε² Σ|t|` (Neumaier 1974) and what the terms
 //! themselves lose; one with 106 bits loses 8 ε².
@@ -120,8 +120,8 @@ impl DenseExchange<'_> {
         }
     }
 
-    /// Sums over the rows of what `kernel` adds for J_ij, x_j and x_i to the sum of j and to that of
-    /// i.
+    /// Sums over the rows of what `kernel` adds for J_ij, x_j and x_i to the sum of j and to that
+    /// of i.
     fn pass<const Q: usize, const P: usize>(
         &self,
         x: [&[f64]; Q],
@@ -137,7 +137,8 @@ impl DenseExchange<'_> {
                     let row = self.0.row(j);
                     let mut own = [[0.0; LANES]; P];
                     let (taken, others) = (&mut own, sums.each_mut().map(|sums| &mut sums[..j]));
-                    // what is moved in is local to the loop, which the compiler wants to see for vectors
+                    // what is moved in is local to the loop, which the compiler wants to see for
+                    // vectors
                     vectorised(
                         #[inline(always)]
                         move || *taken = along(row, x, others, kernel),

@@ -5,29 +5,34 @@
 //!   B_i = E_i                                                                     R_i = 0
 //! ```
 //!
-//! with exchange areas `J_ij = A_i F_ij` and `e_i = A_i − Σ_j J_ij` of what escapes. In a closed scene e is 0 by construction, with
-//! `A_i = Σ_j J_ij`: the usual form `B = E + R F B` moves B by δ/(1−R) when a row sum is off by δ, this one does not.
+//! with exchange areas `J_ij = A_i F_ij` and `e_i = A_i − Σ_j J_ij` of what escapes. In a closed
+//! scene e is 0 by construction, with `A_i = Σ_j J_ij`: the usual form `B = E + R F B` moves B by
+//! δ/(1−R) when a row sum is off by δ, this one does not.
 //!
 //! **Solution**: conjugate gradients, the residual anew with 106 bits, and again for what is left.
 //!
-//! **Error of the solution**, a *bound*, of each B_i relative to itself. The matrix M has an inverse without negative
-//! entries. With its diagonal D, its other entries −D T and right sides b, light that bounced less than K times is
-//! `C = Σ_{k<K} T^k D⁻¹b`. For a residual r of B̂ with its rounding ρ,
+//! **Error of the solution**, a *bound*, of each B_i relative to itself. The matrix M has an
+//! inverse without negative entries. With its diagonal D, its other entries −D T and right sides b,
+//! light that bounced less than K times is `C = Σ_{k<K} T^k D⁻¹b`. For a residual r of B̂ with its
+//! rounding ρ,
 //!
 //! ```text
-//!   S = Σ_{k<K} T^k D⁻¹(|r| + ρ) ≤ τ C   ⇒   |B − B̂| ≤ M⁻¹(|r| + ρ) = Σ_m T^Km S ≤ τ Σ_m T^Km C = τ B
+//!   S = Σ_{k<K} T^k D⁻¹(|r| + ρ) ≤ τ C
+//!     ⇒   |B − B̂| ≤ M⁻¹(|r| + ρ) = Σ_m T^Km S ≤ τ Σ_m T^Km C = τ B
 //! ```
 //!
 //! K is large enough for C to reach every patch that light can reach.
 //!
-//! **Error of the form factors**, a *bound* too. If each J_ij is right within δ_ij, the exact B* solves `M*(B* − B) = f` with
+//! **Error of the form factors**, a *bound* too. If each J_ij is right within δ_ij, the exact B*
+//! solves `M*(B* − B) = f` with
 //!
 //! ```text
-//!   |f_i| ≤ Σ_j δ_ij |B_i − B_j| + δA_i |(1−R_i) B_i − E_i|/R_i = g_i(B)     (closed; open: Σ_j δ_ij B_j)
+//!   |f_i| ≤ Σ_j δ_ij |B_i − B_j| + δA_i |(1−R_i) B_i − E_i|/R_i = g_i(B)     (closed)
+//!   |f_i| ≤ Σ_j δ_ij B_j = g_i(B)                                           (open)
 //! ```
 //!
-//! and any x with `M x − g(x) ≥ θ g(B)`, θ > 0, gives `|B* − B| ≤ x/θ`. Signs of f are not used, so that it is pessimistic
-//! by up to 1/(1−R).
+//! and any x with `M x − g(x) ≥ θ g(B)`, θ > 0, gives `|B* − B| ≤ x/θ`. Signs of f are not used, so
+//! that it is pessimistic by up to 1/(1−R).
 
 use super::error::SMALLEST_REFLECTANCE;
 use super::{DenseExchange, ExchangeOperator, TransportError};
@@ -35,7 +40,7 @@ use crate::numeric::{DoubleDouble, Scaled, Symmetric};
 use crate::scene::{Closure, ExchangeAreas, Material};
 use nalgebra::DMatrix;
 
-/// The linear system of radiosity: what patches exchange and reflect.
+/// The linear system of radiosity, over exchange areas that are known by their products.
 #[derive(Debug, Clone)]
 pub struct RadiositySystem<O> {
     /// Exchange areas off the diagonal.
@@ -48,7 +53,7 @@ pub struct RadiositySystem<O> {
     pub(super) own: Vec<f64>,
     /// The sum of the row if nothing escapes, else the area.
     pub(super) areas: Vec<DoubleDouble>,
-    /// What escapes, as an area; `None` of a row that sums to the area.
+    /// The escaping part, as an area; `None` for a row that sums to the area.
     pub(super) escaping: Vec<Option<DoubleDouble>>,
     pub(super) reflectances: Vec<f64>,
     /// `e + A (1−R)/R`; 0 for patches that reflect nothing.
@@ -57,16 +62,17 @@ pub struct RadiositySystem<O> {
     pub(super) diagonal: Vec<f64>,
 }
 
-/// Radiosity, or reflected importance: what leaves the patches, per area.
+/// A solution of the system: radiosities, or reflected importances.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RadiositySolution {
     /// `B_i ≥ 0`, in the unit of the sources.
     pub values: Vec<f64>,
-    /// What arrives, `H_i = Σ_j F_ij B_j`: the irradiance.
+    /// The irradiance `H_i = Σ_j F_ij B_j`.
     pub received: Vec<f64>,
     /// A bound on `|error of B_i|/B_i`, for the exchange areas as given.
     pub relative_error: f64,
-    /// Bounds on the errors of B_i that the exchange areas' own bring; none where no bound is known.
+    /// Bounds on the errors of B_i that the exchange areas' own bring; none where no bound is
+    /// known.
     pub form_factor_errors: Option<Vec<f64>>,
     /// The largest `|B_i − E_i − R_i H_i|/B_i`.
     pub residual: f64,
@@ -74,7 +80,7 @@ pub struct RadiositySolution {
     pub iterations: usize,
 }
 
-/// How much the patches matter to those who look.
+/// The importance of patches: the part of what they emit that reaches those who look.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Importance {
     /// `I_i ≥ 0`, in the unit of V.
@@ -83,7 +89,7 @@ pub struct Importance {
     pub reflected: RadiositySolution,
 }
 
-/// What is known of each row besides its exchange areas with others.
+/// The diagonal and the areas: what the products with exchange areas leave out.
 #[derive(Debug, Clone)]
 pub struct ExchangeRows {
     /// The exchange areas of the rows with themselves.
@@ -95,11 +101,13 @@ pub struct ExchangeRows {
 }
 
 impl<'e> RadiositySystem<DenseExchange<'e>> {
-    /// The patches of a scene; it is closed if every row of form factors sums to one within its bounds.
+    /// The system of a scene's patches; it is closed if every row of form factors sums to one
+    /// within its bounds.
     ///
     /// # Errors
-    /// [`TransportError::WrongCount`] unless there is a material for each patch; [`TransportError::ReflectanceTooSmall`];
-    /// [`TransportError::Scene`] if patches hide each other, so that a row is above one.
+    /// [`TransportError::WrongCount`] unless there is a material for each patch;
+    /// [`TransportError::ReflectanceTooSmall`]; [`TransportError::Scene`] if patches hide each
+    /// other, so that a row is above one.
     pub fn of(exchange: &'e ExchangeAreas, materials: &[Material]) -> Result<Self, TransportError> {
         let closure = Closure::of_held(exchange);
         closure.require_at_most_one()?;
@@ -119,12 +127,14 @@ impl<'e> RadiositySystem<DenseExchange<'e>> {
         )
     }
 
-    /// A closed scene with these exchange areas `A_i F_ij`, taken as exact; the areas are their row sums.
+    /// The system of a closed scene with these exchange areas `A_i F_ij`, taken as exact; the areas
+    /// are their row sums.
     ///
     /// # Errors
-    /// [`TransportError::InvalidExchange`] unless the matrix is finite, ≥ 0 and equal to its transpose;
-    /// [`TransportError::WrongCount`] unless it has a row and a column for each reflectance;
-    /// [`TransportError::ReflectanceOutOfRange`], [`TransportError::ReflectanceTooSmall`].
+    /// [`TransportError::InvalidExchange`] unless the matrix is finite, ≥ 0 and equal to its
+    /// transpose; [`TransportError::WrongCount`] unless it has a row and a column for each
+    /// reflectance; [`TransportError::ReflectanceOutOfRange`],
+    /// [`TransportError::ReflectanceTooSmall`].
     pub fn of_matrix(
         exchange: &DMatrix<f64>,
         reflectances: Vec<f64>,

@@ -7,7 +7,7 @@ use crate::numeric::{DoubleDouble, SQUARED_EPSILON, Scalar, Scaled};
 /// A smaller relative error than this is lost in the rounding of the answer.
 const GOAL: f64 = f64::EPSILON / 64.0;
 
-/// How far one run of conjugate gradients brings the residual down.
+/// The factor by which one run of conjugate gradients reduces the residual.
 const REDUCTION: f64 = 1e-8;
 
 /// Runs beyond which nothing more is hoped for.
@@ -19,10 +19,11 @@ const MOST_BOUNCES: usize = 1000;
 /// Iterations of one run.
 const MOST_ITERATIONS: usize = 500;
 
-/// What the sums of positive numbers in these bounds may lose, generously: n ε for n up to 4e9.
+/// A generous bound on the relative rounding of the sums of positive numbers in these bounds: n ε
+/// for n up to 4e9.
 const ROUNDING: f64 = 1e-6;
 
-/// What radiosities as `f64` are off by, relative, and their products.
+/// A bound on the relative rounding of radiosities as `f64`, and of their products.
 const ROUNDED: f64 = 4.0 * f64::EPSILON;
 
 /// A solution with 106 bits.
@@ -35,11 +36,13 @@ struct Solved {
 impl<O: ExchangeOperator> RadiositySystem<O> {
     /// The radiosities for these emittances.
     ///
-    /// **Accuracy** [`RadiositySolution::relative_error`] is a bound, apart from the error of the exchange areas; for stiff scenes, too,
-    /// it comes out below 1e-15 (`stiff_scenes_keep_their_digits`).
+    /// **Accuracy** [`RadiositySolution::relative_error`] is a bound, apart from the error of the
+    /// exchange areas; for stiff scenes, too, it comes out below 1e-15
+    /// (`stiff_scenes_keep_their_digits`).
     ///
     /// # Errors
-    /// [`TransportError::WrongCount`], [`TransportError::SourceOutOfRange`], [`TransportError::NoSource`].
+    /// [`TransportError::WrongCount`], [`TransportError::SourceOutOfRange`],
+    /// [`TransportError::NoSource`].
     ///
     /// # Examples
     /// ```
@@ -58,7 +61,8 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
         Ok(self.brightness(emittances))
     }
 
-    /// The importances for these direct importances V: 1 for a patch that is looked at, 0 for others, for example.
+    /// The importances for these direct importances V: 1 for a patch that is looked at, 0 for
+    /// others, for example.
     ///
     /// # Errors
     /// As [`radiosity`](Self::radiosity).
