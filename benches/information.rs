@@ -12,8 +12,7 @@ use infoscene::discretize::{BestGrid, BoxGrid, GradientCut, PatchSplit, UNIT_CUB
 use infoscene::form_factor::DEFAULT_TOLERANCE;
 use infoscene::geometry::SplitAxis;
 use infoscene::information::{
-    Surroundings, divergence, entropy_rate, mutual_information, positional_entropy,
-    scene_information,
+    OpenScene, divergence, entropy_rate, mutual_information, positional_entropy, scene_information,
 };
 use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs};
 use std::hint::black_box;
@@ -102,7 +101,7 @@ fn grids(criterion: &mut Criterion) {
         Occlusion::Refuse,
     )
     .unwrap();
-    let exact = scene_information(&pairs, Surroundings::None).unwrap();
+    let exact = scene_information(&pairs, OpenScene::Refuse).unwrap();
     let found = BoxGrid::regular(UNIT_CUBE, 16)
         .unwrap()
         .information()

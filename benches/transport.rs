@@ -7,7 +7,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use infoscene::scene::{ExchangeAreas, Material, Scene};
-use infoscene::transport::Interreflection;
+use infoscene::transport::RadiositySystem;
 use std::hint::black_box;
 
 /// The inside of a cube, 29 × 29 patches a face; one face emits, reflectances of three kinds.
@@ -16,7 +16,7 @@ fn room() -> (ExchangeAreas, Vec<Material>, Vec<f64>) {
         .unwrap()
         .exchange_areas()
         .unwrap();
-    let count = exchange.patches();
+    let count = exchange.rows();
     let reflectance = |patch: usize| [0.3, 0.7, 0.9][patch % 3];
     let materials = (0..count).map(|patch| Material::try_new(reflectance(patch), 0.0).unwrap());
     let emittances = (0..count).map(|patch| f64::from(u8::from(patch < count / 6)));
@@ -39,7 +39,7 @@ fn read_once(values: &[f64], x: &[f64]) -> f64 {
 
 fn radiosities(criterion: &mut Criterion) {
     let (exchange, materials, emittances) = room();
-    let room = Interreflection::of(&exchange, &materials).unwrap();
+    let room = RadiositySystem::of(&exchange, &materials).unwrap();
     let found = room.radiosity(&emittances).unwrap();
     // what is emitted is absorbed
     let sum = |term: &dyn Fn(usize) -> f64| -> f64 {
@@ -55,10 +55,15 @@ fn radiosities(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("5046 patches");
     group.sample_size(10);
     group.bench_function("the exchange areas read once", |bencher| {
-        bencher.iter(|| read_once(black_box(exchange.values()), black_box(&emittances)));
+        bencher.iter(|| {
+            read_once(
+                black_box(exchange.values().entries()),
+                black_box(&emittances),
+            )
+        });
     });
     group.bench_function("row sums", |bencher| {
-        bencher.iter(|| Interreflection::of(black_box(&exchange), &materials).unwrap());
+        bencher.iter(|| RadiositySystem::of(black_box(&exchange), &materials).unwrap());
     });
     group.bench_function("radiosities with both bounds", |bencher| {
         bencher.iter(|| room.radiosity(black_box(&emittances)).unwrap());

@@ -41,7 +41,7 @@ pub fn brightness_chain(
     exchange: &ExchangeAreas,
     brightness: &[f64],
 ) -> Result<ReversibleChain, ChainError> {
-    let n = exchange.patches();
+    let n = exchange.rows();
     if brightness.len() != n {
         return Err(ChainError::WrongShape {
             what: "the list of brightnesses",

@@ -48,7 +48,7 @@ pub fn open_visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainErro
     let exchange = scene.exchange_areas()?;
     let closure = Closure::of_held(&exchange);
     closure.require_at_most_one()?;
-    let outside = exchange.patches();
+    let outside = exchange.rows();
     let escaping = |i: usize| exchange.areas()[i] * closure.escaping(i);
     ReversibleChain::try_new(DMatrix::from_fn(outside + 1, outside + 1, |i, j| {
         match (i == outside, j == outside) {

@@ -5,7 +5,7 @@ use super::finding::Computation;
 use super::{ClaimError, Finding, Inputs};
 use crate::discretize::{BoxGrid, UNIT_CUBE};
 use crate::form_factor::DEFAULT_TOLERANCE;
-use crate::information::{Surroundings, continuous_information, scene_information};
+use crate::information::{OpenScene, continuous_information, scene_information};
 use crate::scene::{Congruence, Occlusion, Scene, ScenePairs};
 
 pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
@@ -42,7 +42,7 @@ impl Gaps {
                 Congruence::Shared,
                 Occlusion::Refuse,
             )?;
-            let discrete = scene_information(&pairs, Surroundings::None)?;
+            let discrete = scene_information(&pairs, OpenScene::Refuse)?;
             error = larger(error, continuous.error + discrete.error);
             gaps.push(limit - discrete.mutual_information);
         }

@@ -8,7 +8,7 @@ use crate::information::{entropy_rate, mutual_information, positional_entropy};
 use crate::numeric::{Scalar, compensated_sum, tolerance};
 use crate::scene::{ExchangeAreas, Material, Scene};
 use crate::transport::walks::{Steering, Walks};
-use crate::transport::{Importance, Interreflection};
+use crate::transport::{Importance, RadiositySystem};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -55,7 +55,7 @@ impl Lit {
         let exchange = scene.exchange_areas()?;
         let mut random = ChaCha8Rng::seed_from_u64(input.count("seed")?.into());
         let mut materials = Vec::new();
-        for _ in 0..exchange.patches() {
+        for _ in 0..exchange.rows() {
             let [reflectance, emittance]: [f64; 2] = random.random();
             let material = Material::try_new(0.05 + 0.9 * reflectance, emittance);
             materials.push(material.map_err(|error| ClaimError::Input {
@@ -64,7 +64,7 @@ impl Lit {
             })?);
         }
         let sources: Vec<f64> = materials.iter().map(Material::emittance).collect();
-        let room = Interreflection::of(&exchange, &materials)?;
+        let room = RadiositySystem::of(&exchange, &materials)?;
         let importance = if input.switch("importance")? {
             Some(room.importance(&sources)?)
         } else {
@@ -88,7 +88,7 @@ impl Lit {
     }
 
     const fn patches(&self) -> usize {
-        self.exchange.patches()
+        self.exchange.rows()
     }
 
     fn reflectance(&self, i: usize) -> f64 {
@@ -219,7 +219,7 @@ fn divided_light_adds_up(input: &Inputs) -> Result<Finding, ClaimError> {
 /// `E = k (1 − R)`, or `V = k (1/R − 1)`: the largest difference of `P_ij` from `F_ij`.
 fn even_light_is_visibility(input: &Inputs) -> Result<Finding, ClaimError> {
     let lit = Lit::new(input)?;
-    let room = Interreflection::of(&lit.exchange, &lit.materials)?;
+    let room = RadiositySystem::of(&lit.exchange, &lit.materials)?;
     let level = input.number("level")?;
     let even = lit.materials.iter().enumerate().map(|(i, material)| {
         let absorbed = level * (1.0 - material.reflectance());
@@ -297,7 +297,7 @@ fn walk_rounding(walks: &Walks) -> f64 {
 /// The farthest that any gathering walk was from the radiosity, relative.
 fn null_variance_gathering(input: &Inputs) -> Result<Finding, ClaimError> {
     let lit = Lit::new(input)?;
-    let room = Interreflection::of(&lit.exchange, &lit.materials)?;
+    let room = RadiositySystem::of(&lit.exchange, &lit.materials)?;
     let exact = room.radiosity(&lit.sources)?.values;
     let (count, seed) = (input.count("walks")?, input.count("seed")?.into());
     let (mut worst, mut allowed): (f64, f64) = (0.0, 0.0);
@@ -314,7 +314,7 @@ fn null_variance_gathering(input: &Inputs) -> Result<Finding, ClaimError> {
 /// The same of shooting walks and the power `A_k B_k`, for several V = δ_k.
 fn null_variance_shooting(input: &Inputs) -> Result<Finding, ClaimError> {
     let lit = Lit::new(input)?;
-    let room = Interreflection::of(&lit.exchange, &lit.materials)?;
+    let room = RadiositySystem::of(&lit.exchange, &lit.materials)?;
     let exact = room.radiosity(&lit.sources)?.values;
     let (count, seed) = (input.count("walks")?, input.count("seed")?.into());
     let flaw = input.number("walk_flaw")?;

@@ -6,7 +6,7 @@ use super::scene_pairs::{ScenePairsOptions, outcome};
 use infoscene::report::{
     FormFactorRecord, PatchRecord, write_form_factors, write_npy_head, write_npy_row,
 };
-use infoscene::scene::{Account, Entry, ExchangeAreas, ScenePairs};
+use infoscene::scene::{Entry, ExchangeAreas, PassSummary, ScenePairs};
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
@@ -55,7 +55,8 @@ impl FormFactor {
             return Err(TooMany { patches }.into());
         }
         let [from, to] = [self.from, self.to].map(asked);
-        let pairs = self.scene.pairs_between(&scene, from, to)?;
+        let bar = self.scene.bar(&scene)?;
+        let pairs = self.scene.pairs_between(&scene, from, to, &bar)?;
         let held = if patches <= MOST_HELD && (!is_part || self.matrix.is_some()) {
             Some(pairs.exchange_areas()?)
         } else {
@@ -68,7 +69,7 @@ impl FormFactor {
             None
         };
         let mut accounts = Vec::new();
-        accounts.extend(held.as_ref().map(|held| held.account().clone()));
+        accounts.extend(held.as_ref().map(|held| held.summary().clone()));
         if let Some(path) = &self.matrix {
             let account = write_matrix(path, &pairs, held.as_ref())?;
             accounts.extend(account);
@@ -103,7 +104,7 @@ impl FormFactor {
                     others
                         .map(move |to| FormFactorRecord::new([from, to], area, &held.get(from, to)))
                 });
-                self.write(patches, records, held.account())?;
+                self.write(patches, records, held.summary())?;
             }
             (None, None) => {}
         }
@@ -118,7 +119,7 @@ impl FormFactor {
         &self,
         patches: &[PatchRecord<'_>],
         records: impl Iterator<Item = FormFactorRecord>,
-        account: &Account,
+        account: &PassSummary,
     ) -> Result<(), Box<dyn Error>> {
         self.output.write_with(|format, text| {
             write_form_factors(patches, records, &account.plan, format, text)?;
@@ -130,10 +131,10 @@ impl FormFactor {
 /// Writes F row by row, the whole of it or nothing.
 fn write_matrix(
     path: &Path,
-    pairs: &ScenePairs,
+    pairs: &ScenePairs<'_>,
     held: Option<&ExchangeAreas>,
-) -> Result<Option<Account>, Box<dyn Error>> {
-    let n = pairs.patches();
+) -> Result<Option<PassSummary>, Box<dyn Error>> {
+    let n = pairs.rows();
     let mut account = None;
     replace_with(path, |file| {
         write_npy_head(&mut *file, n, n)?;

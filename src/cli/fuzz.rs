@@ -48,7 +48,7 @@ impl Fuzz {
         self.output.check()?;
         let bar = progress_bar(self.cases.into(), "cases")?;
         let start = Instant::now();
-        let findings = run(campaign, &|cases| bar.inc(cases));
+        let findings = run(campaign, &|cases: usize| bar.inc(cases as u64));
         bar.finish_and_clear();
         let report = fuzz_report(campaign, &findings, start.elapsed().as_secs_f64())?;
         if findings.counterexamples.is_empty() {

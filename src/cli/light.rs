@@ -2,7 +2,7 @@
 
 use super::patch_values::{Materials, PatchValue, values};
 use infoscene::scene::{ExchangeAreas, Material, Scene};
-use infoscene::transport::{Brightness, Interreflection};
+use infoscene::transport::{RadiositySolution, RadiositySystem};
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]
@@ -50,9 +50,9 @@ impl Light {
         &self,
         scene: &Scene,
         exchange: &ExchangeAreas,
-    ) -> Result<Brightness, Box<dyn Error>> {
+    ) -> Result<RadiositySolution, Box<dyn Error>> {
         let materials = self.materials.of(scene)?;
-        let room = Interreflection::of(exchange, &materials)?;
+        let room = RadiositySystem::of(exchange, &materials)?;
         if self.chain == Chain::Importance {
             let direct = values(&self.importance, scene)?;
             return Ok(room.importance(&direct)?.reflected);

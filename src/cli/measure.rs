@@ -2,11 +2,11 @@
 
 use super::light::Light;
 use super::output::{Output, progress_bar};
-use super::scene_pairs::{ScenePairsOptions, outcome, shown};
+use super::scene_pairs::{PairsBar, ScenePairsOptions, outcome};
 use super::{Answer, Outcome};
 use infoscene::chain::ChainError;
 use infoscene::information::{
-    LineKind, LineSample, Surroundings, brightness_information, continuous_information,
+    LineKind, LineSample, OpenScene, brightness_information, continuous_information,
     expected_bias_of_scene, pair_losses, scene_information,
 };
 use infoscene::report::{measure_report, sample_report};
@@ -62,14 +62,10 @@ impl From<KindName> for LineKind {
 /// Rows up to which the exact value stands beside a sampled one, where nothing is in the way: a second or so.
 const MOST_ROWS: usize = 6144;
 
-/// A row of form factors that does not sum to one, with the name of its patch.
+/// An open scene was refused, and could have been taken.
 #[derive(Debug, thiserror::Error)]
-#[error("{source}; that is patch {name}{mend}")]
-struct BadRow {
-    source: ChainError,
-    name: String,
-    mend: &'static str,
-}
+#[error("{0}; --open adds the state outside")]
+struct OpenRefused(ChainError);
 
 impl Measure {
     pub(super) fn answer(&self) -> Answer {
@@ -78,14 +74,15 @@ impl Measure {
             return self.sampled(lines);
         }
         let scene = self.scene.scene()?;
-        let pairs = self.scene.pairs(&scene)?;
-        let surroundings = if self.open {
-            Surroundings::Outside
+        let bar = self.scene.bar(&scene)?;
+        let pairs = self.scene.pairs(&scene, &bar)?;
+        let open_scene = if self.open {
+            OpenScene::AddOutsideState
         } else {
-            Surroundings::None
+            OpenScene::Refuse
         };
         let measured = if self.light.is_visibility()? {
-            scene_information(&pairs, surroundings).map_err(|error| named(error, &scene))?
+            scene_information(&pairs, open_scene).map_err(with_mend)?
         } else {
             let exchange = pairs.exchange_areas()?;
             brightness_information(&exchange, &self.light.brightness(&scene, &exchange)?)?
@@ -102,7 +99,7 @@ impl Measure {
         let losses = if self.pairs {
             let all = scene.patches().len();
             let bar = progress_bar((all * (all - 1) / 2) as u64, "pairs")?;
-            let losses = pair_losses(room, || bar.inc(1))?;
+            let losses = pair_losses(room, &|finished: usize| bar.inc(finished as u64))?;
             bar.finish_and_clear();
             Some(losses)
         } else {
@@ -116,7 +113,7 @@ impl Measure {
             continuous,
             losses.as_deref(),
         )?)?;
-        match outcome(&scene, Some(&measured.account), pairs.tolerance()) {
+        match outcome(&scene, Some(&measured.summary), pairs.tolerance()) {
             Outcome::Done => Ok(written),
             differs @ Outcome::Differs => Ok(differs),
         }
@@ -131,8 +128,9 @@ impl Measure {
         }
         let scene = self.scene.occluded_scene()?;
         let sample = LineSample::draw(&scene, self.kind.into(), lines, self.seed)?;
-        let exact = if let Some(pairs) = self.unblocked_pairs(&scene)? {
-            let measured = scene_information(&pairs, Surroundings::None)?;
+        let bar = self.scene.bar(&scene)?;
+        let exact = if let Some(pairs) = self.unblocked_pairs(&scene, &bar)? {
+            let measured = scene_information(&pairs, OpenScene::Refuse)?;
             let bias = expected_bias_of_scene(&pairs, sample.counts.samples())?;
             Some([measured.mutual_information, bias])
         } else {
@@ -143,25 +141,25 @@ impl Measure {
     }
 
     /// The pairs of a scene that is small enough, and in which nothing is in the way.
-    fn unblocked_pairs(&self, scene: &Scene) -> Result<Option<ScenePairs>, Box<dyn Error>> {
+    fn unblocked_pairs<'b>(
+        &self,
+        scene: &Scene,
+        bar: &'b PairsBar,
+    ) -> Result<Option<ScenePairs<'b>>, Box<dyn Error>> {
         if scene.group_count() > MOST_ROWS {
             return Ok(None);
         }
-        match self.scene.quiet_pairs(scene) {
-            Err(SceneError::MayBeBlocked { .. }) => Ok(None),
-            pairs => Ok(Some(shown(pairs?)?)),
+        match self.scene.pairs(scene, bar) {
+            Err(ExchangeError::Scene(SceneError::MayBeBlocked { .. })) => Ok(None),
+            pairs => Ok(Some(pairs?)),
         }
     }
 }
 
-fn named(source: ChainError, scene: &Scene) -> Box<dyn Error> {
-    let (row, mend) = match &source {
-        ChainError::Exchange(ExchangeError::OpenScene { row, .. }) => {
-            (*row, "; --open adds the state outside")
-        }
-        ChainError::Exchange(ExchangeError::RowAboveOne { row, .. }) => (*row, ""),
-        _ => return source.into(),
-    };
-    let name = scene.group_names()[row].to_owned();
-    BadRow { source, name, mend }.into()
+/// Names the flag that mends it.
+fn with_mend(source: ChainError) -> Box<dyn Error> {
+    match source {
+        ChainError::Exchange(ExchangeError::OpenScene { .. }) => OpenRefused(source).into(),
+        _ => source.into(),
+    }
 }

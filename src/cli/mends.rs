@@ -3,14 +3,14 @@
 //! The library names the broken condition and its remedy; which option of the command that is
 //! stands here, once for all subcommands.
 
-use crate::chain::ChainError;
-use crate::claims::ClaimError;
-use crate::discretize::DiscretizeError;
-use crate::geometry::GeometryError;
-use crate::scene::files::Fault;
-use crate::scene::{ExchangeError, SceneError};
-use crate::study::StudyError;
-use crate::transport::TransportError;
+use infoscene::chain::ChainError;
+use infoscene::claims::ClaimError;
+use infoscene::discretize::DiscretizeError;
+use infoscene::geometry::GeometryError;
+use infoscene::scene::files::Fault;
+use infoscene::scene::{ExchangeError, SceneError};
+use infoscene::study::StudyError;
+use infoscene::transport::TransportError;
 use std::error::Error;
 
 /// The end of a message: the option that mends the error, if one does.

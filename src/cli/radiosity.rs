@@ -6,7 +6,7 @@ use super::scene_pairs::{ScenePairsOptions, outcome};
 use super::{Answer, Outcome};
 use infoscene::report::radiosity_report;
 use infoscene::scene::Material;
-use infoscene::transport::Interreflection;
+use infoscene::transport::RadiositySystem;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Radiosity {
@@ -27,9 +27,10 @@ impl Radiosity {
         let scene = self.scene.scene()?;
         let materials = self.materials.of(&scene)?;
         let direct = values(&self.importance, &scene)?;
-        let pairs = self.scene.pairs(&scene)?;
+        let bar = self.scene.bar(&scene)?;
+        let pairs = self.scene.pairs(&scene, &bar)?;
         let exchange = pairs.exchange_areas()?;
-        let room = Interreflection::of(&exchange, &materials)?;
+        let room = RadiositySystem::of(&exchange, &materials)?;
         let emittances: Vec<f64> = materials.iter().map(Material::emittance).collect();
         let radiosity = room.radiosity(&emittances)?;
         let importance = if self.importance.is_empty() {
@@ -53,7 +54,7 @@ impl Radiosity {
             );
             return Ok(Outcome::Differs);
         }
-        match outcome(&scene, Some(exchange.account()), pairs.tolerance()) {
+        match outcome(&scene, Some(exchange.summary()), pairs.tolerance()) {
             Outcome::Done => Ok(written),
             differs @ Outcome::Differs => Ok(differs),
         }

@@ -3,8 +3,13 @@
 use super::Outcome;
 use super::output::progress_bar;
 use super::scene::SceneArgument;
+use indicatif::ProgressBar;
+use indicatif::style::TemplateError;
 use infoscene::form_factor::DEFAULT_TOLERANCE;
-use infoscene::scene::{Account, Congruence, Occlusion, Scene, SceneError, ScenePairs, Unreached};
+use infoscene::scene::{
+    Congruence, ExchangeError, Occlusion, PassSummary, Progress, Scene, SceneError, ScenePairs,
+    Unreached,
+};
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]
@@ -47,57 +52,74 @@ impl ScenePairsOptions {
         self.scene.occlusion() == Occlusion::Ignore
     }
 
-    /// The pairs of a scene; the first pass over all of them shows its progress.
-    pub(super) fn pairs(&self, scene: &Scene) -> Result<ScenePairs, Box<dyn Error>> {
-        shown(self.quiet_pairs(scene)?)
+    /// A bar that shows the progress of the first pass over all pairs of a scene.
+    pub(super) fn bar(&self, scene: &Scene) -> Result<PairsBar, TemplateError> {
+        let rows = scene.group_count();
+        let all = (rows * (rows - 1) / 2) as u64;
+        let bar = progress_bar(all, "pairs")?;
+        Ok(PairsBar { bar, all })
     }
 
-    /// The pairs of a scene, without progress.
-    pub(super) fn quiet_pairs(&self, scene: &Scene) -> Result<ScenePairs, SceneError> {
-        self.pairs_under(scene, self.scene.occlusion())
+    /// The pairs of a scene, whose passes advance a bar.
+    pub(super) fn pairs<'b>(
+        &self,
+        scene: &Scene,
+        bar: &'b PairsBar,
+    ) -> Result<ScenePairs<'b>, ExchangeError> {
+        self.pairs_under(scene, self.scene.occlusion(), bar)
     }
 
     /// The pairs of a scene of which only those between these rows are asked for: elsewhere
     /// something may stand.
-    pub(super) fn pairs_between(
+    pub(super) fn pairs_between<'b>(
         &self,
         scene: &Scene,
         from: Option<usize>,
         to: Option<usize>,
-    ) -> Result<ScenePairs, Box<dyn Error>> {
+        bar: &'b PairsBar,
+    ) -> Result<ScenePairs<'b>, ExchangeError> {
         if !self.is_unoccluded() {
             scene.check_rows_unblocked(from, to)?;
         }
-        shown(self.pairs_under(scene, Occlusion::Ignore)?)
+        self.pairs_under(scene, Occlusion::Ignore, bar)
     }
 
-    fn pairs_under(&self, scene: &Scene, occlusion: Occlusion) -> Result<ScenePairs, SceneError> {
+    fn pairs_under<'b>(
+        &self,
+        scene: &Scene,
+        occlusion: Occlusion,
+        bar: &'b PairsBar,
+    ) -> Result<ScenePairs<'b>, ExchangeError> {
         let congruence = if self.every_pair {
             Congruence::Ignored
         } else {
             Congruence::Shared
         };
-        ScenePairs::try_new(scene, self.tolerance, congruence, occlusion)
+        let pairs = ScenePairs::try_new(scene, self.tolerance, congruence, occlusion)?;
+        Ok(pairs.with_progress(bar))
     }
 }
 
-/// The pairs, the first pass over all of which shows its progress.
-pub(super) fn shown(pairs: ScenePairs) -> Result<ScenePairs, Box<dyn Error>> {
-    let all = pairs.pairs() as u64;
-    let bar = progress_bar(all, "pairs")?;
-    if bar.is_hidden() {
-        return Ok(pairs);
-    }
-    Ok(pairs.with_progress(move |more| {
-        bar.inc(more as u64);
-        if bar.position() >= all {
-            bar.finish_and_clear();
+/// A progress bar that goes when all pairs have been visited once.
+pub(super) struct PairsBar {
+    bar: ProgressBar,
+    all: u64,
+}
+
+impl Progress for PairsBar {
+    fn advance(&self, finished: usize) {
+        if self.bar.is_hidden() {
+            return;
         }
-    }))
+        self.bar.inc(finished as u64);
+        if self.bar.position() >= self.all {
+            self.bar.finish_and_clear();
+        }
+    }
 }
 
 /// The exit status of an answer; what misses the tolerance is named on standard error.
-pub(super) fn outcome(scene: &Scene, account: Option<&Account>, tolerance: f64) -> Outcome {
+pub(super) fn outcome(scene: &Scene, account: Option<&PassSummary>, tolerance: f64) -> Outcome {
     let Some((account, worst)) = account.and_then(|account| Some((account, account.worst?))) else {
         return Outcome::Done;
     };

@@ -21,7 +21,7 @@ use super::{DiscretizeError, stationarity};
 use crate::geometry::{CutLines, Rectangle, SplitAxis};
 use crate::information::relative_entropy;
 use crate::numeric::{CertifiedMaximum, Dual, End, Interval, Objective, Scalar, certified_maximum};
-use crate::scene::{ExchangeError, Occlusion, Scene, SceneError};
+use crate::scene::{ExchangeError, Occlusion, Scene};
 
 /// A patch of a scene, to be cut across one of its axes; over intervals its gains are enclosures.
 #[derive(Debug, Clone, PartialEq)]

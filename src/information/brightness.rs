@@ -6,7 +6,8 @@
 //!   ΔI = Σ_ij ΔJ_ij (x_ij − I)/W,    |ΔJ_ij| ≤ β_i β_j δ_ij + J_ij (η_i + η_j)
 //! ```
 //!
-//! δ the bounds of the exchange areas, η those of the brightnesses relative to themselves. The answer's error is an *estimate*.
+//! δ the bounds of the exchange areas, η those of the brightnesses relative to themselves. The
+//! answer's error is an *estimate*.
 
 use super::measures::{pair_divergence, positional_entropy};
 use super::scene::divergence_error;
@@ -14,32 +15,33 @@ use super::{ErrorGrade, SceneInformation};
 use crate::chain::{ChainError, brightness_chain};
 use crate::numeric::{compensated_sum, parallel_map, tolerance};
 use crate::scene::{Closure, ExchangeAreas};
-use crate::transport::Brightness;
+use crate::transport::RadiositySolution;
 use std::f64::consts::LN_2;
 
-/// The information of the chain that this brightness makes of a scene; light that escapes has no state in it.
+/// The information of the chain that this brightness makes of a scene; light that escapes has no
+/// state in it.
 ///
 /// # Errors
 /// As [`brightness_chain`].
 ///
 /// # Examples
 /// ```
-/// use infoscene::information::{Surroundings, brightness_information, scene_information};
+/// use infoscene::information::{OpenScene, brightness_information, scene_information};
 /// use infoscene::scene::{Congruence, Material, Occlusion, Scene, ScenePairs};
-/// use infoscene::transport::Interreflection;
+/// use infoscene::transport::RadiositySystem;
 /// // with E = k (1 − R) everywhere the radiosity chain is the visibility chain (§3.4)
 /// let cube = Scene::built_in("cube:2")?;
 /// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
 /// let exchange = pairs.exchange_areas()?;
-/// let room = Interreflection::of(&exchange, &[Material::try_new(0.5, 0.0)?; 24])?;
+/// let room = RadiositySystem::of(&exchange, &[Material::try_new(0.5, 0.0)?; 24])?;
 /// let radiosity = brightness_information(&exchange, &room.radiosity(&[0.5; 24])?)?;
-/// let visibility = scene_information(&pairs, Surroundings::None)?;
+/// let visibility = scene_information(&pairs, OpenScene::Refuse)?;
 /// assert!((radiosity.mutual_information - visibility.mutual_information).abs() < 1e-13);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn brightness_information(
     exchange: &ExchangeAreas,
-    brightness: &Brightness,
+    brightness: &RadiositySolution,
 ) -> Result<SceneInformation, ChainError> {
     let chain = brightness_chain(exchange, &brightness.values)?;
     let n = chain.states();
@@ -99,6 +101,6 @@ pub fn brightness_information(
         weights: (0..n).map(|i| chain.stationary_probability(i)).collect(),
         total_area: compensated_sum(exchange.areas().iter().copied()),
         closure: Closure::of_held(exchange),
-        account: exchange.account().clone(),
+        summary: exchange.summary().clone(),
     })
 }

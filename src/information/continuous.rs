@@ -20,7 +20,7 @@ use crate::chain::ChainError;
 use crate::form_factor::Logarithms;
 use crate::geometry::{GeometryError, Patch};
 use crate::numeric::{CompensatedSum, compensated_sum, tolerance, try_parallel_map};
-use crate::scene::{ExchangeError, Occlusion, Scene, SceneError};
+use crate::scene::{ExchangeError, Occlusion, Scene};
 use std::f64::consts::LN_2;
 
 /// What a pair of faces contributes to the continuous mutual information, in both directions together.
@@ -104,8 +104,10 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
         let allowed = bound / patch.area() + tolerance::COVERED;
         let sum = received / patch.area();
         if (sum - 1.0).abs() > allowed {
+            let row = first_patch(face);
             return Err(ExchangeError::OpenScene {
-                row: first_patch(face),
+                row,
+                name: scene.patches()[row].name().to_owned(),
                 sum,
                 tolerance: allowed,
             }

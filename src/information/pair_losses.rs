@@ -1,11 +1,13 @@
-//! What each pair of patches contributes to the discrete and to the continuous mutual information, and what lies between.
+//! The contributions of each pair of patches to the discrete and to the continuous mutual
+//! information, and their difference.
 //!
 //! ```text
 //!   I_ij = (J_ij/A_T) log2( J_ij A_T/(A_i A_j) ),     I^c_ij = (1/A_T) ∫∫ F log2(A_T F) dy dx ≥ I_ij
 //! ```
 //!
-//! by Jensen's inequality. The loss `I^c_ij − I_ij` is the most that the pair can gain by subdividing both patches, however finely;
-//! the losses of all pairs sum to `I^c − I`. So a row of losses says of a patch what eq. (6) only bounds for one subdivision.
+//! by Jensen's inequality. The loss `I^c_ij − I_ij` is the most that the pair can gain by
+//! subdividing both patches, however finely; the losses of all pairs sum to `I^c − I`. So a row of
+//! losses says of a patch what eq. (6) only bounds for one subdivision.
 //!
 //! **Not covered**: rooms that are not convex inside.
 
@@ -15,10 +17,10 @@ use crate::chain::ChainError;
 use crate::form_factor::Logarithms;
 use crate::geometry::Patch;
 use crate::numeric::{compensated_sum, tolerance, try_parallel_map};
-use crate::scene::{ExchangeError, NamedPatch, Occlusion, Scene, SceneError};
+use crate::scene::{ExchangeError, NamedPatch, Occlusion, Progress, Scene, SceneError};
 use std::f64::consts::LN_2;
 
-/// What a pair of patches contributes, in both directions together; in bits.
+/// The contributions of a pair of patches, in both directions together; in bits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PairLoss {
     /// Index of one patch.
@@ -31,20 +33,20 @@ pub struct PairLoss {
     pub mutual_information: f64,
     /// Its part of (4); may be negative.
     pub continuous_mutual_information: f64,
-    /// What (3) lacks of (4), ≥ 0 but for the error.
+    /// The difference of (4) and (3), ≥ 0 but for the error.
     pub loss: f64,
     /// Estimated absolute error of each of the three.
     pub error: f64,
 }
 
 impl PairLoss {
-    /// What the error is.
+    /// The grade of the error.
     pub const ERROR_GRADE: ErrorGrade = ErrorGrade::Estimate;
 }
 
 /// The losses of all pairs of patches that see each other, in a closed room that is convex inside.
 ///
-/// **Arguments** `done`: told as each pair is done, from any thread.
+/// **Arguments** `progress`: told as each pair is done.
 /// **Returns** the pairs in order of their indices, the same for any number of threads.
 ///
 /// # Errors
@@ -54,13 +56,14 @@ impl PairLoss {
 ///
 /// # Examples
 /// ```
-/// use infoscene::{information::pair_losses, scene::Scene};
-/// let losses = pair_losses(&Scene::built_in("cube:1")?, || ())?;
+/// use infoscene::information::pair_losses;
+/// use infoscene::scene::{Scene, Unheard};
+/// let losses = pair_losses(&Scene::built_in("cube:1")?, &Unheard)?;
 /// // the contribution of two adjacent faces, there and back, from an independent evaluation to 26 digits
 /// assert!((losses[1].continuous_mutual_information - 2.0 * 0.064_165_266_508_643_42).abs() < 1e-13);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn pair_losses(scene: &Scene, done: impl Fn() + Sync) -> Result<Vec<PairLoss>, ChainError> {
+pub fn pair_losses(scene: &Scene, progress: &dyn Progress) -> Result<Vec<PairLoss>, ChainError> {
     let (_, face_of) = scene.convex_room()?;
     Occlusion::Refuse.check(scene)?;
     let n = scene.patches().len();
@@ -84,7 +87,7 @@ pub fn pair_losses(scene: &Scene, done: impl Fn() + Sync) -> Result<Vec<PairLoss
         } else {
             of_pair(&shapes, [first, second], total)
         };
-        done();
+        progress.advance(1);
         loss
     })?;
     Ok(losses.into_iter().flatten().collect())

@@ -1,47 +1,51 @@
-//! Positional entropy, entropy rate and mutual information of a scene's visibility chain, from its pairs as they come.
+//! Positional entropy, entropy rate and mutual information of a scene's visibility chain, from its
+//! pairs as they come.
 //!
-//! The matrix is never held. With the areas as weights the sums over rows need one pass, because the total N of an open
-//! chain can be put in afterwards:
+//! The matrix is never held. With the areas as weights the sums over rows need one pass, because
+//! the total N of an open chain can be put in afterwards:
 //!
 //! ```text
-//!   q_ij = A_i A_j / A_T:   Σ_j J_ij ln(J_ij N/(A_i A_j)) = Σ_j q_ij φ(J_ij/q_ij − 1) + (r_i − A_i) + r_i ln(N/A_T)
+//!   q_ij = A_i A_j / A_T:
+//!   Σ_j J_ij ln(J_ij N/(A_i A_j)) = Σ_j q_ij φ(J_ij/q_ij − 1) + (r_i − A_i) + r_i ln(N/A_T)
 //! ```
 //!
-//! where `r_i = Σ_j J_ij`. For a closed scene the last two vanish and what is left is a sum of terms ≥ 0; pairs left out by
-//! the plan give `Σ q_ij`, plane by plane.
+//! where `r_i = Σ_j J_ij`. For a closed scene the last two vanish and what is left is a sum of
+//! terms ≥ 0; pairs left out by the plan give `Σ q_ij`, plane by plane.
 //!
-//! **Errors** `f(J) = J log2(J/q) − (J − q)/ln 2` is convex with slope `log2(J/q)`. If J is known to ± e < J,
+//! **Errors** `f(J) = J log2(J/q) − (J − q)/ln 2` is convex with slope `log2(J/q)`. If J is known
+//! to ± e < J,
 //!
 //! ```text
 //!   |Δf| ≤ e (|log2(J/q)| + e/((J − e) ln 2)),
 //! ```
 //!
-//! summed over all pairs: a *bound* for a closed scene, whose exact weights are the areas. For an open scene the errors also
-//! move the escaping parts and N; their first-order effect is added, and the result is an *estimate*.
+//! summed over all pairs: a *bound* for a closed scene, whose exact weights are the areas. For an
+//! open scene the errors also move the escaping parts and N; their first-order effect is added, and
+//! the result is an *estimate*.
 //!
 //! **Not covered**: what is below 1e-308 of the total.
 
 use super::measures::{Unit, pair_divergence};
 use crate::chain::ChainError;
 use crate::numeric::{compensated_sum, tolerance, x_log2_x};
-use crate::scene::{Account, Closure, ScenePairs};
+use crate::scene::{Closure, PassSummary, ScenePairs};
 use std::f64::consts::LN_2;
 
-/// What becomes of power that meets no patch.
+/// The treatment of an open scene, in which some power meets no patch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Surroundings {
-    /// There must be none: an open scene is refused.
-    None,
-    /// It goes to the state `outside`.
-    Outside,
+pub enum OpenScene {
+    /// It is refused.
+    Refuse,
+    /// One more state, `outside`, takes what escapes.
+    AddOutsideState,
 }
 
-/// How well the error of an answer is known.
+/// The grade of an answer's error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorGrade {
     /// To first order.
     Estimate,
-    /// As derived, from the bounds of the form factors.
+    /// Derived from the bounds of the form factors.
     Bound,
 }
 
@@ -67,11 +71,12 @@ pub struct SceneInformation {
     pub mutual_information: f64,
     /// The error of the mutual information.
     pub error: f64,
-    /// What the error is.
+    /// The grade of the error.
     pub error_grade: ErrorGrade,
-    /// The terms of eq. (3) by patch, or by the row that several are summed into, `w_i Σ_j P_ij log2(P_ij/w_j)`.
+    /// The terms of eq. (3) by patch, or by the row that several are summed into, `w_i Σ_j P_ij
+    /// log2(P_ij/w_j)`.
     pub contributions: Vec<f64>,
-    /// The same of the state `outside`, if there is one.
+    /// The term of the state `outside`, if there is one.
     pub outside_contribution: Option<f64>,
     /// Stationary probabilities of the patches: areas, or generalised areas, over their sum.
     pub weights: Vec<f64>,
@@ -80,7 +85,7 @@ pub struct SceneInformation {
     /// The sums of the rows of form factors.
     pub closure: Closure,
     /// The plan, and whether the tolerance was reached.
-    pub account: Account,
+    pub summary: PassSummary,
 }
 
 /// Sums of one row, in units of [`Unit`] and nats.
@@ -92,102 +97,49 @@ const DIVERGENCE_ERROR: usize = 3;
 /// The information of a scene's visibility chain, each pair taken once and none held.
 ///
 /// # Errors
-/// [`ChainError::Exchange`] for an open scene without [`Surroundings::Outside`], for rows above one, and if two patches are
+/// [`ChainError::Exchange`] for an open scene without [`OpenScene::AddOutsideState`], for rows above one, and if two patches are
 /// refused.
 ///
 /// # Examples
 /// ```
-/// use infoscene::information::{Surroundings, scene_information};
+/// use infoscene::information::{OpenScene, scene_information};
 /// use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs};
 /// let cube = Scene::built_in("cube:1")?;
 /// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
-/// let cube = scene_information(&pairs, Surroundings::None)?;
+/// let cube = scene_information(&pairs, OpenScene::Refuse)?;
 /// // one patch per face, from a 50-digit evaluation
 /// assert!((cube.mutual_information - 0.263_034_544_099_120_5).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn scene_information(
-    pairs: &ScenePairs,
-    surroundings: Surroundings,
+    pairs: &ScenePairs<'_>,
+    open_scene: OpenScene,
 ) -> Result<SceneInformation, ChainError> {
-    let total_area = compensated_sum(pairs.areas().iter().copied());
-    let unit = Unit::of_total(total_area);
-    let areas: Vec<f64> = pairs.areas().iter().map(|area| unit.times(*area)).collect();
-    let area = unit.times(total_area);
-    let (sums, account) = pairs.row_sums(|i, j, exchange| {
-        let (value, bound) = (unit.times(exchange.value), unit.times(exchange.error_bound));
-        let probability = areas[j] / area;
-        let divergence = pair_divergence(value, areas[i], probability);
-        let error = divergence_error(value, bound, areas[i] * probability);
-        [value, bound, divergence, error]
-    })?;
-    let area_bounds = pairs.area_bounds().iter();
-    let area_bounds: Vec<f64> = area_bounds.map(|bound| unit.times(*bound)).collect();
-    let closure = Closure::new(
-        &areas,
-        &area_bounds,
-        sums.iter().map(|sum| [sum[VALUE], sum[BOUND]]),
-    );
-    match surroundings {
-        Surroundings::None => closure.require_closed()?,
-        Surroundings::Outside => closure.require_at_most_one()?,
+    let scene = RowSums::of(pairs)?;
+    match open_scene {
+        OpenScene::Refuse => scene.closure.require_closed()?,
+        OpenScene::AddOutsideState => scene.closure.require_at_most_one()?,
     }
-    let is_closed = closure.is_closed();
-    let escaping: Vec<f64> = if is_closed {
-        vec![0.0; areas.len()]
-    } else {
-        (0..areas.len())
-            .map(|i| areas[i] * closure.escaping(i))
-            .collect()
-    };
-    let outside = Outside::new(area, escaping);
-    let unseen = pairs.unseen(&areas);
-    let rows = areas.iter().zip(&sums).zip(unseen).enumerate();
-    let contributions = rows.map(|(i, ((weight, sum), unseen))| {
-        let dark = weight * (unseen / area); // φ(−1) = 1
-        let closed = sum[DIVERGENCE] + dark;
-        let nats = if is_closed {
-            closed
-        } else {
-            let inside = (sum[VALUE] - weight) + sum[VALUE] * (outside.total / area).ln();
-            closed + inside + outside.term(i, *weight)
-        };
-        nats / (outside.total * LN_2)
-    });
-    let contributions: Vec<f64> = contributions.collect();
+    let is_closed = scene.closure.is_closed();
+    let outside = scene.outside(is_closed);
+    let contributions = scene.contributions(pairs, &outside, is_closed);
     let outside_contribution = (!is_closed).then(|| {
-        let terms = areas.iter().enumerate().map(|(i, w)| outside.term(i, *w));
-        compensated_sum(terms) / (outside.total * LN_2)
+        let terms = scene.areas.iter().enumerate();
+        compensated_sum(terms.map(|(i, w)| outside.term(i, *w))) / (outside.total * LN_2)
     });
     let all = contributions.iter().copied().chain(outside_contribution);
     let mutual_information = compensated_sum(all);
-    let weights = areas.iter().copied().chain([outside.weight]);
+    let weights = scene.areas.iter().copied().chain([outside.weight]);
     let positional_entropy =
         0.0 - compensated_sum(weights.map(|weight| x_log2_x(weight / outside.total)));
-    let from_pairs = compensated_sum(sums.iter().map(|sum| sum[DIVERGENCE_ERROR])) / LN_2;
-    let from_escaping = if is_closed {
-        0.0
-    } else {
-        outside.error(
-            area,
-            &areas,
-            sums.iter().map(|sum| sum[BOUND]),
-            mutual_information,
-        )
-    };
-    // Σ |q − J| ≤ 2 A_i in row and column i; where an area is one patch's, its 4 ε are in the rounding
-    let from_areas = areas.iter().zip(&area_bounds).map(|(area, bound)| {
-        let more = bound - 4.0 * f64::EPSILON * area;
-        4.0 * more / LN_2
-    });
-    let from_areas = compensated_sum(from_areas);
     let rounding = tolerance::INFORMATION * (2.0 + mutual_information);
+    let error = scene.error(&outside, is_closed, mutual_information);
     Ok(SceneInformation {
         positional_entropy,
         // a difference below rounding may come out on the other side of 0
         entropy_rate: (positional_entropy - mutual_information).max(0.0),
         mutual_information,
-        error: (from_pairs + from_areas + from_escaping) / outside.total + rounding,
+        error: error / outside.total + rounding,
         error_grade: if is_closed {
             ErrorGrade::Bound
         } else {
@@ -195,11 +147,119 @@ pub fn scene_information(
         },
         contributions,
         outside_contribution,
-        weights: areas.iter().map(|area| area / outside.total).collect(),
-        total_area,
-        closure,
-        account,
+        weights: scene
+            .areas
+            .iter()
+            .map(|area| area / outside.total)
+            .collect(),
+        total_area: scene.total_area,
+        closure: scene.closure,
+        summary: scene.summary,
     })
+}
+
+/// The sums over the rows of a scene, in units of [`Unit`].
+struct RowSums {
+    /// In the unit of the scene.
+    total_area: f64,
+    area: f64,
+    areas: Vec<f64>,
+    area_bounds: Vec<f64>,
+    sums: Vec<[f64; 4]>,
+    closure: Closure,
+    summary: PassSummary,
+}
+
+impl RowSums {
+    /// One pass over all pairs.
+    fn of(pairs: &ScenePairs<'_>) -> Result<Self, ChainError> {
+        let total_area = compensated_sum(pairs.areas().iter().copied());
+        let unit = Unit::of_total(total_area);
+        let in_unit = |numbers: &[f64]| -> Vec<f64> {
+            numbers.iter().map(|number| unit.times(*number)).collect()
+        };
+        let (areas, area_bounds) = (in_unit(pairs.areas()), in_unit(pairs.area_bounds()));
+        let area = unit.times(total_area);
+        let (sums, summary) = pairs.row_sums(|i, j, exchange| {
+            let (value, bound) = (unit.times(exchange.value), unit.times(exchange.error_bound));
+            let probability = areas[j] / area;
+            let divergence = pair_divergence(value, areas[i], probability);
+            let error = divergence_error(value, bound, areas[i] * probability);
+            [value, bound, divergence, error]
+        })?;
+        let closure = Closure::new(
+            pairs.shared_names(),
+            &areas,
+            &area_bounds,
+            sums.iter().map(|sum| [sum[VALUE], sum[BOUND]]),
+        );
+        Ok(Self {
+            total_area,
+            area,
+            areas,
+            area_bounds,
+            sums,
+            closure,
+            summary,
+        })
+    }
+
+    fn outside(&self, is_closed: bool) -> Outside {
+        let escaping = if is_closed {
+            vec![0.0; self.areas.len()]
+        } else {
+            let areas = self.areas.iter().enumerate();
+            areas
+                .map(|(i, area)| area * self.closure.escaping(i))
+                .collect()
+        };
+        Outside::new(self.area, escaping)
+    }
+
+    /// The terms of eq. (3) by row, in bits.
+    fn contributions(
+        &self,
+        pairs: &ScenePairs<'_>,
+        outside: &Outside,
+        is_closed: bool,
+    ) -> Vec<f64> {
+        let unseen = pairs.unseen(&self.areas);
+        let rows = self.areas.iter().zip(&self.sums).zip(unseen).enumerate();
+        rows.map(|(i, ((weight, sum), unseen))| {
+            let dark = weight * (unseen / self.area); // φ(−1) = 1
+            let closed = sum[DIVERGENCE] + dark;
+            let nats = if is_closed {
+                closed
+            } else {
+                let growth = (outside.total / self.area).ln();
+                let inside = (sum[VALUE] - weight) + sum[VALUE] * growth;
+                closed + inside + outside.term(i, *weight)
+            };
+            nats / (outside.total * LN_2)
+        })
+        .collect()
+    }
+
+    /// The error of the mutual information, in bits times the total: what the errors of pairs, of
+    /// areas and of what escapes may change.
+    fn error(&self, outside: &Outside, is_closed: bool, bits: f64) -> f64 {
+        let errors = self.sums.iter().map(|sum| sum[DIVERGENCE_ERROR]);
+        let from_pairs = compensated_sum(errors) / LN_2;
+        // Σ |q − J| ≤ 2 A_i in row and column i; where an area is one patch's, its 4 ε are in the
+        // rounding
+        let areas = self.areas.iter().zip(&self.area_bounds);
+        let from_areas = compensated_sum(areas.map(|(area, bound)| {
+            let more = bound - 4.0 * f64::EPSILON * area;
+            4.0 * more / LN_2
+        }));
+        let from_escaping = if is_closed {
+            0.0
+        } else {
+            let bounds = self.sums.iter().map(|sum| sum[BOUND]);
+            outside.error(self.area, &self.areas, bounds, bits)
+        };
+        from_pairs + from_areas + from_escaping
+    }
 }
 
 /// The state that takes what escapes.
@@ -229,7 +289,8 @@ impl Outside {
         }
     }
 
-    /// To first order, in bits times the total: what the rows' bounds do to the escaping parts and to N.
+    /// To first order, in bits times the total: what the rows' bounds do to the escaping parts and
+    /// to N.
     fn error(&self, area: f64, areas: &[f64], bounds: impl Iterator<Item = f64>, bits: f64) -> f64 {
         let growth = (self.total / area).log2();
         let rows = areas.iter().zip(&self.escaping).zip(bounds);
@@ -244,7 +305,7 @@ impl Outside {
     }
 }
 
-/// What an error of the exchange area may change `J ln(J/q) − J + q` by, in nats.
+/// A bound on the change of `J ln(J/q) − J + q`, in nats, by an error of the exchange area J.
 pub(crate) fn divergence_error(value: f64, bound: f64, product: f64) -> f64 {
     if bound <= 0.0 {
         return 0.0;

@@ -276,7 +276,7 @@ pub fn measure_report(
     let table = Table {
         columns: vec!["quantity", "value"],
         rows,
-        notes: plan_notes(&measured.account.plan),
+        notes: plan_notes(&measured.summary.plan),
         ..Table::default()
     };
     let record = Record {
@@ -301,7 +301,7 @@ pub fn measure_report(
         },
         contributions,
         outside_contribution: measured.outside_contribution,
-        plan: &measured.account.plan,
+        plan: &measured.summary.plan,
     };
     Report::one(table, &record)
 }

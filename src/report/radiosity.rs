@@ -3,7 +3,7 @@
 use super::{Report, ReportError, Table, certain_digits, plan_notes, scientific};
 use crate::numeric::compensated_sum;
 use crate::scene::{Closure, ExchangeAreas, Material, PlanSummary};
-use crate::transport::{Brightness, Importance};
+use crate::transport::{Importance, RadiositySolution};
 
 /// Patches that a table shows; records carry all.
 const MOST_ROWS: usize = 100;
@@ -41,7 +41,7 @@ struct Power {
 }
 
 impl Power {
-    fn of(materials: &[Material], exchange: &ExchangeAreas, radiosity: &Brightness) -> Self {
+    fn of(materials: &[Material], exchange: &ExchangeAreas, radiosity: &RadiositySolution) -> Self {
         let areas = exchange.areas();
         let closure = Closure::of_held(exchange);
         let sum = |term: &dyn Fn(usize) -> f64| {
@@ -63,7 +63,7 @@ pub fn radiosity_report(
     names: &[&str],
     materials: &[Material],
     exchange: &ExchangeAreas,
-    radiosity: &Brightness,
+    radiosity: &RadiositySolution,
     importance: Option<&Importance>,
 ) -> Result<Report, ReportError> {
     let form_factor_error = |i: usize| Some(radiosity.form_factor_errors.as_ref()?[i]);
@@ -86,7 +86,7 @@ pub fn radiosity_report(
         relative_error: radiosity.relative_error,
         closed: closure.is_closed(),
         power: Power::of(materials, exchange, radiosity),
-        plan: &exchange.account().plan,
+        plan: &exchange.summary().plan,
     };
     let row = |patch: &Patch<'_>| {
         let solution = radiosity.relative_error * patch.radiosity;

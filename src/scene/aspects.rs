@@ -1,89 +1,115 @@
 //! Rows grouped by the planes that they lie in.
 //!
-//! Rows whose polygons lie in the same planes have the same *aspect*: they see the same. A row that is one patch has the aspect
-//! of its plane; one that lies in several planes may see itself.
+//! Rows whose polygons lie in the same planes have the same *plane set*: planes hide the same rows
+//! from them. A row that is one patch has the set of its plane; one that lies in several planes may
+//! see itself.
 
-use super::facing::{FacingPlanes, Sight};
-use super::members::Members;
+use super::facing::{Facing, Facings};
+use super::members::RowTerms;
 use crate::numeric::compensated_sum;
 use smallvec::SmallVec;
 use std::collections::HashMap;
+use std::ops::Range;
 
-/// The planes of one aspect, in order.
+/// Planes, in order.
 type PlaneSet = SmallVec<[usize; 1]>;
 
-/// The aspects of a scene's rows, numbered in the order of their first rows.
+/// The plane sets of a scene's rows, numbered in the order of their first rows.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Aspects {
-    /// The aspect of each row.
+pub(super) struct PlaneSets {
+    /// The plane set of each row.
     of: Vec<usize>,
-    /// The rows of each aspect, in order.
-    rows: Vec<Vec<usize>>,
+    /// The rows, in the order of their plane sets.
+    order: Vec<usize>,
+    /// For each plane set the place in `order` at which its rows start, and where the last end.
+    starts: Vec<usize>,
     planes: Vec<PlaneSet>,
 }
 
-impl Aspects {
-    pub(super) fn of(members: &Members, planes: &FacingPlanes) -> Self {
-        let mut aspects = Self {
-            of: Vec::with_capacity(members.rows()),
-            rows: Vec::new(),
-            planes: Vec::new(),
-        };
+impl PlaneSets {
+    pub(super) fn of(terms: &RowTerms, facings: &Facings) -> Self {
+        let mut of = Vec::with_capacity(terms.rows());
+        let mut rows: Vec<Vec<usize>> = Vec::new();
+        let mut planes = Vec::new();
         let mut known: HashMap<PlaneSet, usize> = HashMap::new();
-        for row in 0..members.rows() {
-            let polygons = members.of_row(row).iter();
-            let mut set: PlaneSet = polygons.map(|m| planes.of_patch(m.polygon)).collect();
+        for row in 0..terms.rows() {
+            let polygons = terms.of_row(row).iter();
+            let mut set: PlaneSet = polygons.map(|t| facings.of_patch(t.polygon)).collect();
             set.sort_unstable();
             set.dedup();
-            let aspect = *known.entry(set).or_insert_with_key(|set| {
-                aspects.planes.push(set.clone());
-                aspects.rows.push(Vec::new());
-                aspects.rows.len() - 1
+            let number = *known.entry(set).or_insert_with_key(|set| {
+                planes.push(set.clone());
+                rows.push(Vec::new());
+                rows.len() - 1
             });
-            aspects.of.push(aspect);
-            aspects.rows[aspect].push(row);
+            of.push(number);
+            rows[number].push(row);
         }
-        aspects
+        let mut starts = vec![0];
+        for rows in &rows {
+            starts.push(starts[starts.len() - 1] + rows.len());
+        }
+        Self {
+            of,
+            order: rows.concat(),
+            starts,
+            planes,
+        }
     }
 
+    /// The plane set of a row.
     pub(super) fn of_row(&self, row: usize) -> usize {
         self.of[row]
     }
 
-    /// The rows of each aspect.
-    pub(super) fn rows(&self) -> &[Vec<usize>] {
-        &self.rows
+    /// Number of plane sets.
+    const fn count(&self) -> usize {
+        self.planes.len()
     }
 
-    /// What rows of two aspects can exchange; of the same aspect, what a row can exchange with itself.
-    pub(super) fn sight(&self, planes: &FacingPlanes, first: usize, second: usize) -> Sight {
-        let mut most = Sight::Coplanar;
+    /// All rows, in the order of their plane sets.
+    pub(super) fn order(&self) -> &[usize] {
+        &self.order
+    }
+
+    /// The places of each plane set's rows in the [`order`](Self::order).
+    pub(super) fn places(&self) -> impl Iterator<Item = Range<usize>> {
+        self.starts.windows(2).map(|ends| ends[0]..ends[1])
+    }
+
+    /// Whether rows of two plane sets can exchange anything; of the same set, whether a row can
+    /// exchange anything with itself.
+    pub(super) fn facing(&self, facings: &Facings, first: usize, second: usize) -> Facing {
+        let mut most = Facing::Coplanar;
         for one in &self.planes[first] {
             for other in &self.planes[second] {
-                match planes.sight(*one, *other) {
-                    Sight::Open => return Sight::Open,
-                    Sight::BackFacing => most = Sight::BackFacing,
-                    Sight::Coplanar => {}
+                match facings.facing(*one, *other) {
+                    Facing::Visible => return Facing::Visible,
+                    Facing::BackFacing => most = Facing::BackFacing,
+                    Facing::Coplanar => {}
                 }
             }
         }
         most
     }
 
-    /// For each row the sum of the weights of all rows that it exchanges nothing with, its own if it is one.
-    pub(super) fn unseen(&self, planes: &FacingPlanes, weights: &[f64]) -> Vec<f64> {
-        let sum = |rows: &Vec<usize>| compensated_sum(rows.iter().map(|row| weights[*row]));
-        let sums: Vec<f64> = self.rows.iter().map(sum).collect();
-        let unseen = |aspect: usize| {
-            if !planes.are_compared() {
+    /// For each row the sum of the weights of all rows that it exchanges nothing with, its own
+    /// included if it cannot see itself.
+    pub(super) fn unseen(&self, facings: &Facings, weights: &[f64]) -> Vec<f64> {
+        let sum = |places: Range<usize>| {
+            compensated_sum(self.order[places].iter().map(|row| weights[*row]))
+        };
+        let sums: Vec<f64> = self.places().map(sum).collect();
+        let unseen = |set: usize| {
+            if !facings.are_compared() {
                 // then a plane is behind none but itself
-                let sees_itself = self.planes[aspect].len() > 1;
-                return if sees_itself { 0.0 } else { sums[aspect] };
+                let sees_itself = self.planes[set].len() > 1;
+                return if sees_itself { 0.0 } else { sums[set] };
             }
-            let dark = |other: &usize| self.sight(planes, aspect, *other) != Sight::Open;
+            let dark = |other: &usize| self.facing(facings, set, *other) != Facing::Visible;
             compensated_sum((0..sums.len()).filter(dark).map(|other| sums[other]))
         };
-        let by_aspect: Vec<f64> = (0..sums.len()).map(unseen).collect();
-        self.of.iter().map(|aspect| by_aspect[*aspect]).collect()
+        let by_set: Vec<f64> = (0..self.count()).map(unseen).collect();
+        self.of.iter().map(|set| by_set[*set]).collect()
     }
 }

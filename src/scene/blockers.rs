@@ -20,12 +20,10 @@
 //!
 //! **Not covered**: how much is blocked.
 
-use super::arrangement::Arrangement;
 use super::planes::ScenePlanes;
 use super::scene_geometry::Surfaces;
-use super::{NamedPatch, Scene, SceneError};
-use crate::geometry::{Outline, Shaft};
-use crate::numeric::parallel_map;
+use super::{Scene, SceneError};
+use crate::geometry::Shaft;
 use rayon::prelude::*;
 use std::fmt;
 use std::ops::Range;

@@ -1,15 +1,17 @@
-//! Do the form factors of each patch sum to one?
+//! The sums of the rows of form factors, which are one in a closed scene.
 //!
 //! ```text
 //!   closed:  |Σ_j F_ij − 1| ≤ Σ_j bound_ij / A_i + 4 ε  for every i
 //! ```
 //!
-//! The 4 ε are for the area and the quotient; where an area is a sum or a difference, of what it is made of.
+//! The 4 ε are for the area and the quotient; where an area is a sum or a difference, they are
+//! relative to the areas that it is made of.
 //!
-//! What a row of an open scene lacks escapes.
+//! In an open scene, what a row lacks of one escapes.
 
 use super::{ExchangeAreas, ExchangeError, ScenePairs};
 use crate::numeric::CompensatedSum;
+use std::sync::Arc;
 
 /// The sum of a row of form factors.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,64 +28,73 @@ pub struct RowSum {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Closure {
     rows: Vec<RowSum>,
+    names: Arc<[String]>,
 }
 
 impl Closure {
-    /// From the areas and the bounds on their rounding and the quotient's, the sums of the rows of exchange areas and of their
-    /// error bounds.
-    #[must_use]
-    pub fn new(
+    /// The closure of rows with these names, from the areas and the bounds on their rounding and
+    /// the quotient's, the sums of the rows of exchange areas and of their error bounds.
+    pub(crate) fn new(
+        names: Arc<[String]>,
         areas: &[f64],
         area_bounds: &[f64],
         sums: impl IntoIterator<Item = [f64; 2]>,
     ) -> Self {
-        let rows = sums.into_iter().zip(areas.iter().zip(area_bounds));
-        let rows = rows.enumerate();
-        let rows = rows.map(|(row, ([exchange, bound], (area, area_bound)))| RowSum {
-            row,
-            sum: exchange / area,
-            error_bound: bound / area + area_bound / area,
-        });
-        Self {
-            rows: rows.collect(),
-        }
+        let known = sums.into_iter().zip(areas.iter().zip(area_bounds));
+        let rows = known
+            .enumerate()
+            .map(|(row, ([exchange, bound], (area, area_bound)))| RowSum {
+                row,
+                sum: exchange / area,
+                error_bound: bound / area + area_bound / area,
+            })
+            .collect();
+        Self { rows, names }
     }
 
-    /// Those of a scene.
+    /// Computes the row sums of a scene's form factors.
     ///
     /// # Errors
     /// [`ExchangeError::Pair`] if two patches are refused.
-    pub fn of(pairs: &ScenePairs) -> Result<Self, ExchangeError> {
+    pub fn of(pairs: &ScenePairs<'_>) -> Result<Self, ExchangeError> {
         let (sums, _) = pairs.row_sums(|_, _, exchange| [exchange.value, exchange.error_bound])?;
-        Ok(Self::new(pairs.areas(), pairs.area_bounds(), sums))
+        Ok(Self::new(
+            pairs.shared_names(),
+            pairs.areas(),
+            pairs.area_bounds(),
+            sums,
+        ))
     }
 
-    /// That of exchange areas that are held.
+    /// Sums the rows of exchange areas that are held.
     #[must_use]
     pub fn of_held(exchange: &ExchangeAreas) -> Self {
-        let n = exchange.patches();
+        let n = exchange.rows();
         let mut sums = vec![[CompensatedSum::default(); 2]; n];
-        let mut start = 0;
-        for j in 0..n {
-            let own = exchange.get(j, j).exchange;
-            let mut column = [own.value, own.error_bound].map(|own| {
+        for i in 0..n {
+            let own = exchange.get(i, i).exchange;
+            let mut row = [own.value, own.error_bound].map(|own| {
                 let mut sum = CompensatedSum::default();
                 sum.add(own);
                 sum
             });
-            let entries = exchange.values()[start..start + j].iter();
-            let entries = entries.zip(&exchange.error_bounds()[start..start + j]);
-            for ((value, bound), row) in entries.zip(&mut sums) {
-                row[0].add(*value);
-                row[1].add(*bound);
+            let entries = exchange.values().row(i).iter();
+            let entries = entries.zip(exchange.error_bounds().row(i));
+            for ((value, bound), column) in entries.zip(&mut sums) {
                 column[0].add(*value);
                 column[1].add(*bound);
+                row[0].add(*value);
+                row[1].add(*bound);
             }
-            sums[j] = column;
-            start += j;
+            sums[i] = row;
         }
         let sums = sums.iter().map(|row| row.map(|sum| sum.total()));
-        Self::new(exchange.areas(), exchange.area_bounds(), sums)
+        Self::new(
+            exchange.shared_names(),
+            exchange.areas(),
+            exchange.area_bounds(),
+            sums,
+        )
     }
 
     /// All rows, in order.
@@ -132,6 +143,7 @@ impl Closure {
         } = self.worst();
         Err(ExchangeError::OpenScene {
             row,
+            name: self.names[row].clone(),
             sum,
             tolerance: error_bound,
         })
@@ -151,16 +163,18 @@ impl Closure {
         worst.map_or(Ok(()), |row| {
             Err(ExchangeError::RowAboveOne {
                 row: row.row,
+                name: self.names[row.row].clone(),
                 sum: row.sum,
                 tolerance: row.error_bound,
             })
         })
     }
 
-    /// The part of the power of patch i that meets no patch; 0 where the row sums to one within its bound.
+    /// The part of the power of row i that meets no patch; 0 where the row sums to one within its
+    /// bound.
     ///
     /// # Panics
-    /// If there is no patch i.
+    /// If there is no row i.
     #[must_use]
     pub fn escaping(&self, i: usize) -> f64 {
         let RowSum {

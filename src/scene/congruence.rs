@@ -1,19 +1,20 @@
-//! What the exchange area of a pair may change by when its corners move by little.
+//! Bounds on the change of an exchange area when corners move by little.
 //!
 //! ```text
 //!   |Δ(A F)| ≤ swept(Q) · E_P + swept(P) · E_Q,    E_P ≤ min(1, A_P h_P h_Q / (π r⁴))
 //! ```
 //!
-//! `A F` is the flux that P (of exitance 1) sends through Q. Where an edge of Q moves in its own plane, the flux changes by what
-//! passes the strip it sweeps: the strip's area times the irradiance from P, which is at most 1, and at most the kernel
-//! `cos cos / (π r²)` times the area of P, with r at least the distance of the two, the cosines at most the largest heights `h` of
-//! either over the other's plane, over r. The same holds with P and Q exchanged. Where the plane itself moves (parallel rectangles),
-//! the strip is a wall between the old and the new boundary, one of the cosines is at most 1, and there are no sources in
-//! the space between.
+//! `A F` is the flux that P (of exitance 1) sends through Q. Where an edge of Q moves in its own
+//! plane, the flux changes by what passes the strip it sweeps: the strip's area times the
+//! irradiance from P, which is at most 1, and at most the kernel `cos cos / (π r²)` times the area
+//! of P, with r at least the distance of the two, the cosines at most the largest heights `h` of
+//! either over the other's plane, over r. The same holds with P and Q exchanged. Where the plane
+//! itself moves (parallel rectangles), the strip is a wall between the old and the new boundary,
+//! one of the cosines is at most 1, and there are no sources in the space between.
 //!
-//! Two axis-parallel pairs put together at both planes, or at P's plane, and at the lower end of P on the other axes: if their
-//! differences of lines are equal within `ω`, the ends of P move by at most `ω`, those of Q by `ω` and `2 ω`. So edges sweep at
-//! most `3/2 ω` times the perimeter.
+//! Two axis-parallel pairs put together at both planes, or at P's plane, and at the lower end of P
+//! on the other axes: if their differences of lines are equal within `ω`, the ends of P move by at
+//! most `ω`, those of Q by `ω` and `2 ω`. So edges sweep at most `3/2 ω` times the perimeter.
 
 use crate::geometry::Patch;
 use glam::DVec3;
@@ -22,7 +23,8 @@ use std::f64::consts::PI;
 /// Part of the perimeter, in units of the spread, that edges sweep.
 const SWEPT: f64 = 1.5;
 
-/// By how much the exchange areas of two pairs may differ whose differences of lines differ by `spread`.
+/// A bound on the difference of the exchange areas of two pairs whose differences of lines differ
+/// by `spread`.
 pub(super) fn allowance(spread: f64, first: &Patch, second: &Patch) -> f64 {
     if spread <= 0.0 {
         return 0.0;
@@ -47,8 +49,9 @@ pub(super) fn allowance(spread: f64, first: &Patch, second: &Patch) -> f64 {
     }
 }
 
-/// By how much an exchange area may change when one of the two is moved by up to `distance` along its normal: by what
-/// passes the walls between its old and its new boundary, which are in front of no more than all of the other.
+/// A bound on the change of an exchange area when one of the two is moved by up to `distance` along
+/// its normal: what passes the walls between its old and its new boundary, which are in front of no
+/// more than all of the other.
 pub(super) fn shift_allowance(distance: f64, moved: &Patch, other: &Patch) -> f64 {
     let nearest = (gap(moved, other) - distance).max(0.0);
     let irradiance = (other.area() / (PI * nearest.powi(2))).min(1.0);

@@ -1,55 +1,71 @@
 //! The exchange areas `A_i F_ij` of all pairs of a scene, held: each once.
 //!
-//! **Memory** the pairs i < j are packed: `n²/2` values, `n²/2` bounds, `n²/2` bytes for the routes; and the rows that see themselves.
+//! **Memory** the pairs are packed ([`Symmetric`]): `n²/2` values, `n²/2` bounds, `n²/2` bytes for
+//! the routes; and the rows that see themselves.
 
-use super::facing::Sight;
+use super::facing::Facing;
 use super::row_pairs::nothing;
-use super::{Account, Congruence, ExchangeError, Occlusion, Scene, SceneError, ScenePairs, Tally};
+use super::tally::{PassCounts, PassSummary};
+use super::tiles::Block;
+use super::{Congruence, ExchangeError, Occlusion, Scene, ScenePairs};
 use crate::form_factor::{Answer, DEFAULT_TOLERANCE, ExchangeArea, Route};
+use crate::numeric::Symmetric;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 use std::collections::HashMap;
+use std::sync::Arc;
 
-/// A symmetric matrix of exchange areas, with a bound on the error of each. What is called a patch is a row of it: some may be
-/// several patches, summed; only these may have something on the diagonal.
+/// A symmetric matrix of exchange areas, with a bound on the error of each. A row stands for a
+/// patch, or for several that are summed; only these may have something on the diagonal.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ExchangeAreas {
+    names: Arc<[String]>,
     areas: Vec<f64>,
     area_bounds: Vec<f64>,
     /// The rows that may see themselves.
     diagonal: HashMap<usize, Answer>,
-    /// Entry (i, j), i < j, at `j(j − 1)/2 + i`.
-    values: Vec<f64>,
-    error_bounds: Vec<f64>,
-    routes: Vec<Route>,
-    account: Account,
+    values: Symmetric<f64>,
+    error_bounds: Symmetric<f64>,
+    routes: Symmetric<Route>,
+    summary: PassSummary,
 }
 
-/// One column above the diagonal, to be filled.
-struct Column<'c> {
-    values: &'c mut [f64],
-    error_bounds: &'c mut [f64],
-    routes: &'c mut [Route],
+/// One row left of the diagonal, to be filled.
+struct Row<'r> {
+    values: &'r mut [f64],
+    error_bounds: &'r mut [f64],
+    routes: &'r mut [Route],
 }
 
-type Filled = (Tally, Option<Answer>);
+type Filled = (PassCounts, Option<Answer>);
 
 impl ExchangeAreas {
     /// Number of rows: of the patches, unless some are summed.
     #[must_use]
-    pub const fn patches(&self) -> usize {
+    pub const fn rows(&self) -> usize {
         self.areas.len()
     }
 
-    /// The entries (i, j), i < j, packed: at `j(j − 1)/2 + i`.
+    /// The names of the rows.
     #[must_use]
-    pub fn values(&self) -> &[f64] {
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// The names of the rows, to be kept.
+    pub(crate) fn shared_names(&self) -> Arc<[String]> {
+        Arc::clone(&self.names)
+    }
+
+    /// The values off the diagonal, packed.
+    #[must_use]
+    pub const fn values(&self) -> &Symmetric<f64> {
         &self.values
     }
 
     /// The bounds on the errors of [`values`](Self::values).
     #[must_use]
-    pub fn error_bounds(&self) -> &[f64] {
+    pub const fn error_bounds(&self) -> &Symmetric<f64> {
         &self.error_bounds
     }
 
@@ -59,7 +75,8 @@ impl ExchangeAreas {
         &self.areas
     }
 
-    /// Bounds on the rounding of the areas and of one quotient by them ([`ScenePairs::area_bounds`]).
+    /// Bounds on the rounding of the areas and of one quotient by them
+    /// ([`ScenePairs::area_bounds`]).
     #[must_use]
     pub fn area_bounds(&self) -> &[f64] {
         &self.area_bounds
@@ -71,109 +88,101 @@ impl ExchangeAreas {
         self.diagonal.contains_key(&row)
     }
 
-    /// `A_i F_ij` with its bound and route ([`ScenePairs::pair`]).
+    /// `A_i F_ij` with its bound and route ([`ScenePairs::row_pair`]).
     ///
     /// # Panics
-    /// If there is no patch i or j.
+    /// If there is no row i or j.
     #[must_use]
     pub fn get(&self, i: usize, j: usize) -> Answer {
-        assert!(i.max(j) < self.patches(), "there is no patch {}", i.max(j));
+        assert!(i.max(j) < self.rows(), "there is no row {}", i.max(j));
         if i == j {
             let own = self.diagonal.get(&i);
-            return own.copied().unwrap_or(nothing(Route::Coplanar));
+            return own.copied().unwrap_or(nothing(Facing::Coplanar, true));
         }
-        let at = packed(i.max(j)) + i.min(j);
         Answer {
             exchange: ExchangeArea {
-                value: self.values[at],
-                error_bound: self.error_bounds[at],
+                value: *self.values.get(i, j),
+                error_bound: *self.error_bounds.get(i, j),
             },
-            route: self.routes[at],
+            route: *self.routes.get(i, j),
         }
     }
 
     /// The plan, and whether the tolerance was reached.
     #[must_use]
-    pub const fn account(&self) -> &Account {
-        &self.account
+    pub const fn summary(&self) -> &PassSummary {
+        &self.summary
     }
 
     /// The full matrix `A_i F_ij`, for which the bounds are given up.
     #[must_use]
     pub fn into_values(self) -> DMatrix<f64> {
-        let n = self.patches();
+        let n = self.rows();
         DMatrix::from_fn(n, n, |i, j| self.get(i, j).exchange.value)
     }
 }
 
-/// Where column j starts.
-const fn packed(j: usize) -> usize {
-    j * j.saturating_sub(1) / 2
-}
-
-impl ScenePairs {
+impl ScenePairs<'_> {
     /// All pairs, each once, in parallel.
     ///
     /// # Errors
     /// [`ExchangeError::Pair`] if two patches are refused.
     pub fn exchange_areas(&self) -> Result<ExchangeAreas, ExchangeError> {
-        let patches = self.patches();
-        let pairs = packed(patches);
-        let mut values = vec![0.0; pairs];
-        let mut error_bounds = vec![0.0; pairs];
-        let mut routes = vec![Route::Coplanar; pairs];
-        let mut columns = Vec::with_capacity(patches);
-        let mut rest = (&mut *values, &mut *error_bounds, &mut *routes);
-        for column in 0..patches {
-            let (values, more_values) = rest.0.split_at_mut(column);
-            let (error_bounds, more_bounds) = rest.1.split_at_mut(column);
-            let (routes, more_routes) = rest.2.split_at_mut(column);
-            rest = (more_values, more_bounds, more_routes);
-            columns.push(Column {
+        let mut values = Symmetric::filled(self.rows(), 0.0);
+        let mut error_bounds = Symmetric::filled(self.rows(), 0.0);
+        let mut routes = Symmetric::filled(self.rows(), Route::Coplanar);
+        let rows = values.rows_mut().into_iter().zip(error_bounds.rows_mut());
+        let rows = rows.zip(routes.rows_mut());
+        let to_fill: Vec<Row<'_>> = rows
+            .map(|((values, error_bounds), routes)| Row {
                 values,
                 error_bounds,
                 routes,
-            });
-        }
-        let tallies: Vec<_> = columns
+            })
+            .collect();
+        let filled: Vec<Result<Filled, ExchangeError>> = to_fill
             .into_par_iter()
             .enumerate()
-            .map(|(second, column)| self.fill(second, column))
+            .map(|(row, entries)| self.fill(row, entries))
             .collect();
-        let (mut tally, mut diagonal) = (Tally::default(), HashMap::new());
-        for (row, column) in tallies.into_iter().enumerate() {
-            let (counts, own) = column?;
-            tally.merge(&counts);
+        let (mut counts, mut diagonal) = (PassCounts::default(), HashMap::new());
+        for (row, filled) in filled.into_iter().enumerate() {
+            let (more, own) = filled?;
+            counts.merge(&more);
             diagonal.extend(own.map(|own| (row, own)));
         }
         Ok(ExchangeAreas {
+            names: self.shared_names(),
             areas: self.areas().to_vec(),
             area_bounds: self.area_bounds().to_vec(),
             diagonal,
             values,
             error_bounds,
             routes,
-            account: self.account(tally),
+            summary: self.summary(counts),
         })
     }
 
-    /// Fills a column above the diagonal; and what is on it, if the row may see itself.
-    fn fill(&self, second: usize, column: Column<'_>) -> Result<Filled, ExchangeError> {
-        let mut tally = Tally::default();
-        for first in 0..second {
-            let answer = self.between(first, second, &mut tally)?;
-            column.values[first] = answer.exchange.value;
-            column.error_bounds[first] = answer.exchange.error_bound;
-            column.routes[first] = answer.route;
-        }
-        self.progress.done(second);
-        let sees_itself = self.sight(second, second) == Sight::Open;
-        let own = if sees_itself {
-            Some(self.open(second, second, &mut tally)?)
-        } else {
-            None
-        };
-        Ok((tally, own))
+    /// Fills a row left of the diagonal, and computes what is on it, if the row may see itself.
+    fn fill(&self, row: usize, entries: Row<'_>) -> Result<Filled, ExchangeError> {
+        let mut counts = self.walk(
+            &Block::of_row(row, 0..row),
+            |place| place,
+            |[_, column], _, answer| {
+                entries.values[column] = answer.exchange.value;
+                entries.error_bounds[column] = answer.exchange.error_bound;
+                entries.routes[column] = answer.route;
+            },
+        )?;
+        self.advance(row);
+        let mut own = None;
+        let more = self.walk(
+            &Block::of_row(row, row..row + 1),
+            |place| place,
+            |_, facing, answer| own = (facing == Facing::Visible).then_some(*answer),
+        )?;
+        counts.merge(&more);
+        Ok((counts, own))
     }
 }
 

@@ -19,11 +19,14 @@ pub enum ExchangeError {
     },
     /// The patches do not enclose their surroundings.
     #[error(
-        "the scene is open: row {row} of the form factors sums to {sum}, 1 ± {tolerance:e} is closed"
+        "the scene is open: row {row} ({name}) of the form factors sums to {sum}, 1 ± {tolerance:e} is \
+         closed"
     )]
     OpenScene {
         /// The row farthest from 1.
         row: usize,
+        /// The name of its patch.
+        name: String,
         /// Its sum.
         sum: f64,
         /// The deviation that would count as closed.
@@ -31,12 +34,14 @@ pub enum ExchangeError {
     },
     /// The form factors of a patch sum to more than one.
     #[error(
-        "row {row} of the form factors sums to {sum}, 1 + {tolerance:e} at most is possible: patches overlap, or \
-         hide each other"
+        "row {row} ({name}) of the form factors sums to {sum}, 1 + {tolerance:e} at most is possible: \
+         patches overlap, or hide each other"
     )]
     RowAboveOne {
         /// The row farthest above 1.
         row: usize,
+        /// The name of its patch.
+        name: String,
         /// Its sum.
         sum: f64,
         /// The bound on the error of the sum.

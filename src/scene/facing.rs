@@ -21,9 +21,9 @@ pub(super) const MOST_PLANES: usize = 2048;
 
 /// The relation of two planes, which decides whether their polygons can exchange anything.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Sight {
-    /// Some pairs may exchange something.
-    Open,
+pub(super) enum Facing {
+    /// Some pairs may exchange something: each decides for itself.
+    Visible,
     /// Nothing: both lie in one plane.
     Coplanar,
     /// Nothing: one lies behind the other.
@@ -32,16 +32,16 @@ pub(super) enum Sight {
 
 /// The planes of polygons, each way that they face, and which of them can see each other.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct FacingPlanes {
+pub(super) struct Facings {
     /// The plane of each polygon.
     of: Vec<u32>,
     /// The polygons of each plane, in order.
     members: Vec<Vec<usize>>,
-    /// `sight[g · planes + h]`; empty beyond [`MOST_PLANES`].
-    sight: Vec<Sight>,
+    /// `table[g · planes + h]`; empty beyond [`MOST_PLANES`].
+    table: Vec<Facing>,
 }
 
-impl FacingPlanes {
+impl Facings {
     /// The planes of polygons; one whose root is another lies in that one, and in its plane.
     ///
     /// **Arguments** `patches`: the patch that each polygon is; `roots`: the polygon that each lies
@@ -67,7 +67,7 @@ impl FacingPlanes {
             of[polygon] = of[roots[polygon]];
             members[of[polygon] as usize].push(polygon);
         }
-        let sight = if planes.len() <= MOST_PLANES {
+        let table = if planes.len() <= MOST_PLANES {
             // what lies in a patch is in front of nothing that the patch is not in front of
             let whole = |polygon: usize| {
                 let is_whole = roots[polygon] == polygon;
@@ -78,7 +78,7 @@ impl FacingPlanes {
         } else {
             Vec::new()
         };
-        Self { of, members, sight }
+        Self { of, members, table }
     }
 
     pub(super) const fn count(&self) -> usize {
@@ -87,7 +87,7 @@ impl FacingPlanes {
 
     /// Tells whether it is known which planes see nothing of each other.
     pub(super) const fn are_compared(&self) -> bool {
-        !self.sight.is_empty()
+        !self.table.is_empty()
     }
 
     pub(super) fn of_patch(&self, polygon: usize) -> usize {
@@ -95,13 +95,13 @@ impl FacingPlanes {
     }
 
     /// The relation of two planes.
-    pub(super) fn sight(&self, first: usize, second: usize) -> Sight {
+    pub(super) fn facing(&self, first: usize, second: usize) -> Facing {
         if first == second {
-            Sight::Coplanar
-        } else if self.sight.is_empty() {
-            Sight::Open
+            Facing::Coplanar
+        } else if self.table.is_empty() {
+            Facing::Visible
         } else {
-            self.sight[first * self.count() + second]
+            self.table[first * self.count() + second]
         }
     }
 
@@ -110,15 +110,15 @@ impl FacingPlanes {
         let mut left_out = [0, 0];
         for (first, polygons) in self.members.iter().enumerate() {
             left_out[0] += polygons.len() * (polygons.len() - 1) / 2;
-            if self.sight.is_empty() {
+            if self.table.is_empty() {
                 continue;
             }
             for (second, others) in self.members.iter().enumerate().skip(first + 1) {
                 let pairs = polygons.len() * others.len();
-                match self.sight(first, second) {
-                    Sight::Open => {}
-                    Sight::Coplanar => left_out[0] += pairs,
-                    Sight::BackFacing => left_out[1] += pairs,
+                match self.facing(first, second) {
+                    Facing::Visible => {}
+                    Facing::Coplanar => left_out[0] += pairs,
+                    Facing::BackFacing => left_out[1] += pairs,
                 }
             }
         }
@@ -132,7 +132,7 @@ fn compare<'p>(
     members: &[Vec<usize>],
     corners: impl Fn(usize) -> &'p [DVec3],
     noise: f64,
-) -> Vec<Sight> {
+) -> Vec<Facing> {
     let count = planes.len();
     // is something of `other` above, or more than noise off, the plane?
     let any = |plane: &Plane, other: usize, is: fn(f64) -> f64| {
@@ -143,15 +143,15 @@ fn compare<'p>(
     let in_front: Vec<bool> = (0..count * count)
         .map(|pair| any(&planes[pair / count], pair % count, |height| height))
         .collect();
-    let sight = |pair: usize| {
+    let facing = |pair: usize| {
         let (first, second) = (pair / count, pair % count);
         if in_front[pair] && in_front[second * count + first] {
-            Sight::Open
+            Facing::Visible
         } else if any(&planes[first.min(second)], first.max(second), f64::abs) {
-            Sight::BackFacing
+            Facing::BackFacing
         } else {
-            Sight::Coplanar
+            Facing::Coplanar
         }
     };
-    (0..count * count).map(sight).collect()
+    (0..count * count).map(facing).collect()
 }

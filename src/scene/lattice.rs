@@ -1,29 +1,32 @@
 //! Congruent pairs of axis-parallel rectangles, found by counting instead of by computing.
 //!
-//! Rectangles of a regular or symmetric division lie between few lines. All differences of lines are numbered once,
-//! equal ones alike; what two rectangles look like to each other is then a few such numbers:
+//! Rectangles of a regular or symmetric division lie between few lines. All differences of lines
+//! are numbered once, equal ones alike; the relative position of two rectangles is then given by a
+//! few such numbers:
 //!
 //! ```text
-//!   perpendicular   depth of each over the other's plane, and how their spans on the common axis lie to each other
-//!   parallel        distance, and how the spans on either axis lie to each other
+//!   perpendicular   depth of each over the other's plane, relation of their spans on the common axis
+//!   parallel        distance, relations of the spans on either axis
 //! ```
 //!
-//! Pairs with the same numbers, up to a reflection of an axis, an exchange of the axes and an exchange of the two, are
-//! congruent: they exchange the same. Differences equal up to a few roundings of the coordinates are numbered alike,
-//! too; [`Lattice::spread`] says how far apart such are.
+//! Pairs with the same numbers, up to a reflection of an axis, an exchange of the axes and an
+//! exchange of the two, are congruent: they exchange the same. Differences equal up to a few
+//! roundings of the coordinates are numbered alike, too; [`Lattice::spread`] says how far apart
+//! such are.
 //!
-//! **Not covered**: other polygons, and scenes with so many lines that the tables would outgrow the pairs.
+//! **Not covered**: other polygons, and scenes with so many lines that the tables would outgrow the
+//! pairs.
 
 use super::NamedPatch;
+use super::line_differences::{Differences, others};
 use crate::geometry::FlatBox;
-use crate::numeric::{tolerance, two_sum};
 use std::collections::{BTreeMap, HashMap};
 use std::hash::Hash;
 
-/// Entries that a table of pairs of lines, or of spans, may have: so many, and so many per patch.
+/// Most entries of a table of pairs of lines, or of spans: so many, and so many per patch.
 const TABLE: [usize; 2] = [1 << 16, 64];
 
-/// Classes there may be at most.
+/// Largest number of classes.
 const MOST_CLASSES: usize = 1 << 23;
 
 /// Numbers in the order in which they first come.
@@ -56,19 +59,19 @@ struct Cell {
     spans: [usize; 3],
 }
 
-/// What of a scene's axis-parallel rectangles lies alike.
+/// Groups congruent pairs of axis-parallel rectangles.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Lattice {
     cells: Vec<Option<Cell>>,
     spans: usize,
-    /// How two spans of one axis lie to each other, up to reflection: `[first · spans + second]`.
+    /// The relation of two spans of one axis, up to reflection: `[first · spans + second]`.
     relations: Vec<u32>,
     relation_count: usize,
     planes: usize,
-    /// Where a span lies above a plane of its axis: `[plane · spans + span]`.
+    /// The position of a span above a plane of its axis: `[plane · spans + span]`.
     depths: Vec<u32>,
     depth_count: usize,
-    /// How two planes of one axis lie to each other: `[first · planes + second]`.
+    /// The distance of two planes of one axis: `[first · planes + second]`.
     distances: Vec<u32>,
     distance_count: usize,
     spread: f64,
@@ -82,7 +85,7 @@ impl Lattice {
     pub(super) fn of(patches: &[NamedPatch]) -> Option<Self> {
         let boxes: Vec<Option<FlatBox>> = patches
             .iter()
-            .map(|patch| FlatBox::of(&patch.shape))
+            .map(|patch| FlatBox::of(patch.shape()))
             .collect();
         let mut lines: [Vec<f64>; 3] = [Vec::new(), Vec::new(), Vec::new()];
         for flat in boxes.iter().flatten() {
@@ -100,10 +103,10 @@ impl Lattice {
             return None;
         }
         let differences = Differences::of(&lines);
-        Tables::default().fill(patches, &boxes, &lines, &differences, most)
+        Tables::default().fill(&boxes, &lines, &differences, most)
     }
 
-    /// How much farther apart than exactly equal two coordinates of congruent pairs may be; 0 if all differences of
+    /// The distance by which coordinates of congruent pairs may differ; 0 if all differences of
     /// lines are exact.
     pub(super) const fn spread(&self) -> f64 {
         self.spread
@@ -115,7 +118,8 @@ impl Lattice {
             + self.distance_count * self.relation_count * self.relation_count
     }
 
-    /// The class of a pair: pairs of one class are congruent. It does not depend on the order of the two.
+    /// The class of a pair: pairs of one class are congruent. It does not depend on the order of
+    /// the two.
     pub(super) fn class(&self, first: usize, second: usize) -> Option<usize> {
         let (first, second) = (self.cells[first].as_ref()?, self.cells[second].as_ref()?);
         let relation = |axis: usize| {
@@ -149,77 +153,7 @@ impl Lattice {
     }
 }
 
-const fn others(axis: usize) -> [usize; 2] {
-    [(axis + 1) % 3, (axis + 2) % 3]
-}
-
-/// The differences between the lines of each axis, numbered: equal ones alike, with a sign.
-#[derive(Debug)]
-struct Differences {
-    /// `[axis][first · lines + second]`: the number of second − first, negative if second lies below.
-    numbers: [Vec<i32>; 3],
-    lines: [usize; 3],
-    spread: f64,
-}
-
-impl Differences {
-    fn of(lines: &[Vec<f64>; 3]) -> Self {
-        let extent = lines
-            .iter()
-            .flatten()
-            .fold(0.0, |most: f64, x| most.max(x.abs()));
-        // each with what rounding took from it
-        let mut sizes = vec![(0.0, 0.0)];
-        for lines in lines {
-            for (k, line) in lines.iter().enumerate() {
-                sizes.extend(lines[..k].iter().map(|below| two_sum(*line, -below)));
-            }
-        }
-        sizes.sort_by(|(one, _), (other, _)| one.total_cmp(other));
-        let mut starts: Vec<f64> = Vec::new();
-        let (mut least, mut most) = (0.0_f64, 0.0_f64);
-        let mut spread: f64 = 0.0;
-        for (size, lost) in sizes {
-            match starts.last() {
-                Some(start) if size - start <= tolerance::ALIGNMENT * extent => {
-                    let offset = (size - start) + lost;
-                    (least, most) = (least.min(offset), most.max(offset));
-                }
-                _ => {
-                    starts.push(size);
-                    (least, most) = (lost, lost);
-                }
-            }
-            spread = spread.max(most - least);
-        }
-        let number = |size: f64| starts.partition_point(|start| *start <= size) - 1;
-        let signed = |from: f64, to: f64| {
-            let number = i32::try_from(number((to - from).abs())).unwrap_or(i32::MAX);
-            if to < from { -number } else { number }
-        };
-        let table = |axis: usize| {
-            let lines: &Vec<f64> = &lines[axis];
-            let row = |from: &f64| {
-                lines
-                    .iter()
-                    .map(|to| signed(*from, *to))
-                    .collect::<Vec<_>>()
-            };
-            lines.iter().flat_map(row).collect()
-        };
-        Self {
-            numbers: [0, 1, 2].map(table),
-            lines: [0, 1, 2].map(|axis| lines[axis].len()),
-            spread,
-        }
-    }
-
-    fn number(&self, axis: usize, from: usize, to: usize) -> i32 {
-        self.numbers[axis][from * self.lines[axis] + to]
-    }
-}
-
-/// What the tables are made from.
+/// The spans and planes that the tables are about.
 #[derive(Debug, Default)]
 struct Tables {
     spans: Vec<(usize, Lines)>,
@@ -227,48 +161,39 @@ struct Tables {
 }
 
 impl Tables {
+    /// Numbers the span and the plane of each rectangle.
+    fn cells(&mut self, boxes: &[Option<FlatBox>], lines: &[Vec<f64>; 3]) -> Vec<Option<Cell>> {
+        let line = |axis: usize, at: f64| lines[axis].partition_point(|line| *line < at);
+        let (mut span_numbers, mut plane_numbers) = (BTreeMap::new(), BTreeMap::new());
+        let mut cell = |flat: &FlatBox| {
+            let mut spans = [0; 3];
+            for axis in others(flat.axis) {
+                let ends = [flat.lower, flat.upper].map(|ends| line(axis, ends[axis]));
+                spans[axis] = numbered(&mut self.spans, &mut span_numbers, (axis, ends));
+            }
+            let at = line(flat.axis, flat.lower[flat.axis]);
+            let plane = (flat.axis, at, flat.faces_along);
+            Cell {
+                axis: flat.axis,
+                plane: numbered(&mut self.planes, &mut plane_numbers, plane),
+                spans,
+            }
+        };
+        boxes
+            .iter()
+            .map(|flat| flat.as_ref().map(&mut cell))
+            .collect()
+    }
+
+    /// The lattice of these rectangles, if no table has more than `most` entries.
     fn fill(
         mut self,
-        patches: &[NamedPatch],
         boxes: &[Option<FlatBox>],
         lines: &[Vec<f64>; 3],
         differences: &Differences,
         most: usize,
     ) -> Option<Lattice> {
-        let line = |axis: usize, at: f64| lines[axis].partition_point(|line| *line < at);
-        let (mut span_numbers, mut plane_numbers) = (BTreeMap::new(), BTreeMap::new());
-        let mut cells = Vec::with_capacity(patches.len());
-        for flat in boxes {
-            cells.push(flat.map(|flat| {
-                let mut spans = [0; 3];
-                for axis in others(flat.axis) {
-                    let span = (
-                        axis,
-                        [flat.lower, flat.upper].map(|ends| line(axis, ends[axis])),
-                    );
-                    let next = self.spans.len();
-                    spans[axis] = *span_numbers.entry(span).or_insert(next);
-                    if spans[axis] == next {
-                        self.spans.push(span);
-                    }
-                }
-                let plane = (
-                    flat.axis,
-                    line(flat.axis, flat.lower[flat.axis]),
-                    flat.faces_along,
-                );
-                let next = self.planes.len();
-                let number = *plane_numbers.entry(plane).or_insert(next);
-                if number == next {
-                    self.planes.push(plane);
-                }
-                Cell {
-                    axis: flat.axis,
-                    plane: number,
-                    spans,
-                }
-            }));
-        }
+        let cells = self.cells(boxes, lines);
         let (spans, planes) = (self.spans.len(), self.planes.len());
         if spans.max(planes).pow(2) > most {
             return None;
@@ -282,6 +207,7 @@ impl Tables {
         let (distances, distance_count) = table(&self.planes, &self.planes, |one, other| {
             distance(differences, one, other)
         });
+        let pairs = cells.len() * cells.len() / 2;
         let lattice = Lattice {
             cells,
             spans,
@@ -294,9 +220,16 @@ impl Tables {
             distance_count,
             spread: differences.spread,
         };
-        let pairs = patches.len() * patches.len() / 2;
         (lattice.classes() <= MOST_CLASSES.min(pairs.max(TABLE[0]))).then_some(lattice)
     }
+}
+
+/// The number of an item in a list, to which it is added if it is new.
+fn numbered<T: Ord + Copy>(list: &mut Vec<T>, known: &mut BTreeMap<T, usize>, item: T) -> usize {
+    *known.entry(item).or_insert_with(|| {
+        list.push(item);
+        list.len() - 1
+    })
 }
 
 /// A number for each combination that has a key, equal keys alike; 0 for those without.
@@ -315,7 +248,8 @@ fn table<A, B, K: Hash + Eq>(
     (numbers, numbering.count().max(1))
 }
 
-/// Both lengths and the differences of the ends, the smaller of the two reflections.
+/// The relation of two spans: both lengths and the differences of the ends, the smaller of the two
+/// reflections.
 fn relation(
     differences: &Differences,
     (axis, [low, high]): &(usize, Lines),
@@ -338,14 +272,14 @@ fn relation(
 /// Heights of a span's ends over a plane, the lower first.
 fn depth(
     differences: &Differences,
-    (axis, line, faces_up): &(usize, usize, bool),
+    (axis, line, faces_along): &(usize, usize, bool),
     (span_axis, [low, high]): &(usize, Lines),
 ) -> Option<[i32; 2]> {
     if axis != span_axis {
         return None;
     }
     let [low, high] = [low, high].map(|end| differences.number(*axis, *line, *end));
-    Some(if *faces_up {
+    Some(if *faces_along {
         [low, high]
     } else {
         [-high, -low]
@@ -355,13 +289,16 @@ fn depth(
 /// The height of either plane over the other.
 fn distance(
     differences: &Differences,
-    (axis, line, faces_up): &(usize, usize, bool),
-    (other_axis, other_line, other_faces_up): &(usize, usize, bool),
+    (axis, line, faces_along): &(usize, usize, bool),
+    (other_axis, other_line, other_faces_along): &(usize, usize, bool),
 ) -> Option<[i32; 2]> {
     if axis != other_axis {
         return None;
     }
     let height = differences.number(*axis, *line, *other_line);
     let signed = |height: i32, up: bool| if up { height } else { -height };
-    Some([signed(height, *faces_up), signed(-height, *other_faces_up)])
+    Some([
+        signed(height, *faces_along),
+        signed(-height, *other_faces_along),
+    ])
 }

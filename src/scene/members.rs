@@ -1,41 +1,40 @@
-//! Which polygons make up each row, and with which sign.
+//! The signed polygons that each row is a sum of.
 //!
 //! ```text
 //!   A'_g = Σ_k c_gk A_k ,   A'_g F'_gh = Σ_k Σ_l c_gk c_hl A_k F_kl
 //!   c_gk = [k is in the row g] − [the base of k is in the row g]
 //! ```
 //!
-//! These are the formulas of [parts and rows](super::Scene::with_base), their sums exchanged. Where a part is summed into the row
-//! of its base, its terms cancel: the base counts whole, and the part is no polygon of any sum.
+//! These are the formulas of [parts and rows](super::Scene::with_base), their sums exchanged. Where
+//! a part is summed into the row of its base, its terms cancel: the base counts whole, and the part
+//! is no polygon of any sum.
 
 use super::{NamedPatch, Scene};
 use smallvec::SmallVec;
 use std::borrow::Cow;
+use std::num::NonZeroU32;
 
-/// A polygon of a row.
+/// One polygon of a row, and its sign.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Member {
+pub(super) struct RowTerm {
     pub polygon: usize,
     /// 1, or −1 for what lies in a base of the row.
     pub sign: f64,
 }
 
-/// The polygons that count, and what they count for.
+/// The polygons of all rows.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Members {
+pub(super) struct RowTerms {
     /// The patch that each polygon is, in order.
-    pub patches: Vec<usize>,
+    patches: Vec<usize>,
     /// The polygon that each one lies in, and no other: itself unless it is a part.
-    pub roots: Vec<usize>,
-    rows: Vec<SmallVec<[Member; 1]>>,
-    /// The polygon of each row that is one, side by side for speed.
-    singles: Vec<u32>,
+    roots: Vec<usize>,
+    rows: Vec<SmallVec<[RowTerm; 1]>>,
+    /// For each row that is one polygon its number, from 1: side by side for speed.
+    singles: Vec<Option<NonZeroU32>>,
 }
 
-/// A row that is not one polygon.
-const SEVERAL: u32 = u32::MAX;
-
-impl Members {
+impl RowTerms {
     pub(super) fn of(scene: &Scene) -> Self {
         let group = |patch: usize| scene.group_of(patch);
         let counts = |patch: &usize| {
@@ -50,15 +49,17 @@ impl Members {
         let root = |patch: &usize| polygons[scene.root_of(*patch)];
         let mut rows = vec![SmallVec::new(); scene.group_count()];
         for (polygon, patch) in patches.iter().enumerate() {
-            rows[group(*patch)].push(Member { polygon, sign: 1.0 });
+            rows[group(*patch)].push(RowTerm { polygon, sign: 1.0 });
             if let Some(base) = scene.base_of(*patch) {
                 let sign = -1.0;
-                rows[group(base)].push(Member { polygon, sign });
+                rows[group(base)].push(RowTerm { polygon, sign });
             }
         }
-        let single = |row: &SmallVec<[Member; 1]>| match row.as_slice() {
-            [one] => u32::try_from(one.polygon).unwrap_or(SEVERAL),
-            _ => SEVERAL,
+        let single = |row: &SmallVec<[RowTerm; 1]>| match row.as_slice() {
+            [one] => u32::try_from(one.polygon + 1)
+                .ok()
+                .and_then(NonZeroU32::new),
+            _ => None,
         };
         Self {
             roots: patches.iter().map(root).collect(),
@@ -66,6 +67,16 @@ impl Members {
             patches,
             rows,
         }
+    }
+
+    /// The index of the patch that each polygon is, in order.
+    pub(super) fn patches(&self) -> &[usize] {
+        &self.patches
+    }
+
+    /// The polygon that each one lies in, and no other: itself unless it is a part.
+    pub(super) fn roots(&self) -> &[usize] {
+        &self.roots
     }
 
     /// The patches that the polygons are.
@@ -86,20 +97,23 @@ impl Members {
     }
 
     /// The polygons of a row, in order.
-    pub(super) fn of_row(&self, row: usize) -> &[Member] {
+    pub(super) fn of_row(&self, row: usize) -> &[RowTerm] {
         &self.rows[row]
     }
 
     /// The two polygons of two rows that are one polygon each.
     #[inline]
     pub(super) fn single(&self, first: usize, second: usize) -> Option<[usize; 2]> {
-        let [one, other] = [self.singles[first], self.singles[second]];
-        let are_single = one != SEVERAL && other != SEVERAL;
-        (are_single && first != second).then_some([one as usize, other as usize])
+        if first == second {
+            return None;
+        }
+        let [one, other] = [self.singles[first]?, self.singles[second]?];
+        Some([one, other].map(|number| number.get() as usize - 1))
     }
 
-    /// The pairs of polygons that two rows are summed of, those of a row with itself once; with the signs of both.
-    pub(super) fn pairs(&self, first: usize, second: usize) -> impl Iterator<Item = [Member; 2]> {
+    /// The pairs of polygons that two rows are summed of, with the signs of both; of a row with
+    /// itself each pair once.
+    pub(super) fn pairs(&self, first: usize, second: usize) -> impl Iterator<Item = [RowTerm; 2]> {
         let others = self.of_row(second);
         let ones = self.of_row(first).iter().enumerate();
         ones.flat_map(move |(place, one)| {

@@ -22,6 +22,7 @@ mod facing;
 pub mod files;
 mod grid_lines;
 mod lattice;
+mod line_differences;
 mod lines;
 mod material;
 mod members;
@@ -40,6 +41,7 @@ mod shifts;
 mod solids;
 mod subdivision;
 mod tally;
+mod tiles;
 
 pub use blockers::{Blocker, Blockers, Obstacle};
 pub use closure::{Closure, RowSum};
@@ -50,15 +52,16 @@ pub use grid_lines::GridLines;
 pub use lines::{Chord, Passage, SceneLines};
 pub use material::{Material, MaterialError};
 pub use occlusion::Occlusion;
-pub use pairs::{Account, ScenePairs};
+pub use pairs::ScenePairs;
 pub use plan::Congruence;
+pub use progress::{Progress, Unheard};
+pub use row_sums::TileSums;
 pub use rows::Entry;
-pub use tally::{PlanSummary, Unreached};
+pub use tally::{PassCounts, PassSummary, PlanSummary, Unreached};
+pub use tiles::{Tile, TileAnswers};
 
 use crate::geometry::{GeometryError, Patch, Rectangle};
-use facing::Sight;
 use scene_geometry::Prepared;
-use tally::Tally;
 
 /// A patch, its name and its material.
 #[derive(Debug, Clone, PartialEq)]

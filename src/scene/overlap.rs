@@ -13,7 +13,6 @@
 
 use super::{Scene, SceneError};
 use crate::geometry::{Outline, Plane};
-use crate::numeric::parallel_map;
 use glam::DVec3;
 use rayon::prelude::*;
 

@@ -1,56 +1,63 @@
 //! The pairs of a scene, ready to be evaluated as its plan wants them.
 //!
-//! A row is a patch, less what lies in it, or several that are summed ([`Scene::group_of`]); it stands for what is called a patch
-//! wherever pairs are listed, measured or summed. What two rows exchange is a sum over pairs of polygons
-//! ([`pair`](ScenePairs::pair)); the plan, its classes and its counts are of these.
+//! The exchange area of two rows is a sum over pairs of polygons
+//! ([`row_pair`](ScenePairs::row_pair)); the plan, its classes and its counts are about these.
 //!
-//! **Memory** O(n) and the distinct values; the ways to all pairs are in [`row_sums`](ScenePairs::row_sums) (nothing held),
-//! [`for_each_row`](ScenePairs::for_each_row) (a row at a time) and [`ExchangeAreas`](super::ExchangeAreas) (all of them).
+//! # Words
+//!
+//! * A *patch* is a named polygon of the scene with a material, the unit in which a user thinks.
+//! * A *polygon* is a patch as the form factors see it, prepared for evaluation.
+//! * A *surface* is what a file calls a patch, before it is checked.
+//! * A *part* is a patch that lies in another one, its *base*; the base counts without it.
+//! * A *group* is the set of patches that are summed ([`Scene::group_of`]): one patch, unless
+//!   labels say otherwise.
+//! * A *row* is what stands for a group in matrices, lists and sums: its patches less their parts.
+//! * A *term* of a row is one of its polygons with its sign: 1, or −1 for a part of a base in it.
+//! * A *plane set* is the planes that the terms of a row lie in.
+//! * A *tile* is the pairs of some rows with some rows, the unit of work of a pass over all pairs.
+//! * A *cell* is one rectangle of a grid on a face; the cells of a box are patches like any other.
+//!
+//! **Memory** O(n) and the distinct values. The ways to all pairs are
+//! [`row_sums`](ScenePairs::row_sums) (nothing is held), [`for_each_row`](ScenePairs::for_each_row)
+//! (a row at a time), [`tile`](ScenePairs::tile) (a tile at a time) and
+//! [`ExchangeAreas`](super::ExchangeAreas) (all of them).
 //!
 //! **Not covered**: computing with occlusion; an occluded scene is refused ([`Occlusion`]).
 
-use super::aspects::Aspects;
+use super::aspects::PlaneSets;
 use super::congruence::allowance;
-use super::facing::{FacingPlanes, Sight};
-use super::members::Members;
+use super::facing::{Facing, Facings};
+use super::members::RowTerms;
 use super::plan::{Congruence, Plan};
-
-use super::progress::Progress;
-use super::shifts::Shifts;
-use super::tally::{PlanSummary, Tally, Unreached};
-use super::{ExchangeError, NamedPatch, Occlusion, Scene, SceneError};
-use crate::form_factor::{Answer, Polygon, Route};
+use super::progress::{Listener, Progress, Unheard};
+use super::shifts::BaseOffsets;
+use super::tally::{PassCounts, PassSummary};
+use super::{ExchangeError, NamedPatch, Occlusion, Scene};
+use crate::form_factor::{Answer, Polygon};
 use crate::numeric::{compensated_sum, try_parallel_map};
+use std::sync::Arc;
 
-/// A scene whose pairs are ready to be evaluated.
+/// A scene whose pairs are ready to be evaluated, and who listens to the progress of passes.
 #[derive(Debug, Clone)]
-pub struct ScenePairs {
-    pub(super) plan: Plan,
-    pub(super) members: Members,
-    pub(super) aspects: Aspects,
-    pub(super) shifts: Shifts,
-    pub(super) progress: Progress,
+pub struct ScenePairs<'p> {
+    plan: Plan,
+    terms: RowTerms,
+    plane_sets: PlaneSets,
+    base_offsets: BaseOffsets,
+    listener: Listener<'p>,
     polygons: Vec<Polygon>,
-    /// Of the rows.
+    /// The names of the rows.
+    names: Arc<[String]>,
+    /// The areas of the rows.
     areas: Vec<f64>,
     area_bounds: Vec<f64>,
     tolerance: f64,
-    /// The value of each class of congruent pairs; none where they are not equal within the tolerance.
+    /// The value of each class of congruent pairs; none where they are not equal within the
+    /// tolerance.
     shared: Vec<Option<Answer>>,
 }
 
-/// What a pass over all pairs came upon.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Account {
-    /// What was left out, shared and computed.
-    pub plan: PlanSummary,
-    /// How many pairs of rows miss the tolerance.
-    pub unreached: usize,
-    /// The worst of them.
-    pub worst: Option<Unreached>,
-}
-
-impl ScenePairs {
+impl<'p> ScenePairs<'p> {
     /// Checks the scene, makes the plan, and computes what congruent pairs share.
     ///
     /// **Arguments** `tolerance`: the relative error asked for, > 0; `occlusion`: the policy for
@@ -67,7 +74,7 @@ impl ScenePairs {
     /// let (tolerance, cube) = (DEFAULT_TOLERANCE, Scene::built_in("cube:4")?);
     /// let pairs = ScenePairs::try_new(&cube, tolerance, Congruence::Shared, Occlusion::Refuse)?;
     /// // one value per pair: reciprocity is exact
-    /// assert_eq!(pairs.pair(0, 20)?, pairs.pair(20, 0)?);
+    /// assert_eq!(pairs.row_pair(0, 20)?, pairs.row_pair(20, 0)?);
     /// # Ok::<(), infoscene::scene::ExchangeError>(())
     /// ```
     pub fn try_new(
@@ -86,17 +93,18 @@ impl ScenePairs {
         tolerance: f64,
         congruence: Congruence,
     ) -> Result<Self, ExchangeError> {
-        let members = Members::of(scene);
-        let shapes = members.shapes(scene);
-        let planes = FacingPlanes::of(scene, &members.patches, &members.roots);
-        let plan = Plan::of(&shapes, planes, congruence);
-        let [areas, area_bounds] = areas(&members, &shapes);
+        let terms = RowTerms::of(scene);
+        let shapes = terms.shapes(scene);
+        let facings = Facings::of(scene, terms.patches(), terms.roots());
+        let plan = Plan::of(&shapes, facings, congruence);
+        let [areas, area_bounds] = areas(&terms, &shapes);
         let mut pairs = Self {
-            aspects: Aspects::of(&members, &plan.planes),
-            shifts: Shifts::of(scene, &members.patches),
-            progress: Progress::default(),
+            plane_sets: PlaneSets::of(&terms, plan.facings()),
+            base_offsets: BaseOffsets::of(scene, terms.patches()),
+            listener: Listener(&Unheard),
+            names: scene.group_names().into_iter().map(str::to_owned).collect(),
             plan,
-            members,
+            terms,
             polygons: shapes
                 .iter()
                 .map(|patch| Polygon::new(patch.shape()))
@@ -116,7 +124,7 @@ impl ScenePairs {
         let representatives = pairs.plan.representatives();
         pairs.shared = try_parallel_map(representatives.len(), &|class| {
             let [first, second] = representatives[class];
-            let mut answer = pairs.compute(first, second, asked)?;
+            let mut answer = pairs.evaluate(first, second, asked)?;
             let [one, other] = [first, second].map(|index| shapes[index].shape());
             let apart = allowance(spread, one, other);
             let exchange = &mut answer.exchange;
@@ -126,10 +134,38 @@ impl ScenePairs {
         Ok(pairs)
     }
 
+    /// Tells a listener how many more pairs are done, of [`pairs`](Self::pairs) in each pass, from
+    /// any thread.
+    #[must_use]
+    pub fn with_progress(mut self, progress: &'p dyn Progress) -> Self {
+        self.listener = Listener(progress);
+        self
+    }
+}
+
+impl ScenePairs<'_> {
     /// Number of rows: of the patches, unless some are summed.
     #[must_use]
-    pub fn patches(&self) -> usize {
+    pub const fn rows(&self) -> usize {
         self.areas.len()
+    }
+
+    /// Number of pairs of different rows, `n(n − 1)/2`.
+    #[must_use]
+    pub const fn pairs(&self) -> usize {
+        let n = self.rows();
+        n * (n - 1) / 2
+    }
+
+    /// The names of the rows.
+    #[must_use]
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// The names of the rows, to be kept.
+    pub(crate) fn shared_names(&self) -> Arc<[String]> {
+        Arc::clone(&self.names)
     }
 
     /// The rows' areas, without what lies in them.
@@ -138,7 +174,8 @@ impl ScenePairs {
         &self.areas
     }
 
-    /// Bounds on the rounding of the areas and of one quotient by them: 4 ε of what they are summed of.
+    /// Bounds on the rounding of the areas and of one quotient by them: 4 ε of what they are summed
+    /// of.
     #[must_use]
     pub fn area_bounds(&self) -> &[f64] {
         &self.area_bounds
@@ -150,38 +187,70 @@ impl ScenePairs {
         self.tolerance
     }
 
-    /// For each row the sum of weights over the rows that the plan leaves out for it, itself included unless it may see itself.
+    /// For each row the sum of weights over the rows that the plan leaves out for it, itself
+    /// included unless it may see itself.
     #[must_use]
     pub fn unseen(&self, weights: &[f64]) -> Vec<f64> {
-        self.aspects.unseen(&self.plan.planes, weights)
+        self.plane_sets.unseen(self.plan.facings(), weights)
     }
 
-    /// What two rows can exchange, a row with itself, too.
-    pub(super) fn sight(&self, first: usize, second: usize) -> Sight {
-        let [one, other] = [first, second].map(|row| self.aspects.of_row(row));
-        self.aspects.sight(&self.plan.planes, one, other)
+    /// The polygons of each row.
+    pub(super) const fn terms(&self) -> &RowTerms {
+        &self.terms
     }
 
-    /// What a pair of polygons exchanges whose planes see each other.
+    /// The planes that rows lie in.
+    pub(super) const fn plane_sets(&self) -> &PlaneSets {
+        &self.plane_sets
+    }
+
+    /// Whether two rows can exchange anything, a row with itself included.
+    pub(super) fn facing(&self, first: usize, second: usize) -> Facing {
+        let [one, other] = [first, second].map(|row| self.plane_sets.of_row(row));
+        self.facing_sets(one, other)
+    }
+
+    /// Whether rows of two plane sets can exchange anything.
+    pub(super) fn facing_sets(&self, one: usize, other: usize) -> Facing {
+        self.plane_sets.facing(self.plan.facings(), one, other)
+    }
+
+    /// Whether two polygons can exchange anything.
+    pub(super) fn facing_polygons(&self, one: usize, other: usize) -> Facing {
+        self.plan.facing(one, other)
+    }
+
+    /// A bound on the change of an exchange area when a part is moved into its base's plane.
+    pub(super) fn offset_allowance(&self, part: usize, other: usize) -> f64 {
+        self.base_offsets.allowance(part, other)
+    }
+
+    /// Tells the listener that so many more pairs are done.
+    pub(super) fn advance(&self, pairs: usize) {
+        self.listener.0.advance(pairs);
+    }
+
+    /// The exchange area of two polygons whose planes face each other, counted.
     #[inline]
-    pub(super) fn look(
+    pub(super) fn polygon_pair(
         &self,
         first: usize,
         second: usize,
-        tally: &mut Tally,
+        counts: &mut PassCounts,
     ) -> Result<Answer, ExchangeError> {
         let shared = self.plan.shared(first, second);
         let shared = shared.and_then(|place| self.shared[place]);
         let answer = match shared {
             Some(answer) => answer,
-            None => self.compute(first, second, self.tolerance)?,
+            None => self.evaluate(first, second, self.tolerance)?,
         };
-        tally.polygons(answer.route, shared.is_none());
+        counts.polygons(answer.route, shared.is_none());
         Ok(answer)
     }
 
-    /// One value per pair, between 0 and the smaller area.
-    pub(super) fn compute(
+    /// Computes the exchange area of two polygons: one value per pair, between 0 and the smaller
+    /// area.
+    pub(super) fn evaluate(
         &self,
         first: usize,
         second: usize,
@@ -190,8 +259,8 @@ impl ScenePairs {
         let (first, second) = (first.min(second), first.max(second));
         let answer = self.polygons[first].exchange_area(&self.polygons[second], tolerance);
         let mut answer = answer.map_err(|source| ExchangeError::Pair {
-            first: self.members.patches[first],
-            second: self.members.patches[second],
+            first: self.terms.patches()[first],
+            second: self.terms.patches()[second],
             source,
         })?;
         let most = self.polygons[first]
@@ -201,60 +270,43 @@ impl ScenePairs {
         Ok(answer)
     }
 
-    /// Does a pair take the value of its class, and of which?
+    /// The class whose value a pair of polygons takes, if it takes one.
     pub(super) fn class(&self, first: usize, second: usize) -> Option<usize> {
         let place = self.plan.shared(first, second)?;
         self.shared[place].map(|_| place)
     }
 
-    /// The counts of a pass over all pairs.
-    pub(super) fn account(&self, tally: Tally) -> Account {
+    /// The summary of a pass over all pairs.
+    pub(super) fn summary(&self, counts: PassCounts) -> PassSummary {
         let n = self.polygons.len();
-        let left_out = self.plan.planes.pairs_left_out();
+        let left_out = self.plan.facings().pairs_left_out();
         let classes = self.shared.iter().flatten().count();
-        self.account_of(n * (n - 1) / 2, left_out, classes, tally)
+        self.summary_of(n * (n - 1) / 2, left_out, classes, counts)
     }
 
-    /// The counts of a pass over some pairs, some of which were left out, while others took the values of classes.
-    pub(super) fn account_of(
+    /// The summary of a pass over some pairs, some of which were left out, while others took the
+    /// values of classes.
+    pub(super) fn summary_of(
         &self,
         pairs: usize,
-        [coplanar, back_facing]: [usize; 2],
+        left_out: [usize; 2],
         classes: usize,
-        mut tally: Tally,
-    ) -> Account {
-        tally.count(Route::Coplanar, coplanar);
-        tally.count(Route::BackFacing, back_facing);
-        let computed = tally.alone + classes;
-        let plan = PlanSummary {
-            pairs,
-            reciprocal: pairs,
-            planes: self.plan.planes.count(),
-            untouched: coplanar + back_facing,
-            coplanar: tally.of(Route::Coplanar),
-            back_facing: tally.of(Route::BackFacing),
-            congruent: tally.seen - computed,
-            computed,
-            routes: tally.routes(),
-        };
-        Account {
-            plan,
-            unreached: tally.unreached,
-            worst: tally.worst,
-        }
+        counts: PassCounts,
+    ) -> PassSummary {
+        counts.summary(pairs, self.plan.facings().count(), left_out, classes)
     }
 }
 
 /// The rows' areas and the bounds on their rounding.
-fn areas(members: &Members, shapes: &[NamedPatch]) -> [Vec<f64>; 2] {
-    let terms = |row: usize| {
-        let polygons = members.of_row(row).iter();
-        polygons.map(|member| member.sign * shapes[member.polygon].shape.area())
+fn areas(terms: &RowTerms, shapes: &[NamedPatch]) -> [Vec<f64>; 2] {
+    let parts = |row: usize| {
+        let polygons = terms.of_row(row).iter();
+        polygons.map(|term| term.sign * shapes[term.polygon].shape.area())
     };
-    let rows = || 0..members.rows();
-    let bound = |row| 4.0 * f64::EPSILON * compensated_sum(terms(row).map(f64::abs));
+    let rows = || 0..terms.rows();
+    let bound = |row| 4.0 * f64::EPSILON * compensated_sum(parts(row).map(f64::abs));
     [
-        rows().map(|row| compensated_sum(terms(row))).collect(),
+        rows().map(|row| compensated_sum(parts(row))).collect(),
         rows().map(bound).collect(),
     ]
 }

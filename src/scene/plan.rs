@@ -1,17 +1,19 @@
-//! What a scene needs, decided before any form factor is computed.
+//! A scene's plan, made before any form factor is computed.
 //!
 //! ```text
 //!   reciprocal   one value serves (i, j) and (j, i)
-//!   untouched    planes that are the same, or of which one lies behind the other: none of their pairs is looked at
+//!   untouched    planes that are the same, or of which one lies behind the other: their pairs are
+//!                left out
 //!   congruent    pairs equal up to a motion or reflection: the first of them is computed
 //! ```
 //!
 //! **Not covered**: congruence of polygons that are not axis-parallel rectangles.
 
 use super::NamedPatch;
-use super::facing::{FacingPlanes, Sight};
+use super::facing::{Facing, Facings};
 use super::lattice::Lattice;
 use rayon::prelude::*;
+use std::num::NonZeroU32;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Whether congruent pairs share a value.
@@ -24,96 +26,124 @@ pub enum Congruence {
     Ignored,
 }
 
-/// A class that no pair is in.
-const NO_PAIR: u64 = u64::MAX;
-
-/// What is left out and what is shared.
+/// The pairs that are left out, and those that share values.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Plan {
-    pub(super) planes: FacingPlanes,
-    lattice: Option<Lattice>,
-    /// The place of each class among those that occur.
-    places: Vec<u32>,
-    /// The first pair of each class that occurs.
-    representatives: Vec<[usize; 2]>,
+    facings: Facings,
+    classes: Option<Classes>,
 }
 
 impl Plan {
     /// The plan for polygons in these planes.
-    pub(super) fn of(patches: &[NamedPatch], planes: FacingPlanes, congruence: Congruence) -> Self {
+    pub(super) fn of(patches: &[NamedPatch], facings: Facings, congruence: Congruence) -> Self {
         let lattice = match congruence {
             Congruence::Shared => Lattice::of(patches),
             Congruence::Ignored => None,
         };
-        let mut plan = Self {
-            planes,
-            lattice,
-            places: Vec::new(),
-            representatives: Vec::new(),
-        };
-        if let Some(lattice) = &plan.lattice {
-            let first = plan.first_pairs(lattice, patches.len());
-            let mut places = vec![u32::MAX; first.len()];
-            let mut representatives = Vec::new();
-            for (class, pair) in first.into_iter().enumerate() {
-                if pair != NO_PAIR {
-                    places[class] = u32::try_from(representatives.len()).unwrap_or(u32::MAX);
-                    representatives.push([pair >> 32, pair & 0xffff_ffff].map(index));
-                }
-            }
-            plan.places = places;
-            plan.representatives = representatives;
-        }
-        plan
+        let classes = lattice.map(|lattice| Classes::of(lattice, &facings, patches.len()));
+        Self { facings, classes }
     }
 
-    /// The first pair of each class: the same whatever the order in which threads come upon them.
-    fn first_pairs(&self, lattice: &Lattice, patches: usize) -> Vec<u64> {
-        let first: Vec<AtomicU64> = (0..lattice.classes())
-            .map(|_| AtomicU64::new(NO_PAIR))
-            .collect();
-        (0..patches).into_par_iter().for_each(|one| {
-            for other in one + 1..patches {
-                if self.sight(one, other) != Sight::Open {
-                    continue;
-                }
-                if let Some(class) = lattice.class(one, other) {
-                    let pair = ((one as u64) << 32) | other as u64;
-                    // mostly an earlier pair is known already
-                    if first[class].load(Ordering::Relaxed) > pair {
-                        first[class].fetch_min(pair, Ordering::Relaxed);
-                    }
-                }
-            }
-        });
-        first.into_iter().map(AtomicU64::into_inner).collect()
+    /// The planes, and which of them face each other.
+    pub(super) const fn facings(&self) -> &Facings {
+        &self.facings
     }
 
-    pub(super) fn sight(&self, first: usize, second: usize) -> Sight {
-        self.planes
-            .sight(self.planes.of_patch(first), self.planes.of_patch(second))
+    /// Whether two polygons can exchange anything.
+    pub(super) fn facing(&self, first: usize, second: usize) -> Facing {
+        facing(&self.facings, first, second)
     }
 
     /// The place of a pair's class among [`representatives`](Self::representatives).
     pub(super) fn shared(&self, first: usize, second: usize) -> Option<usize> {
-        let class = self.lattice.as_ref()?.class(first, second)?;
-        Some(self.places[class] as usize)
+        self.classes.as_ref()?.place(first, second)
     }
 
+    /// The first pair of each class.
     pub(super) fn representatives(&self) -> &[[usize; 2]] {
-        &self.representatives
+        let classes = self.classes.as_ref();
+        classes.map_or(&[], |classes| &classes.representatives)
     }
 
-    /// How far apart coordinates of congruent pairs may be.
+    /// The distance by which coordinates of congruent pairs may differ.
     pub(super) fn spread(&self) -> f64 {
-        self.lattice.as_ref().map_or(0.0, Lattice::spread)
+        let classes = self.classes.as_ref();
+        classes.map_or(0.0, |classes| classes.lattice.spread())
     }
 }
 
-#[allow(
-    clippy::cast_possible_truncation,
-    reason = "half of an u64, from an usize"
-)]
-const fn index(half: u64) -> usize {
-    half as usize
+fn facing(facings: &Facings, first: usize, second: usize) -> Facing {
+    facings.facing(facings.of_patch(first), facings.of_patch(second))
+}
+
+/// The classes of congruent pairs that occur.
+#[derive(Debug, Clone, PartialEq)]
+struct Classes {
+    lattice: Lattice,
+    /// For each class that occurs its number, from 1, among the representatives.
+    numbers: Vec<Option<NonZeroU32>>,
+    /// The first pair of each class that occurs.
+    representatives: Vec<[usize; 2]>,
+}
+
+impl Classes {
+    /// The classes of those pairs whose planes face each other: the same whatever the order in
+    /// which threads come upon them.
+    fn of(lattice: Lattice, facings: &Facings, patches: usize) -> Self {
+        let first: Vec<FirstPair> = (0..lattice.classes()).map(|_| FirstPair::none()).collect();
+        (0..patches).into_par_iter().for_each(|one| {
+            for other in one + 1..patches {
+                if facing(facings, one, other) != Facing::Visible {
+                    continue;
+                }
+                if let Some(class) = lattice.class(one, other) {
+                    first[class].offer([one, other]);
+                }
+            }
+        });
+        let mut representatives = Vec::new();
+        let numbers = first.into_iter().map(|first| {
+            representatives.push(first.pair()?);
+            u32::try_from(representatives.len())
+                .ok()
+                .and_then(NonZeroU32::new)
+        });
+        Self {
+            numbers: numbers.collect(),
+            lattice,
+            representatives,
+        }
+    }
+
+    /// The place of a pair's class among the representatives.
+    fn place(&self, first: usize, second: usize) -> Option<usize> {
+        let number = self.numbers[self.lattice.class(first, second)?]?;
+        Some(number.get() as usize - 1)
+    }
+}
+
+/// The first of the pairs of a class that threads have come upon, `one · 2³² + other`.
+struct FirstPair(AtomicU64);
+
+impl FirstPair {
+    const fn none() -> Self {
+        Self(AtomicU64::new(u64::MAX))
+    }
+
+    fn offer(&self, [one, other]: [usize; 2]) {
+        let pair = ((one as u64) << 32) | other as u64;
+        // mostly an earlier pair is known already
+        if self.0.load(Ordering::Relaxed) > pair {
+            self.0.fetch_min(pair, Ordering::Relaxed);
+        }
+    }
+
+    #[allow(
+        clippy::cast_possible_truncation,
+        reason = "halves of an u64, from an usize each"
+    )]
+    fn pair(self) -> Option<[usize; 2]> {
+        let pair = self.0.into_inner();
+        (pair != u64::MAX).then_some([(pair >> 32) as usize, (pair & 0xffff_ffff) as usize])
+    }
 }

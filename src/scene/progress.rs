@@ -1,58 +1,50 @@
-//! How far a pass over all pairs is.
+//! Listeners to the progress of a computation.
 
-use super::ScenePairs;
 use std::fmt;
-use std::sync::Arc;
 
-/// Who is told how many more pairs of different rows are done.
-#[derive(Clone, Default)]
-pub(super) struct Progress(Option<Arc<dyn Fn(usize) + Send + Sync>>);
+/// A listener to the progress of a computation.
+///
+/// Every function `Fn(usize) + Sync` is one.
+///
+/// # Examples
+/// ```
+/// use infoscene::scene::{Congruence, Scene, ScenePairs};
+/// use std::sync::atomic::{AtomicUsize, Ordering};
+/// let done = AtomicUsize::new(0);
+/// let listener = |finished| {
+///     done.fetch_add(finished, Ordering::Relaxed);
+/// };
+/// let cube = Scene::built_in("cube:2")?;
+/// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared)?.with_progress(&listener);
+/// pairs.exchange_areas()?;
+/// assert_eq!(done.load(Ordering::Relaxed), pairs.pairs());
+/// # Ok::<(), infoscene::scene::SceneError>(())
+/// ```
+pub trait Progress: Sync {
+    /// So many more units of work are finished: pairs, cases. It is called from any thread.
+    fn advance(&self, finished: usize);
+}
 
-impl Progress {
-    pub(super) fn done(&self, pairs: usize) {
-        if let Some(told) = &self.0 {
-            told(pairs);
-        }
+impl<F: Fn(usize) + Sync> Progress for F {
+    fn advance(&self, finished: usize) {
+        self(finished);
     }
 }
 
-impl fmt::Debug for Progress {
+/// The listener that does nothing.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Unheard;
+
+impl Progress for Unheard {
+    fn advance(&self, _: usize) {}
+}
+
+/// The listener of a scene's pairs.
+#[derive(Clone, Copy)]
+pub(super) struct Listener<'p>(pub(super) &'p dyn Progress);
+
+impl fmt::Debug for Listener<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let told = if self.0.is_some() { "told" } else { "not told" };
-        write!(f, "Progress({told})")
-    }
-}
-
-impl ScenePairs {
-    /// Tells how many more pairs are done, of [`pairs`](Self::pairs) in each pass: a row of them, or a part of one, at a time, from any
-    /// thread.
-    ///
-    /// # Examples
-    /// ```
-    /// use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs};
-    /// use std::sync::Arc;
-    /// use std::sync::atomic::{AtomicUsize, Ordering};
-    /// let done = Arc::new(AtomicUsize::new(0));
-    /// let so_far = Arc::clone(&done);
-    /// let cube = Scene::built_in("cube:2")?;
-    /// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
-    /// let pairs = pairs.with_progress(move |more| {
-    ///     so_far.fetch_add(more, Ordering::Relaxed);
-    /// });
-    /// pairs.exchange_areas()?;
-    /// assert_eq!(done.load(Ordering::Relaxed), pairs.pairs());
-    /// # Ok::<(), infoscene::scene::ExchangeError>(())
-    /// ```
-    #[must_use]
-    pub fn with_progress(mut self, told: impl Fn(usize) + Send + Sync + 'static) -> Self {
-        self.progress = Progress(Some(Arc::new(told)));
-        self
-    }
-
-    /// Number of pairs of different rows, `n(n − 1)/2`.
-    #[must_use]
-    pub fn pairs(&self) -> usize {
-        let n = self.patches();
-        n * (n - 1) / 2
+        f.write_str("Listener")
     }
 }

@@ -1,23 +1,22 @@
 //! Sums over the rows of a symmetric matrix that is never held.
 //!
 //! ```text
-//!   S_i = Σ_j f(i, j),     f(i, j) = f(j, i) computed once, for the pairs of rows that see each other
+//!   S_i = Σ_j f(i, j),     f(i, j) = f(j, i) computed once, for rows that see each other
 //! ```
 //!
-//! The pairs come in tiles of [`SIDE`] × [`SIDE`] rows. The tiles of one row of tiles are computed in parallel; each adds
-//! to the sums of its own columns, and the sums of its rows are added up afterwards in order. So every sum takes its terms in
-//! an order that depends on the scene alone, and comes out the same for any number of threads.
+//! Each [tile](super::Tile) is summed on its own, over its rows and over its columns, and the sums
+//! of the tiles are added up in their order. So every sum takes its terms in an order that depends
+//! on the scene alone, and comes out the same for any number of threads.
 //!
 //! **Memory** O(n).
 
-use super::ExchangeError;
-use super::facing::Sight;
-use super::pairs::{Account, ScenePairs};
-use super::tally::Tally;
+use super::facing::Facing;
+use super::pairs::ScenePairs;
+use super::tally::{PassCounts, PassSummary};
+use super::{ExchangeError, Tile};
 use crate::form_factor::ExchangeArea;
 use crate::numeric::CompensatedSum;
 use rayon::prelude::*;
-use std::ops::Range;
 
 /// Rows along one side of a tile.
 const SIDE: usize = 128;
@@ -25,20 +24,38 @@ const SIDE: usize = 128;
 /// `K` sums per row.
 type Sums<const K: usize> = [CompensatedSum; K];
 
-/// A run of rows, by place in the order by aspects.
-#[derive(Debug, Clone)]
-struct Chunk {
-    places: Range<usize>,
-    /// The aspect that they all have, if it is one.
-    aspect: Option<usize>,
+/// The sums over one tile's rows and over its columns, and its counts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TileSums<const K: usize> {
+    rows: Vec<Sums<K>>,
+    columns: Vec<Sums<K>>,
+    counts: PassCounts,
 }
 
-/// One tile: what it adds to the sums of its rows, and its counts.
-type Tile<const K: usize> = Result<(Vec<Sums<K>>, Tally), ExchangeError>;
+/// Sums of all rows that are still being added to, by place in the order by plane sets.
+struct RowSums<const K: usize> {
+    sums: Vec<Sums<K>>,
+    counts: PassCounts,
+}
 
-impl ScenePairs {
-    /// `K` sums over each row, of terms that are the same for (i, j) and (j, i); pairs that the plan leaves out are not
-    /// asked for, nor a row with itself unless it may see itself.
+impl<const K: usize> RowSums<K> {
+    /// Adds the sums of the next tile.
+    fn add(&mut self, tile: &Tile, more: &TileSums<K>) {
+        let block = tile.block();
+        for (places, more) in [(&block.columns, &more.columns), (&block.rows, &more.rows)] {
+            for (sums, more) in self.sums[places.clone()].iter_mut().zip(more) {
+                for (sum, more) in sums.iter_mut().zip(more) {
+                    sum.add_sum(more);
+                }
+            }
+        }
+        self.counts.merge(&more.counts);
+    }
+}
+
+impl ScenePairs<'_> {
+    /// `K` sums over each row, of terms that are the same for (i, j) and (j, i); pairs that the
+    /// plan leaves out are not asked for, nor a row with itself unless it may see itself.
     ///
     /// # Errors
     /// [`ExchangeError::Pair`] if two patches are refused.
@@ -56,133 +73,91 @@ impl ScenePairs {
     pub fn row_sums<const K: usize>(
         &self,
         term: impl Fn(usize, usize, &ExchangeArea) -> [f64; K] + Sync,
-    ) -> Result<(Vec<[f64; K]>, Account), ExchangeError> {
-        let order: Vec<usize> = self.aspects.rows().concat();
-        let chunks = self.chunks();
-        let mut sums = vec![[CompensatedSum::default(); K]; order.len()];
-        let mut tally = Tally::default();
-        for (index, rows) in chunks.iter().enumerate() {
-            let columns = split(&mut sums[rows.places.start..], &chunks[index..]);
-            let tiles: Vec<(usize, Tile<K>)> = columns
-                .into_par_iter()
-                .zip(&chunks[index..])
-                .enumerate()
-                .filter(|(_, (_, columns))| {
-                    let may_see = self.may_see(rows, columns);
-                    if !may_see {
-                        let skipped = rows.places.clone().map(|row| after(row, columns).len());
-                        self.progress.done(skipped.sum());
-                    }
-                    may_see
-                })
-                .map(|(at, (sums, columns))| (at, self.tile(&order, rows, columns, sums, &term)))
-                .collect();
-            for (_, tile) in tiles {
-                let (row_sums, counts) = tile?;
-                tally.merge(&counts);
-                for (place, terms) in rows.places.clone().zip(&row_sums) {
-                    for (sum, term) in sums[place].iter_mut().zip(terms) {
-                        sum.add_sum(term);
-                    }
-                }
+    ) -> Result<(Vec<[f64; K]>, PassSummary), ExchangeError> {
+        let mut sums = self.no_sums();
+        for band in self.bands(SIDE) {
+            let of_tile = |tile: &Tile| {
+                let sums = self.tile_sums(tile, &term);
+                self.advance(tile.pairs());
+                sums
+            };
+            let left_out = band.pairs - band.tiles.iter().map(Tile::pairs).sum::<usize>();
+            self.advance(left_out);
+            let found: Vec<Result<TileSums<K>, ExchangeError>> =
+                band.tiles.par_iter().map(of_tile).collect();
+            for (tile, found) in band.tiles.iter().zip(found) {
+                sums.add(tile, &found?);
             }
         }
-        let mut by_row = vec![[0.0; K]; order.len()];
-        for (row, sums) in order.into_iter().zip(&sums) {
-            by_row[row] = sums.map(|sum| sum.total());
-        }
-        Ok((by_row, self.account(tally)))
+        Ok(self.totals(sums))
     }
 
-    /// Rows in the order of their aspects, cut into chunks; a chunk starts with each aspect of many rows.
-    fn chunks(&self) -> Vec<Chunk> {
-        let mut chunks: Vec<Chunk> = Vec::new();
-        let mut start = 0;
-        for (aspect, rows) in self.aspects.rows().iter().enumerate() {
-            let end = start + rows.len();
-            let is_large = rows.len() > SIDE / 4;
-            match chunks.last_mut() {
-                Some(last) if !is_large && end - last.places.start <= SIDE => {
-                    last.places.end = end;
-                    last.aspect = None;
-                }
-                _ => {
-                    let parts = (start..end).step_by(SIDE);
-                    chunks.extend(parts.map(|start| Chunk {
-                        places: start..end.min(start + SIDE),
-                        aspect: Some(aspect),
-                    }));
-                }
-            }
-            start = end;
-        }
-        chunks
-    }
-
-    /// May a pair of these exchange anything?
-    fn may_see(&self, rows: &Chunk, columns: &Chunk) -> bool {
-        match (rows.aspect, columns.aspect) {
-            (Some(first), Some(second)) => {
-                self.aspects.sight(&self.plan.planes, first, second) == Sight::Open
-            }
-            _ => true,
-        }
-    }
-
-    fn tile<const K: usize>(
+    /// The sums over one tile, of terms that are the same for (i, j) and (j, i); terms are asked
+    /// for as in [`row_sums`](Self::row_sums).
+    ///
+    /// # Errors
+    /// [`ExchangeError::Pair`] if two patches are refused.
+    pub fn tile_sums<const K: usize>(
         &self,
-        order: &[usize],
-        rows: &Chunk,
-        columns: &Chunk,
-        column_sums: &mut [Sums<K>],
-        term: &(impl Fn(usize, usize, &ExchangeArea) -> [f64; K] + Sync),
-    ) -> Tile<K> {
-        let mut row_sums = vec![[CompensatedSum::default(); K]; rows.places.len()];
-        let mut tally = Tally::default();
-        let is_mixed = rows.aspect.is_none() || columns.aspect.is_none();
-        for (row, row_sums) in rows.places.clone().zip(&mut row_sums) {
-            let first = order[row];
-            if columns.places.contains(&row) && self.sight(first, first) == Sight::Open {
-                let answer = self.open(first, first, &mut tally)?;
-                let terms = term(first, first, &answer.exchange);
+        tile: &Tile,
+        term: impl Fn(usize, usize, &ExchangeArea) -> [f64; K],
+    ) -> Result<TileSums<K>, ExchangeError> {
+        let block = tile.block();
+        let order = self.plane_sets().order();
+        let none = |places: usize| vec![[CompensatedSum::default(); K]; places];
+        let (mut rows, mut columns) = (none(block.rows.len()), none(block.columns.len()));
+        let counts = self.walk(
+            block,
+            |place| order[place],
+            |[row, column], facing, answer| {
+                if facing != Facing::Visible {
+                    return;
+                }
+                let terms = term(order[row], order[column], &answer.exchange);
+                let row_sums = &mut rows[row - block.rows.start];
                 for (sum, term) in row_sums.iter_mut().zip(terms) {
                     sum.add(term);
                 }
-            }
-            let after = after(row, columns);
-            let pairs = after.len();
-            for column in after {
-                let second = order[column];
-                if is_mixed && self.sight(first, second) != Sight::Open {
-                    continue;
+                if row != column {
+                    let column_sums = &mut columns[column - block.columns.start];
+                    for (sum, term) in column_sums.iter_mut().zip(terms) {
+                        sum.add(term);
+                    }
                 }
-                let answer = self.open(first, second, &mut tally)?;
-                let terms = term(first, second, &answer.exchange);
-                let column_sums = &mut column_sums[column - columns.places.start];
-                for ((row, column), term) in row_sums.iter_mut().zip(column_sums).zip(terms) {
-                    row.add(term);
-                    column.add(term);
-                }
-            }
-            self.progress.done(pairs);
+            },
+        )?;
+        Ok(TileSums {
+            rows,
+            columns,
+            counts,
+        })
+    }
+
+    /// The sums over each row, from those over all [tiles](Self::tiles) of one side in their order:
+    /// the same to the last bit wherever the tiles were summed.
+    pub fn row_sums_of<const K: usize>(
+        &self,
+        sums: impl IntoIterator<Item = (Tile, TileSums<K>)>,
+    ) -> (Vec<[f64; K]>, PassSummary) {
+        let mut all = self.no_sums();
+        for (tile, more) in sums {
+            all.add(&tile, &more);
         }
-        Ok((row_sums, tally))
+        self.totals(all)
     }
-}
 
-/// The columns of a chunk that come after a row.
-fn after(row: usize, columns: &Chunk) -> Range<usize> {
-    let end = columns.places.end;
-    columns.places.start.max(row + 1).min(end)..end
-}
-
-/// The sums of each chunk, the first of which starts where `sums` does.
-fn split<'s, T>(mut sums: &'s mut [T], chunks: &[Chunk]) -> Vec<&'s mut [T]> {
-    let mut parts = Vec::with_capacity(chunks.len());
-    for chunk in chunks {
-        let (part, rest) = sums.split_at_mut(chunk.places.len());
-        parts.push(part);
-        sums = rest;
+    fn no_sums<const K: usize>(&self) -> RowSums<K> {
+        RowSums {
+            sums: vec![[CompensatedSum::default(); K]; self.rows()],
+            counts: PassCounts::default(),
+        }
     }
-    parts
+
+    fn totals<const K: usize>(&self, all: RowSums<K>) -> (Vec<[f64; K]>, PassSummary) {
+        let mut by_row = vec![[0.0; K]; self.rows()];
+        for (row, sums) in self.plane_sets().order().iter().zip(&all.sums) {
+            by_row[*row] = sums.map(|sum| sum.total());
+        }
+        (by_row, self.summary(all.counts))
+    }
 }

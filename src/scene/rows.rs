@@ -1,11 +1,16 @@
 //! Rows of exchange areas, one at a time; and single rows, columns and entries.
 
-use super::{Account, ExchangeError, ScenePairs, Sight, Tally};
+use super::facing::Facing;
+use super::row_pairs::nothing;
+use super::tally::{PassCounts, PassSummary};
+use super::tiles::Block;
+use super::{ExchangeError, ScenePairs};
 use crate::form_factor::Answer;
 use crate::numeric::try_parallel_map;
 use std::collections::BTreeSet;
+use std::ops::Range;
 
-/// An ordered pair and what it exchanges.
+/// An ordered pair and its exchange area.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Entry {
     /// The row that sends.
@@ -19,96 +24,147 @@ pub struct Entry {
 /// Entries of a row that one thread computes at a time.
 const RUN: usize = 64;
 
-impl ScenePairs {
-    /// Shows all rows in order, each a list of what the patch, or the sum, exchanges with rows 0, 1, …, itself included; only one is
-    /// held. A pair that shares no value is computed for both of its rows, in the same way.
+/// Consecutive entries of a row.
+#[derive(Default)]
+struct RowPart {
+    answers: Vec<Answer>,
+    /// The counts of the entries below the diagonal.
+    below: PassCounts,
+    /// The counts of the others.
+    counts: PassCounts,
+}
+
+impl ScenePairs<'_> {
+    /// Shows all rows in order, each a list of the exchange areas with rows 0, 1, …, itself
+    /// included; only one is held. A pair that shares no value is computed for both of its rows, in
+    /// the same way: [tiles](Self::tiles) compute it once.
     ///
     /// # Errors
-    /// [`ExchangeError::Pair`](super::ExchangeError::Pair) if two patches are refused, or what `visit` returns.
+    /// [`ExchangeError::Pair`](super::ExchangeError::Pair) if two patches are refused, or what `visit`
+    /// returns.
     pub fn for_each_row<E: From<ExchangeError>>(
         &self,
         mut visit: impl FnMut(usize, &[Answer]) -> Result<(), E>,
-    ) -> Result<Account, E> {
-        let n = self.patches();
-        let mut tally = Tally::default();
-        let mut row = Vec::with_capacity(n);
+    ) -> Result<PassSummary, E> {
+        let n = self.rows();
+        let mut counts = PassCounts::default();
         for from in 0..n {
-            let runs = try_parallel_map(n.div_ceil(RUN), &|run| {
-                self.run(from, run * RUN..n.min((run + 1) * RUN))
-            })?;
-            row.clear();
-            for (answers, counts) in runs {
-                row.extend(answers);
-                tally.merge(&counts);
-            }
-            visit(from, &row)?;
+            let row = self.row(from, 0..n)?;
+            counts.merge(&row.counts);
+            visit(from, &row.answers)?;
             // all rows take the same time, n/2 pairs of the n²/2
-            self.progress
-                .done((from + 1) * (n - 1) / 2 - from * (n - 1) / 2);
+            self.advance((from + 1) * (n - 1) / 2 - from * (n - 1) / 2);
         }
-        Ok(self.account(tally))
+        Ok(self.summary(counts))
     }
 
-    /// Part of a row, and the counts of what is not below the diagonal.
-    fn run(
-        &self,
-        from: usize,
-        columns: std::ops::Range<usize>,
-    ) -> Result<(Vec<Answer>, Tally), ExchangeError> {
-        let mut tally = Tally::default();
-        let mut answers = Vec::with_capacity(columns.len());
-        for to in columns {
-            let mut below = Tally::default();
-            let counts = if to < from { &mut below } else { &mut tally };
-            answers.push(self.between(from, to, counts)?);
+    /// Some entries of a row, in parallel.
+    fn row(&self, from: usize, columns: Range<usize>) -> Result<RowPart, ExchangeError> {
+        let starts: Vec<usize> = columns.clone().step_by(RUN).collect();
+        let parts = try_parallel_map(starts.len(), &|part| {
+            self.row_part(from, starts[part]..columns.end.min(starts[part] + RUN))
+        })?;
+        let mut row = RowPart::default();
+        for part in parts {
+            row.answers.extend(part.answers);
+            row.below.merge(&part.below);
+            row.counts.merge(&part.counts);
         }
-        Ok((answers, tally))
+        Ok(row)
     }
 
-    /// The ordered pairs from one row, or to one, or both; a row is paired with itself only where it may see itself. The account is
-    /// that of these pairs alone.
+    /// Some entries of a row: below the diagonal, on it, above it.
+    fn row_part(&self, from: usize, columns: Range<usize>) -> Result<RowPart, ExchangeError> {
+        let mut answers = vec![nothing(Facing::Coplanar, true); columns.len()];
+        let mut walk = |part: Range<usize>| {
+            self.walk(
+                &Block::of_row(from, part),
+                |place| place,
+                |[_, to], _, answer| answers[to - columns.start] = *answer,
+            )
+        };
+        let below = walk(columns.start..columns.end.min(from))?;
+        let mut counts = PassCounts::default();
+        if columns.contains(&from) {
+            counts.merge(&walk(from..from + 1)?);
+        }
+        counts.merge(&walk(columns.start.max(from + 1)..columns.end)?);
+        Ok(RowPart {
+            answers,
+            below,
+            counts,
+        })
+    }
+
+    /// The ordered pairs from one row, or to one, or both; a row is paired with itself only where
+    /// it may see itself. The summary is that of these pairs alone.
     ///
     /// # Errors
-    /// [`SceneError::NoSuchPatch`](super::SceneError::NoSuchPatch), [`ExchangeError::Pair`](super::ExchangeError::Pair).
+    /// [`SceneError::NoSuchPatch`](super::SceneError::NoSuchPatch),
+    /// [`ExchangeError::Pair`](super::ExchangeError::Pair).
     pub fn entries(
         &self,
         from: Option<usize>,
         to: Option<usize>,
-    ) -> Result<(Vec<Entry>, Account), ExchangeError> {
+    ) -> Result<(Vec<Entry>, PassSummary), ExchangeError> {
         for row in [from, to].into_iter().flatten() {
             self.check(row)?;
         }
-        let all = |one: Option<usize>| one.map_or(0..self.patches(), |one| one..one + 1);
-        let is_part = from.is_some() || to.is_some();
+        let all = 0..self.rows();
+        let mut counts = PassCounts::default();
         let mut entries = Vec::new();
-        let mut classes = BTreeSet::new();
-        let mut tally = Tally::default();
-        let (mut pairs, mut left_out) = (0, [0; 2]);
-        for from in all(from) {
-            for to in all(to).filter(|to| *to != from || self.sight(from, from) == Sight::Open) {
-                // of all pairs, which come both ways, the first counts
-                let mut again = Tally::default();
-                let is_new = is_part || from <= to;
-                let counts = if is_new { &mut tally } else { &mut again };
-                let answer = self.between(from, to, counts)?;
-                let polygons = self.members.pairs(from, to);
-                let counted = polygons.filter(|pair| is_part && pair.iter().all(|m| m.sign > 0.0));
-                for [one, other] in counted.map(|pair| pair.map(|member| member.polygon)) {
-                    pairs += 1;
-                    match self.plan.sight(one, other) {
-                        Sight::Open => classes.extend(self.class(one, other)),
-                        Sight::Coplanar => left_out[0] += 1,
-                        Sight::BackFacing => left_out[1] += 1,
-                    }
+        // the exchange area is the same both ways: a column is a row
+        let (rows, columns) = match (from, to) {
+            (Some(from), Some(to)) => (from..from + 1, to..to + 1),
+            (Some(row), None) | (None, Some(row)) => (row..row + 1, all),
+            (None, None) => (all.clone(), all),
+        };
+        let is_part = from.is_some() || to.is_some();
+        for row in rows {
+            let found = self.row(row, columns.clone())?;
+            counts.merge(&found.counts);
+            // of all pairs, which come both ways, the first counts
+            if is_part {
+                counts.merge(&found.below);
+            }
+            for (column, answer) in columns.clone().zip(found.answers) {
+                if row == column && self.facing(row, row) != Facing::Visible {
+                    continue;
                 }
+                let [from, to] = if from.is_none() && is_part {
+                    [column, row]
+                } else {
+                    [row, column]
+                };
                 entries.push(Entry { from, to, answer });
             }
         }
-        let account = if is_part {
-            self.account_of(pairs, left_out, classes.len(), tally)
+        let summary = if is_part {
+            self.summary_of_part(&entries, counts)
         } else {
-            self.account(tally)
+            self.summary(counts)
         };
-        Ok((entries, account))
+        Ok((entries, summary))
+    }
+
+    /// The summary of some entries, no pair of which comes twice.
+    fn summary_of_part(&self, entries: &[Entry], counts: PassCounts) -> PassSummary {
+        let mut classes = BTreeSet::new();
+        let (mut pairs, mut left_out) = (0, [0; 2]);
+        for Entry { from, to, .. } in entries {
+            for [one, other] in self.terms().pairs(*from, *to) {
+                if one.sign < 0.0 || other.sign < 0.0 {
+                    continue;
+                }
+                pairs += 1;
+                let [one, other] = [one.polygon, other.polygon];
+                match self.facing_polygons(one, other) {
+                    Facing::Visible => classes.extend(self.class(one, other)),
+                    Facing::Coplanar => left_out[0] += 1,
+                    Facing::BackFacing => left_out[1] += 1,
+                }
+            }
+        }
+        self.summary_of(pairs, left_out, classes.len(), counts)
     }
 }

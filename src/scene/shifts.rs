@@ -1,23 +1,24 @@
 //! Parts that lie off the plane of their base, within what is accepted.
 //!
-//! A base lacks the projection of its parts on its plane. Where the exchange area of a part is subtracted from that of its base, the bound is
-//! wider by what the shift from the one to the other may change ([`shift_allowance`]). Up to the rounding of the coordinates the two are one.
+//! A base lacks the projection of its parts on its plane. Where the exchange area of a part is
+//! subtracted from that of its base, the bound is widened by what the offset between the two may
+//! change ([`shift_allowance`]). Offsets up to the rounding of the coordinates count as none.
 
 use super::Scene;
 use super::congruence::shift_allowance;
 use crate::geometry::{Patch, distance_from_plane};
 use crate::numeric::tolerance;
 
-/// How far polygons are from the planes of their bases.
+/// The distances of polygons from the planes of their bases.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Shifts {
+pub(super) struct BaseOffsets {
     distances: Vec<f64>,
     /// All polygons, if one of the distances is not 0.
     shapes: Vec<Patch>,
 }
 
-impl Shifts {
-    /// Those of the patches of these indices.
+impl BaseOffsets {
+    /// Measures the patches of these indices.
     pub(super) fn of(scene: &Scene, indices: &[usize]) -> Self {
         let shape = |index: usize| scene.patches()[index].shape();
         let distance = |index: &usize| {
@@ -42,7 +43,8 @@ impl Shifts {
         }
     }
 
-    /// What the shift of a part into its base's plane may change of what it exchanges with another polygon.
+    /// A bound on the change of a part's exchange area with another polygon when the part is moved
+    /// into its base's plane.
     pub(super) fn allowance(&self, part: usize, other: usize) -> f64 {
         if self.distances[part] > 0.0 {
             shift_allowance(

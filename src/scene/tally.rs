@@ -1,16 +1,14 @@
-//! How many pairs took which way, and whether the tolerance was reached.
+//! Counts of pairs by route, and of those that miss the tolerance.
 //!
-//! Counted are pairs of patches, each once, whatever rows they are summed into. What a base lacks is counted with its part: that it is
-//! subtracted, too, and computed again for it or to a finer tolerance, does not count. A part that is summed into the row of
-//! its base is in no pair. The tolerance is asked of pairs of rows.
+//! Pairs of patches are counted, each once, whatever rows they are summed into. A part is counted
+//! once: that it is subtracted from its base, too, and computed again for it or to a finer
+//! tolerance, does not count. A part that is summed into the row of its base is in no pair. The
+//! tolerance is asked of pairs of rows.
 
 use crate::form_factor::{Answer, Route};
 use std::collections::BTreeMap;
 
-/// Room for the routes there are.
-const ROUTES: usize = 16;
-
-/// What was left out, what was shared, and which route the rest took.
+/// The pairs that were left out, shared and computed, and the routes that were taken.
 ///
 /// ```text
 ///   pairs = untouched + congruent + computed = Σ routes
@@ -23,7 +21,7 @@ pub struct PlanSummary {
     pub reciprocal: usize,
     /// Planes in which patches lie.
     pub planes: usize,
-    /// Pairs never looked at: their planes are the same, or one lies behind the other.
+    /// Pairs that were left out: their planes are the same, or one lies behind the other.
     pub untouched: usize,
     /// Pairs that exchange nothing since they lie in one plane.
     pub coplanar: usize,
@@ -58,36 +56,44 @@ impl Unreached {
     }
 }
 
-/// Counts of a pass over the pairs.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(super) struct Tally {
-    routes: [Option<(Route, usize)>; ROUTES],
-    /// Pairs looked at.
-    pub(super) seen: usize,
-    /// Those computed on their own.
-    pub(super) alone: usize,
-    /// Those that miss the tolerance.
-    pub(super) unreached: usize,
+/// The outcome of a pass over all pairs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PassSummary {
+    /// The numbers of pairs that were left out, shared and computed.
+    pub plan: PlanSummary,
+    /// Number of pairs of rows that miss the tolerance.
+    pub unreached: usize,
     /// The worst of them.
-    pub(super) worst: Option<Unreached>,
+    pub worst: Option<Unreached>,
 }
 
-impl Tally {
-    pub(super) fn count(&mut self, route: Route, pairs: usize) {
-        if pairs > 0 {
-            let slot = &mut self.routes[route as usize % ROUTES];
-            *slot = Some((route, slot.map_or(0, |(_, known)| known) + pairs));
-        }
+/// Counts of a pass over the pairs.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PassCounts {
+    routes: [usize; Route::ALL.len()],
+    /// Pairs whose planes face each other.
+    visible: usize,
+    /// Pairs that were computed on their own.
+    alone: usize,
+    /// Pairs of rows that miss the tolerance.
+    unreached: usize,
+    /// The worst of them.
+    worst: Option<Unreached>,
+}
+
+impl PassCounts {
+    fn count(&mut self, route: Route, pairs: usize) {
+        self.routes[route as usize] += pairs;
     }
 
-    /// A pair of polygons that was looked at.
+    /// Counts a pair of polygons whose planes face each other.
     pub(super) fn polygons(&mut self, route: Route, is_alone: bool) {
         self.count(route, 1);
-        self.seen += 1;
+        self.visible += 1;
         self.alone += usize::from(is_alone);
     }
 
-    /// What a pair of rows exchanges.
+    /// Counts a pair of rows if it misses the tolerance.
     pub(super) fn rows(&mut self, [first, second]: [usize; 2], answer: &Answer, tolerance: f64) {
         let (value, error_bound) = (answer.exchange.value, answer.exchange.error_bound);
         if error_bound > tolerance * value {
@@ -102,7 +108,7 @@ impl Tally {
         }
     }
 
-    /// Of equally bad ones the first.
+    /// Keeps the worse of two, and of equally bad ones the first.
     fn keep_worst(&mut self, other: &Unreached) {
         let rank = |pair: &Unreached| {
             (
@@ -118,11 +124,12 @@ impl Tally {
         }
     }
 
-    pub(super) fn merge(&mut self, other: &Self) {
-        for (route, pairs) in other.routes.iter().flatten() {
-            self.count(*route, *pairs);
+    /// Adds the counts of another part of the pass.
+    pub fn merge(&mut self, other: &Self) {
+        for (pairs, more) in self.routes.iter_mut().zip(other.routes) {
+            *pairs += more;
         }
-        self.seen += other.seen;
+        self.visible += other.visible;
         self.alone += other.alone;
         self.unreached += other.unreached;
         if let Some(worst) = &other.worst {
@@ -130,14 +137,37 @@ impl Tally {
         }
     }
 
-    pub(super) fn routes(&self) -> BTreeMap<&'static str, usize> {
-        let routes = self.routes.iter().flatten();
-        routes
-            .map(|(route, pairs)| (route.name(), *pairs))
-            .collect()
-    }
-
-    pub(super) fn of(&self, route: Route) -> usize {
-        self.routes[route as usize % ROUTES].map_or(0, |(_, pairs)| pairs)
+    /// The summary of a pass over `pairs` pairs in `planes` planes, some of which were left out,
+    /// while others took the values of so many classes.
+    pub(super) fn summary(
+        mut self,
+        pairs: usize,
+        planes: usize,
+        [coplanar, back_facing]: [usize; 2],
+        classes: usize,
+    ) -> PassSummary {
+        self.count(Route::Coplanar, coplanar);
+        self.count(Route::BackFacing, back_facing);
+        let computed = self.alone + classes;
+        let routes = Route::ALL.into_iter().zip(self.routes);
+        let plan = PlanSummary {
+            pairs,
+            reciprocal: pairs,
+            planes,
+            untouched: coplanar + back_facing,
+            coplanar: self.routes[Route::Coplanar as usize],
+            back_facing: self.routes[Route::BackFacing as usize],
+            congruent: self.visible - computed,
+            computed,
+            routes: routes
+                .filter(|(_, pairs)| *pairs > 0)
+                .map(|(route, pairs)| (route.name(), pairs))
+                .collect(),
+        };
+        PassSummary {
+            plan,
+            unreached: self.unreached,
+            worst: self.worst,
+        }
     }
 }

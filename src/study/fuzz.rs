@@ -12,6 +12,7 @@ use crate::chain::recipe::{ChainFamily, DivisionFamily, Recipe};
 use crate::chain::{Refinement, ReversibleChain, strategies};
 use crate::information::{mutual_information, refinement_gain};
 use crate::numeric::{Scalar, tolerance, x_log2_ratio};
+use crate::scene::Progress;
 use proptest::test_runner::{Config, RngAlgorithm, TestCaseError, TestError, TestRng, TestRunner};
 use rayon::prelude::*;
 use std::cell::{Cell, RefCell};
@@ -102,7 +103,7 @@ const SAMPLED: u64 = 500;
 ///
 /// It ends at the first block with a counterexample: blocks behind it are left out, whoever ran them.
 #[must_use]
-pub fn run(campaign: Campaign, progress: &(impl Fn(u64) + Sync)) -> Findings {
+pub fn run(campaign: Campaign, progress: &dyn Progress) -> Findings {
     let first_failing = AtomicU32::new(u32::MAX);
     let blocks = campaign.cases.div_ceil(BLOCK);
     let found = (0..blocks).into_par_iter().map(|block| {
@@ -113,7 +114,7 @@ pub fn run(campaign: Campaign, progress: &(impl Fn(u64) + Sync)) -> Findings {
         if !findings.counterexamples.is_empty() {
             first_failing.fetch_min(block, Ordering::Relaxed);
         }
-        progress(findings.cases);
+        progress.advance(usize::try_from(findings.cases).unwrap_or(usize::MAX));
         Some(findings)
     });
     let found: Vec<Option<Findings>> = found.collect();

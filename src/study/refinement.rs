@@ -23,7 +23,7 @@
 
 use super::StudyError;
 use crate::form_factor::DEFAULT_TOLERANCE;
-use crate::information::{Surroundings, continuous_information, scene_information};
+use crate::information::{OpenScene, continuous_information, scene_information};
 use crate::scene::{Congruence, Occlusion, Scene, ScenePairs};
 use std::time::Instant;
 
@@ -112,7 +112,7 @@ pub fn refinements(quick: bool) -> Result<Vec<RefinementRow>, StudyError> {
                 Congruence::Shared,
                 Occlusion::Refuse,
             )?;
-            let discrete = scene_information(&pairs, Surroundings::None)?;
+            let discrete = scene_information(&pairs, OpenScene::Refuse)?;
             let seconds = start.elapsed().as_secs_f64();
             let information = discrete.mutual_information;
             let before = rows.last().filter(|row| row.scene == name);

@@ -12,7 +12,7 @@
 use super::StudyError;
 use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::information::{
-    LineKind, LineSample, Surroundings, expected_bias_of_scene, scene_information,
+    LineKind, LineSample, OpenScene, expected_bias_of_scene, scene_information,
 };
 use crate::scene::{Congruence, Occlusion, Scene, ScenePairs};
 use std::time::Instant;
@@ -95,7 +95,7 @@ pub fn sampling(quick: bool) -> Result<Vec<SamplingRow>, StudyError> {
             Congruence::Shared,
             Occlusion::Refuse,
         )?;
-        let closed = scene_information(&pairs, Surroundings::None)?;
+        let closed = scene_information(&pairs, OpenScene::Refuse)?;
         let value = closed.mutual_information;
         let plain = SamplingRow {
             case: (*name).to_owned(),

@@ -4,7 +4,7 @@
 //! method is given the same joint matrix in `f64`, and judged by the [enclosure](exact_radiosities) of its exact solution; the error is
 //! that of the worst patch, relative to its own radiosity.
 //!
-//! * `chosen`: [`Interreflection::radiosity`];
+//! * `chosen`: [`RadiositySystem::radiosity`];
 //! * `elimination`: LU with pivots of `I − R F`, the usual way for few patches;
 //! * `bounces`: `B ← E + R F B` until no patch changes by 1e-14 of itself, the usual way for many, 10,000 times at most.
 
@@ -12,7 +12,7 @@ use super::StudyError;
 use super::extreme_pairs::{CHOSEN, StabilityRow};
 use crate::numeric::{Interval, Scalar};
 use crate::scene::Scene;
-use crate::transport::Interreflection;
+use crate::transport::RadiositySystem;
 use nalgebra::{DMatrix, DVector};
 use std::hint::black_box;
 use std::time::Instant;
@@ -198,7 +198,7 @@ pub fn transport_stability(repetitions: u32) -> Result<Vec<StabilityRow>, StudyE
         let lit = exact.iter().filter(|value| value.to_f64() > 0.0);
         let uncertainty = lit.map(|value| value.width() / value.to_f64());
         let uncertainty = uncertainty.fold(0.0, f64::max);
-        let room = Interreflection::of_matrix(&scene.exchange, scene.reflectances.clone())?;
+        let room = RadiositySystem::of_matrix(&scene.exchange, scene.reflectances.clone())?;
         let bound = room.radiosity(&scene.emittances)?.relative_error;
         let mut add = |method: &str, bound: Option<f64>, form: &dyn Fn() -> Vec<f64>| {
             let relative_error = worst_error(&form(), &exact);

@@ -8,7 +8,7 @@ use super::{Row, StudyError};
 use crate::numeric::compensated_sum;
 use crate::scene::{Material, Scene};
 use crate::transport::walks::{Steering, Walks};
-use crate::transport::{Interreflection, TransportError};
+use crate::transport::{RadiositySystem, TransportError};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::time::Instant;
@@ -25,7 +25,7 @@ const PATCH: usize = 77;
 /// None that is known: the cube is built in and lit.
 pub fn walk_variance(walks: u32) -> Result<Vec<Row>, StudyError> {
     let exchange = Scene::built_in("cube:5")?.exchange_areas()?;
-    let count = exchange.patches();
+    let count = exchange.rows();
     let mut random = ChaCha8Rng::seed_from_u64(1999);
     let drawn: Vec<[f64; 2]> = (0..count).map(|_| random.random()).collect();
     let materials: Vec<Material> = drawn
@@ -33,7 +33,7 @@ pub fn walk_variance(walks: u32) -> Result<Vec<Row>, StudyError> {
         .map(|[reflectance, _]| Material::try_new(0.9 * reflectance, 0.0).unwrap_or_default())
         .collect();
     let emittances: Vec<f64> = drawn.iter().map(|[_, emittance]| *emittance).collect();
-    let room = Interreflection::of(&exchange, &materials)?;
+    let room = RadiositySystem::of(&exchange, &materials)?;
     let radiosity = room.radiosity(&emittances)?;
     let looked_at: Vec<f64> = (0..count)
         .map(|patch| f64::from(u8::from(patch == PATCH)))

@@ -1,6 +1,6 @@
 //! Conjugate gradients with the diagonal as preconditioner.
 
-/// What an iteration came to.
+/// The result of an iteration.
 pub(super) struct Iterated {
     /// The approximate solution.
     pub(super) solution: Vec<f64>,
@@ -8,8 +8,9 @@ pub(super) struct Iterated {
     pub(super) iterations: usize,
 }
 
-/// An approximate solution of `M x = b` for a symmetric positive definite M: `√(r·D⁻¹r)` falls by the factor `reduction`, unless it
-/// takes more than `most` iterations, or rounding stops it. How good it is, others must find out.
+/// An approximate solution of `M x = b` for a symmetric positive definite M: `√(r·D⁻¹r)` falls by
+/// the factor `reduction`, unless it takes more than `most` iterations, or rounding stops it. How
+/// good it is, others must find out.
 ///
 /// **Arguments** `product`: x ↦ M x; `diagonal` of M, > 0, or 0 where x is 0 for good.
 pub(super) fn conjugate_gradients(

@@ -6,14 +6,14 @@ use crate::scene::ExchangeError;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TransportError {
-    /// As many numbers as patches were needed.
+    /// A list has not one number for each patch.
     #[error("{found} {what} for {expected} patches: one for each is needed")]
     WrongCount {
-        /// What was counted.
+        /// The name of the list.
         what: &'static str,
-        /// How many there are.
+        /// Its length.
         found: usize,
-        /// How many there should be.
+        /// Number of patches.
         expected: usize,
     },
     /// A reflectance with which light would never die out, or none at all.
@@ -21,7 +21,7 @@ pub enum TransportError {
     ReflectanceOutOfRange {
         /// The patch, from 0.
         patch: usize,
-        /// As given.
+        /// The value that was given.
         value: f64,
     },
     /// A positive reflectance whose inverse is beyond what can be computed with.
@@ -31,7 +31,7 @@ pub enum TransportError {
     ReflectanceTooSmall {
         /// The patch, from 0.
         patch: usize,
-        /// As given.
+        /// The value that was given.
         value: f64,
     },
     /// A source that is negative or not a number.
@@ -41,7 +41,7 @@ pub enum TransportError {
         what: &'static str,
         /// The patch, from 0.
         patch: usize,
-        /// As given.
+        /// The value that was given.
         value: f64,
     },
     /// Every source is 0.
@@ -53,7 +53,7 @@ pub enum TransportError {
     /// A patch index is out of range.
     #[error("there is no patch {patch}: the scene has patches 0 to {last}")]
     NoSuchPatch {
-        /// As given.
+        /// The value that was given.
         patch: usize,
         /// Largest index.
         last: usize,
@@ -70,7 +70,7 @@ pub enum TransportError {
         row: usize,
         /// Column, from 0.
         column: usize,
-        /// As given.
+        /// The value that was given.
         value: f64,
     },
     /// The scene's form factors were refused.

@@ -1,40 +1,47 @@
-//! Passes over a symmetric matrix that is held by columns above its diagonal.
+//! Passes over a symmetric matrix that is held, row by row below its diagonal.
 //!
-//! ```text
-//!   differences:  y_i = Σ_j J_ij (x_i − x_j)        gathered:  y_i = Σ_{j≠i} J_ij x_j
-//! ```
+//! In the pass of differences, what leaves one patch arrives at the other, so that a constant x
+//! gives 0 exactly, however far J is known. The rows come in blocks that depend on their number
+//! alone, each with sums of its own that are added up in order: the answer does not depend on the
+//! number of threads.
 //!
-//! In the first what leaves one patch arrives at the other, so that a constant x gives 0 exactly, however far J is known.
-//! The columns come in runs that depend on their number alone, each with sums of its own that are added up in
-//! order: the answer does not depend on the number of threads.
-//!
-//! Compensated sums of n terms t are within `n² ε² Σ|t|` (Neumaier 1974) and what the terms themselves lose; one with 106 bits loses 8 ε².
+//! Compensated sums of n terms t are within `n² ε² Σ|t|` (Neumaier 1974) and what the terms
+//! themselves lose; one with 106 bits loses 8 ε².
 
-use crate::numeric::{DoubleDouble, parallel_map, vectorised};
+use super::ExchangeOperator;
+use crate::numeric::{DoubleDouble, Scaled, Symmetric, parallel_map, vectorised};
+use std::borrow::Cow;
 use std::ops::Range;
 
-/// A symmetric matrix without its diagonal: entry (i, j), i < j, at `j(j − 1)/2 + i`.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Flows<'e> {
-    pub(super) count: usize,
-    pub(super) values: &'e [f64],
-}
+/// Exchange areas that are held, all pairs of them.
+#[derive(Debug, Clone)]
+pub struct DenseExchange<'e>(Cow<'e, Symmetric<f64>>);
 
-/// Runs of columns, with about as many entries each.
-const RUNS: usize = 16;
+/// Blocks of rows.
+const BLOCKS: usize = 16;
 
 /// Entries that are taken at a time.
 const LANES: usize = 8;
 type Lanes = [f64; LANES];
 
-/// Where column j starts.
-pub(super) const fn start(j: usize) -> usize {
-    j * j.saturating_sub(1) / 2
+impl<'e> From<&'e Symmetric<f64>> for DenseExchange<'e> {
+    fn from(values: &'e Symmetric<f64>) -> Self {
+        Self(Cow::Borrowed(values))
+    }
 }
 
-impl Flows<'_> {
-    /// `Σ_j J_ij (x_i − x_j)`.
-    pub(super) fn differences(&self, x: &[f64]) -> Vec<f64> {
+impl From<Symmetric<f64>> for DenseExchange<'_> {
+    fn from(values: Symmetric<f64>) -> Self {
+        Self(Cow::Owned(values))
+    }
+}
+
+impl ExchangeOperator for DenseExchange<'_> {
+    fn order(&self) -> usize {
+        self.0.order()
+    }
+
+    fn differences(&self, x: &[f64]) -> Vec<f64> {
         let [sums] = self.pass([x], add, |flow, [at], [x], [own], [others]| {
             for k in 0..LANES {
                 let term = flow[k] * (at - x[k]);
@@ -45,8 +52,7 @@ impl Flows<'_> {
         sums
     }
 
-    /// `Σ_j J_ij |x_i − x_j|`.
-    pub(super) fn absolute_differences(&self, x: &[f64]) -> Vec<f64> {
+    fn absolute_differences(&self, x: &[f64]) -> Vec<f64> {
         let [sums] = self.pass([x], add, |flow, [at], [x], [own], [others]| {
             for k in 0..LANES {
                 let term = flow[k] * (at - x[k]).abs();
@@ -57,8 +63,7 @@ impl Flows<'_> {
         sums
     }
 
-    /// `Σ_{j≠i} J_ij x_j`, compensated: within ε/2 for x ≥ 0, and of `x = 1` all 106 bits.
-    pub(super) fn gathered(&self, x: &[f64]) -> Vec<DoubleDouble> {
+    fn gathered(&self, x: &[f64]) -> Vec<DoubleDouble> {
         let sums = self.pass(
             [x],
             add_compensated,
@@ -72,8 +77,7 @@ impl Flows<'_> {
         paired(&sums)
     }
 
-    /// `Σ_j J_ij (x_i − x_j)` with 106 bits.
-    pub(super) fn precise_differences(&self, x: &[DoubleDouble]) -> Vec<DoubleDouble> {
+    fn precise_differences(&self, x: &[DoubleDouble]) -> Vec<DoubleDouble> {
         let high: Vec<f64> = x.iter().map(|x| x.high()).collect();
         let low: Vec<f64> = x.iter().map(|x| x.low()).collect();
         let sums = self.pass(
@@ -95,25 +99,46 @@ impl Flows<'_> {
         );
         paired(&sums)
     }
+}
 
-    /// Sums over the rows of what `kernel` adds for J_ij, x_j and x_i to the sum of j and to that of i.
+impl DenseExchange<'_> {
+    /// The exchange area of two different rows.
+    pub(super) fn get(&self, i: usize, j: usize) -> f64 {
+        *self.0.get(i, j)
+    }
+
+    /// The largest entry, or `least` if that is larger.
+    pub(super) fn largest(&self, least: f64) -> f64 {
+        self.0.entries().iter().copied().fold(least, f64::max)
+    }
+
+    /// Multiplies all entries by `2^power`.
+    pub(super) fn scale(&mut self, power: i32) {
+        for value in self.0.to_mut().entries_mut() {
+            *value = Scaled::new(*value).times_power(power);
+        }
+    }
+
+    /// Sums over the rows of what `kernel` adds for J_ij, x_j and x_i to the sum of j and to that
+    /// of i.
     fn pass<const Q: usize, const P: usize>(
         &self,
         x: [&[f64]; Q],
         add: impl Fn([f64; P], [f64; P]) -> [f64; P] + Sync,
         kernel: impl Fn(Lanes, [f64; Q], [Lanes; Q], &mut [Lanes; P], &mut [Lanes; P]) + Sync + Copy,
     ) -> [Vec<f64>; P] {
-        let runs = parallel_map(RUNS, &|run| {
-            let columns = self.columns(run);
-            let mut sums = [(); P].map(|()| vec![0.0; columns.end]);
-            for j in columns {
-                let column = &self.values[start(j)..start(j + 1)];
+        let blocks: Vec<Range<usize>> = self.0.blocks(BLOCKS).collect();
+        let blocks = parallel_map(blocks.len(), &|block| {
+            let rows = blocks[block].clone();
+            let mut sums = [(); P].map(|()| vec![0.0; rows.end]);
+            for j in rows {
+                let row = self.0.row(j);
                 let mut own = [[0.0; LANES]; P];
                 let (taken, others) = (&mut own, sums.each_mut().map(|sums| &mut sums[..j]));
                 // what is moved in is local to the loop, which the compiler wants to see for vectors
                 vectorised(
                     #[inline(always)]
-                    move || *taken = along(column, x, others, kernel),
+                    move || *taken = along(row, x, others, kernel),
                 );
                 let mut sum = [0.0; P];
                 for lane in 0..LANES {
@@ -125,10 +150,13 @@ impl Flows<'_> {
             }
             sums
         });
-        let mut sums = [(); P].map(|()| vec![0.0; self.count]);
-        for run in &runs {
-            for i in 0..run[0].len() {
-                let sum = add(sums.each_ref().map(|s| s[i]), run.each_ref().map(|s| s[i]));
+        let mut sums = [(); P].map(|()| vec![0.0; self.order()]);
+        for block in &blocks {
+            for i in 0..block[0].len() {
+                let sum = add(
+                    sums.each_ref().map(|s| s[i]),
+                    block.each_ref().map(|s| s[i]),
+                );
                 for (sums, sum) in sums.iter_mut().zip(sum) {
                     sums[i] = sum;
                 }
@@ -136,45 +164,28 @@ impl Flows<'_> {
         }
         sums
     }
-
-    /// The columns of a run.
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        clippy::cast_precision_loss,
-        reason = "between 0 and the count"
-    )]
-    fn columns(&self, run: usize) -> Range<usize> {
-        let end = |run: usize| (self.count as f64 * (run as f64 / RUNS as f64).sqrt()) as usize;
-        let last = if run + 1 == RUNS {
-            self.count
-        } else {
-            end(run + 1)
-        };
-        end(run)..last
-    }
 }
 
-/// One column: adds to the sums of the others, returns those of its own.
+/// One row left of the diagonal: adds to the sums of the others, returns those of its own.
 #[inline(always)]
 #[allow(
     clippy::inline_always,
     reason = "vector code is made where it is called"
 )]
 fn along<const Q: usize, const P: usize>(
-    column: &[f64],
+    row: &[f64],
     x: [&[f64]; Q],
     mut others: [&mut [f64]; P],
     kernel: impl Fn(Lanes, [f64; Q], [Lanes; Q], &mut [Lanes; P], &mut [Lanes; P]),
 ) -> [Lanes; P] {
-    let n = column.len();
+    let n = row.len();
     let at = x.map(|x| x[n]);
     let mut own = [[0.0; LANES]; P];
     let whole = n / LANES * LANES;
     for k in (0..whole).step_by(LANES) {
         let mut sums = others.each_ref().map(|others| lanes(&others[k..k + LANES]));
         let x = x.map(|x| lanes(&x[k..k + LANES]));
-        kernel(lanes(&column[k..k + LANES]), at, x, &mut own, &mut sums);
+        kernel(lanes(&row[k..k + LANES]), at, x, &mut own, &mut sums);
         for (others, sums) in others.iter_mut().zip(&sums) {
             others[k..k + LANES].copy_from_slice(sums);
         }
@@ -183,7 +194,7 @@ fn along<const Q: usize, const P: usize>(
         // no flow in the lanes beyond
         let mut sums = others.each_ref().map(|others| lanes(&others[whole..]));
         let x = x.map(|x| lanes(&x[whole..n]));
-        kernel(lanes(&column[whole..]), at, x, &mut own, &mut sums);
+        kernel(lanes(&row[whole..]), at, x, &mut own, &mut sums);
         for (others, sums) in others.iter_mut().zip(&sums) {
             others[whole..].copy_from_slice(&sums[..n - whole]);
         }

@@ -1,14 +1,13 @@
-//! The solution of the equations of [`Interreflection`], and how far it can be trusted.
+//! The solution of the equations of [`RadiositySystem`], with a bound on its error.
 
 use super::conjugate_gradients::conjugate_gradients;
-use super::flows::Flows;
-use super::{Brightness, Importance, Interreflection, TransportError};
+use super::{ExchangeOperator, Importance, RadiositySolution, RadiositySystem, TransportError};
 use crate::numeric::{DoubleDouble, SQUARED_EPSILON, Scalar, Scaled};
 
 /// A smaller relative error than this is lost in the rounding of the answer.
 const GOAL: f64 = f64::EPSILON / 64.0;
 
-/// How far one run of conjugate gradients brings the residual down.
+/// The factor by which one run of conjugate gradients reduces the residual.
 const REDUCTION: f64 = 1e-8;
 
 /// Runs beyond which nothing more is hoped for.
@@ -20,10 +19,11 @@ const MOST_BOUNCES: usize = 1000;
 /// Iterations of one run.
 const MOST_ITERATIONS: usize = 500;
 
-/// What the sums of positive numbers in these bounds may lose, generously: n ε for n up to 4e9.
+/// A generous bound on the relative rounding of the sums of positive numbers in these bounds: n ε
+/// for n up to 4e9.
 const ROUNDING: f64 = 1e-6;
 
-/// What radiosities as `f64` are off by, relative, and their products.
+/// A bound on the relative rounding of radiosities as `f64`, and of their products.
 const ROUNDED: f64 = 4.0 * f64::EPSILON;
 
 /// A solution with 106 bits.
@@ -33,33 +33,36 @@ struct Solved {
     iterations: usize,
 }
 
-impl Interreflection<'_> {
+impl<O: ExchangeOperator> RadiositySystem<O> {
     /// The radiosities for these emittances.
     ///
-    /// **Accuracy** [`Brightness::relative_error`] is a bound, apart from the error of the exchange areas; for stiff scenes, too,
-    /// it comes out below 1e-15 (`stiff_scenes_keep_their_digits`).
+    /// **Accuracy** [`RadiositySolution::relative_error`] is a bound, apart from the error of the
+    /// exchange areas; for stiff scenes, too, it comes out below 1e-15
+    /// (`stiff_scenes_keep_their_digits`).
     ///
     /// # Errors
-    /// [`TransportError::WrongCount`], [`TransportError::SourceOutOfRange`], [`TransportError::NoSource`].
+    /// [`TransportError::WrongCount`], [`TransportError::SourceOutOfRange`],
+    /// [`TransportError::NoSource`].
     ///
     /// # Examples
     /// ```
     /// use infoscene::scene::Scene;
     /// use infoscene::scene::Material;
-    /// use infoscene::transport::Interreflection;
+    /// use infoscene::transport::RadiositySystem;
     /// // a furnace: what emits as much as it absorbs glows evenly
     /// let cube = Scene::built_in("cube:2")?.exchange_areas()?;
-    /// let room = Interreflection::of(&cube, &[Material::try_new(0.75, 0.25)?; 24])?;
+    /// let room = RadiositySystem::of(&cube, &[Material::try_new(0.75, 0.25)?; 24])?;
     /// let radiosity = room.radiosity(&[0.25; 24])?;
     /// assert!(radiosity.values.iter().all(|value| (value - 1.0).abs() < 1e-15));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn radiosity(&self, emittances: &[f64]) -> Result<Brightness, TransportError> {
+    pub fn radiosity(&self, emittances: &[f64]) -> Result<RadiositySolution, TransportError> {
         self.check("emittance", "emittances", emittances)?;
         Ok(self.brightness(emittances))
     }
 
-    /// The importances for these direct importances V: 1 for a patch that is looked at, 0 for others, for example.
+    /// The importances for these direct importances V: 1 for a patch that is looked at, 0 for
+    /// others, for example.
     ///
     /// # Errors
     /// As [`radiosity`](Self::radiosity).
@@ -71,7 +74,7 @@ impl Interreflection<'_> {
         let reflected = if sources.iter().any(|source| *source > 0.0) {
             self.brightness(&sources)
         } else {
-            Brightness::dark(sources.len())
+            RadiositySolution::dark(sources.len())
         };
         let received = reflected.received.iter().zip(direct);
         let values = received
@@ -107,7 +110,7 @@ impl Interreflection<'_> {
     }
 
     /// The answer for sources of which one is positive.
-    fn brightness(&self, sources: &[f64]) -> Brightness {
+    fn brightness(&self, sources: &[f64]) -> RadiositySolution {
         let largest = sources.iter().copied().fold(0.0, f64::max);
         let power = Scaled::new(largest).exponent;
         let sources: Vec<f64> = sources
@@ -128,7 +131,7 @@ impl Interreflection<'_> {
             })
             .fold(0.0, f64::max);
         let unscaled = |value: f64| Scaled::new(value).times_power(power);
-        Brightness {
+        RadiositySolution {
             values: values.into_iter().map(unscaled).collect(),
             received: received
                 .iter()
@@ -143,16 +146,9 @@ impl Interreflection<'_> {
         }
     }
 
-    fn flows(&self) -> Flows<'_> {
-        Flows {
-            count: self.own.len(),
-            values: &self.values,
-        }
-    }
-
     /// `Σ_j F_ij B_j`.
     fn received(&self, values: &[f64]) -> Vec<DoubleDouble> {
-        let gathered = self.flows().gathered(values);
+        let gathered = self.exchange.gathered(values);
         let rows = gathered.into_iter().enumerate();
         rows.map(|(i, others)| {
             let own = DoubleDouble::from(self.own[i] * values[i]);
@@ -167,7 +163,7 @@ impl Interreflection<'_> {
 
     /// `M x`, with x = 0 where nothing is reflected.
     fn product(&self, x: &[f64]) -> Vec<f64> {
-        let mut image = self.flows().differences(x);
+        let mut image = self.exchange.differences(x);
         for (i, image) in image.iter_mut().enumerate() {
             if self.diagonal[i] > 0.0 {
                 *image += self.excess[i] * x[i];
@@ -188,7 +184,7 @@ impl Interreflection<'_> {
             if given.is_none() && before == sum.len() {
                 break;
             }
-            last = self.over_diagonal(&leading(&self.flows().gathered(&last)));
+            last = self.over_diagonal(&leading(&self.exchange.gathered(&last)));
             for (sum, last) in sum.iter_mut().zip(&last) {
                 *sum += last;
             }
@@ -208,8 +204,8 @@ impl Interreflection<'_> {
 
     /// `A_i (E_i − (1−R_i) B_i)/R_i − e_i B_i − Σ_j J_ij (B_i − B_j)` and a bound on its rounding.
     fn residual(&self, values: &[DoubleDouble], sources: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let differences = self.flows().precise_differences(values);
-        let sizes = self.flows().absolute_differences(&leading(values));
+        let differences = self.exchange.precise_differences(values);
+        let sizes = self.exchange.absolute_differences(&leading(values));
         #[allow(clippy::cast_precision_loss, reason = "no scene has 2^53 patches")]
         let unit = {
             let n = values.len() as f64;
@@ -283,10 +279,7 @@ impl Interreflection<'_> {
 
     /// `g(x)`: what the errors of the exchange areas can do to the equations.
     fn perturbation(&self, x: &[f64], sources: &[f64]) -> Option<Vec<f64>> {
-        let bounds = Flows {
-            count: self.own.len(),
-            values: self.error_bounds.as_deref()?,
-        };
+        let bounds = self.error_bounds.as_ref()?;
         let (between, from_others) = (bounds.absolute_differences(x), leading(&bounds.gathered(x)));
         let row = |i: usize| {
             let reflectance = self.reflectances[i];
@@ -322,7 +315,7 @@ impl Interreflection<'_> {
         let image = self.product(&reaction);
         let sideways = self.perturbation(&reaction, &none)?;
         // what rounding may have added to the product
-        let size = self.flows().absolute_differences(&reaction);
+        let size = self.exchange.absolute_differences(&reaction);
         #[allow(clippy::cast_precision_loss, reason = "no scene has 2^53 patches")]
         let unit = (values.len() + 32) as f64 * f64::EPSILON;
         let shares = (0..values.len()).filter(|i| forces[*i] > 0.0).map(|i| {
@@ -348,7 +341,7 @@ fn largest_ratio(a: &[f64], b: &[f64]) -> f64 {
     ratios.fold(0.0, |most, ratio| if ratio <= most { most } else { ratio })
 }
 
-impl Brightness {
+impl RadiositySolution {
     fn dark(count: usize) -> Self {
         Self {
             values: vec![0.0; count],

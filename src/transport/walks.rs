@@ -1,31 +1,33 @@
 //! Random walks that estimate radiosity and response (§3.4, §3.5).
 //!
-//! A *gathering* walk starts at the patch whose radiosity is asked for and goes where light may come from; a *shooting* walk starts at
-//! a source and goes where its light falls. Both go on for ever: they end when what is left is below 2⁻⁷⁰ of what was found.
+//! A *gathering* walk starts at the patch whose radiosity is asked for and goes where light may
+//! come from; a *shooting* walk starts at a source and goes where its light falls. Both go on for
+//! ever: they end when what is left is below 2⁻⁷⁰ of what was found.
 //!
 //! ```text
 //!   gathering from i:  B_i = E_i + Σ_k W_k E_ik,        W ← W · R_i F_ij / P_ij
-//!   shooting:          ⟨V, B⟩ = Σ_i A_i V_i B_i = Σ_k W_k V_ik,   W₀ = A_i E_i / q_i,   W ← W · F_ij R_j / P_ij
+//!   shooting:          ⟨V, B⟩ = Σ_i A_i V_i B_i = Σ_k W_k V_ik,
+//!                      W₀ = A_i E_i / q_i,              W ← W · F_ij R_j / P_ij
 //! ```
 //!
-//! Steered by the solution itself, `P_ij = R_i F_ij B_j/(B_i − E_i)`, gathering has `W_k = Π_{m<k} (B_m − E_m)/B_(m+1)`, and the sum
-//! telescopes to B_i *on every walk*; likewise shooting with `P_ij = R_j F_ij I_j/(I_i − V_i)` and `q_i ∝ A_i E_i I_i` to
-//! `Σ A E I = ⟨V, B⟩`: no variance. Steered by the form factors alone, `P = F`, they have it. Probabilities that are only nearly
+//! Steered by the solution itself, `P_ij = R_i F_ij B_j/(B_i − E_i)`, gathering has `W_k = Π_{m<k}
+//! (B_m − E_m)/B_(m+1)`, and the sum telescopes to B_i *on every walk*; likewise shooting with
+//! `P_ij = R_j F_ij I_j/(I_i − V_i)` and `q_i ∝ A_i E_i I_i` to `Σ A E I = ⟨V, B⟩`: no variance.
+//! Steered by the form factors alone, `P = F`, they have it. Probabilities that are only nearly
 //! those of the solution bring nearly no variance.
 //!
 //! **Not covered**: absorption by chance (Russian roulette).
 //!
-//! Reference: Sbert, Brusi, Tobler, Purgathofer, *Random Walk Radiosity with Generalized Transition Probabilities*, report
-//! IIIA-98-07-RR, Universitat de Girona, 1998.
+//! Reference: Sbert, Brusi, Tobler, Purgathofer, *Random Walk Radiosity with Generalized Transition
+//! Probabilities*, report IIIA-98-07-RR, Universitat de Girona, 1998.
 
-use super::flows::start;
-use super::{Importance, Interreflection, TransportError};
+use super::{DenseExchange, Importance, RadiositySystem, TransportError};
 use crate::numeric::compensated_sum;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::collections::HashMap;
 
-/// What walks are steered by.
+/// The probabilities that steer walks.
 #[derive(Debug, Clone, Copy)]
 pub enum Steering<'s, T: ?Sized> {
     /// The form factors alone.
@@ -34,7 +36,7 @@ pub enum Steering<'s, T: ?Sized> {
     Towards(&'s T),
 }
 
-/// What came of some walks.
+/// The estimate of some walks.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Walks {
     /// The estimate.
@@ -45,7 +47,7 @@ pub struct Walks {
     pub farthest: f64,
     /// Steps of the longest walk.
     pub longest: u32,
-    /// How many walks.
+    /// Number of walks.
     pub walks: u32,
 }
 
@@ -63,15 +65,16 @@ const LEFT: f64 = 1.0 / (1u128 << 70) as f64;
 /// A walk that is longer is cut off: with reflectances up to 0.9999 none is.
 const MOST_STEPS: u32 = 1_000_000;
 
-impl Interreflection<'_> {
+impl RadiositySystem<DenseExchange<'_>> {
     /// The radiosity of one patch by gathering walks.
     ///
-    /// **Arguments** `steering`: by the form factors, or towards radiosities, one for each patch; `seed`: the same one gives the
-    /// same walks.
+    /// **Arguments** `steering`: by the form factors, or towards radiosities, one for each patch;
+    /// `seed`: the same one gives the same walks.
     ///
     /// # Errors
-    /// [`TransportError::NoSuchPatch`]; [`TransportError::NoWalks`]; [`TransportError::WrongCount`],
-    /// [`TransportError::SourceOutOfRange`], [`TransportError::NoSource`].
+    /// [`TransportError::NoSuchPatch`]; [`TransportError::NoWalks`];
+    /// [`TransportError::WrongCount`], [`TransportError::SourceOutOfRange`],
+    /// [`TransportError::NoSource`].
     pub fn gathering_walks(
         &self,
         from: usize,
@@ -93,9 +96,11 @@ impl Interreflection<'_> {
         })
     }
 
-    /// The response `Σ_i A_i V_i B_i` by shooting walks: with `V = δ_k` the power `A_k B_k` that leaves patch k.
+    /// The response `Σ_i A_i V_i B_i` by shooting walks: with `V = δ_k` the power `A_k B_k` that
+    /// leaves patch k.
     ///
-    /// **Arguments** `direct`: V; `steering`: by emitted power and form factors, or towards importances.
+    /// **Arguments** `direct`: V; `steering`: by emitted power and form factors, or towards
+    /// importances.
     ///
     /// # Errors
     /// As [`gathering_walks`](Self::gathering_walks).
@@ -172,15 +177,15 @@ impl Cumulative {
     }
 }
 
-/// Where walks go on to, row by row as they are needed.
+/// The transitions of walks, row by row as they are needed.
 struct Ways<'w, 'e> {
-    room: &'w Interreflection<'e>,
+    room: &'w RadiositySystem<DenseExchange<'e>>,
     brightness: &'w [f64],
     rows: HashMap<usize, Cumulative>,
 }
 
 impl<'w, 'e> Ways<'w, 'e> {
-    fn new(room: &'w Interreflection<'e>, brightness: &'w [f64]) -> Self {
+    fn new(room: &'w RadiositySystem<DenseExchange<'e>>, brightness: &'w [f64]) -> Self {
         let rows = HashMap::new();
         Self {
             room,
@@ -189,10 +194,11 @@ impl<'w, 'e> Ways<'w, 'e> {
         }
     }
 
-    /// A walk from a patch with a weight, until what is left does not count: what it finds, and its steps.
+    /// A walk from a patch with a weight, until what is left does not count: what it finds, and its
+    /// steps.
     ///
-    /// **Arguments** `finds`, `left`: what a patch adds per weight, and how much may follow; `reflected`: of a step, the reflectance that it
-    /// passes.
+    /// **Arguments** `finds`, `left`: what a patch adds per weight, and how much may follow;
+    /// `reflected`: of a step, the reflectance that it passes.
     fn follow(
         &mut self,
         [finds, left]: [&[f64]; 2],
@@ -227,13 +233,13 @@ impl<'w, 'e> Ways<'w, 'e> {
     }
 }
 
-impl Interreflection<'_> {
+impl RadiositySystem<DenseExchange<'_>> {
     /// `A_i F_ij`.
     fn exchange(&self, i: usize, j: usize) -> f64 {
         if i == j {
             self.own[i]
         } else {
-            self.values[start(i.max(j)) + i.min(j)]
+            self.exchange.get(i, j)
         }
     }
 }

@@ -8,7 +8,7 @@ use infoscene::chain::{
 use infoscene::information::{mutual_information, refinement_gain};
 use infoscene::numeric::tolerance;
 use infoscene::scene::{ExchangeAreas, Material, Scene};
-use infoscene::transport::Interreflection;
+use infoscene::transport::RadiositySystem;
 
 /// R, E and V of every patch its own.
 fn materials(n: usize) -> Vec<Material> {
@@ -49,8 +49,8 @@ fn off(
 fn the_radiosity_chain_is_that_of_section_3_4() {
     for (name, scene) in closed_scenes() {
         let exchange = scene.exchange_areas().unwrap();
-        let materials = materials(exchange.patches());
-        let room = Interreflection::of(&exchange, &materials).unwrap();
+        let materials = materials(exchange.rows());
+        let room = RadiositySystem::of(&exchange, &materials).unwrap();
         let radiosity = room.radiosity(&emittances(&materials)).unwrap();
         let b = &radiosity.values;
         let chain = brightness_chain(&exchange, b).unwrap();
@@ -82,9 +82,9 @@ fn the_radiosity_chain_is_that_of_section_3_4() {
 fn the_importance_chain_is_that_of_section_3_5() {
     for (name, scene) in closed_scenes() {
         let exchange = scene.exchange_areas().unwrap();
-        let materials = materials(exchange.patches());
-        let room = Interreflection::of(&exchange, &materials).unwrap();
-        let direct: Vec<f64> = (0..exchange.patches()).map(|i| uneven(i, 7)).collect();
+        let materials = materials(exchange.rows());
+        let room = RadiositySystem::of(&exchange, &materials).unwrap();
+        let direct: Vec<f64> = (0..exchange.rows()).map(|i| uneven(i, 7)).collect();
         let importance = room.importance(&direct).unwrap();
         let values = &importance.values;
         let chain = brightness_chain(&exchange, &importance.reflected.values).unwrap();
@@ -126,8 +126,8 @@ fn rows_and_reciprocity(chain: &ReversibleChain, name: &str) {
 fn even_light_reverts_to_visibility() {
     for (name, scene) in closed_scenes() {
         let exchange = scene.exchange_areas().unwrap();
-        let materials = materials(exchange.patches());
-        let room = Interreflection::of(&exchange, &materials).unwrap();
+        let materials = materials(exchange.rows());
+        let room = RadiositySystem::of(&exchange, &materials).unwrap();
         let even: Vec<f64> = materials
             .iter()
             .map(|m| 3.0 * (1.0 - m.reflectance()))
@@ -218,7 +218,7 @@ fn constant_light_makes_the_continuous_chain_discrete() {
     }
 }
 
-/// Brightness that varies: two facing squares, against a Gauss rule over both that knows the kernel only.
+/// RadiositySolution that varies: two facing squares, against a Gauss rule over both that knows the kernel only.
 #[test]
 fn varying_light_agrees_with_gauss_rules() {
     let scene = Scene::facing_squares(0.75).unwrap();
@@ -279,7 +279,7 @@ fn weights_of_a_varying_solution_are_row_sums() {
         .map(|patch| Material::try_new(if *patch == 0 { 0.5 } else { 0.8 }, 0.0).unwrap())
         .collect();
     let sources: Vec<f64> = parents.iter().map(|patch| f64::from(*patch == 0)).collect();
-    let room = Interreflection::of(&exchange, &materials).unwrap();
+    let room = RadiositySystem::of(&exchange, &materials).unwrap();
     let radiosity = room.radiosity(&sources).unwrap();
     let mut printed = [0.0; 2];
     for (cell, patch) in parents.iter().enumerate() {

@@ -33,8 +33,8 @@ fn turned(scene: &Scene) -> Scene {
 
 /// Rows of both scenes by number: what each exchanges is the same within both bounds, and the bounds are small.
 fn assert_same(one: &ExchangeAreas, other: &ExchangeAreas, most: f64) {
-    let n = one.patches();
-    assert_eq!(n, other.patches());
+    let n = one.rows();
+    assert_eq!(n, other.rows());
     for i in 0..n {
         let off = (one.areas()[i] - other.areas()[i]).abs();
         assert!(
@@ -78,7 +78,7 @@ fn a_base_counts_without_its_part() {
     assert_same(&held(&turned_base), &held(&turned_cut), 1e-11);
     assert_same(&held(&turned_base), &held(&base), 1e-11);
     // differences reach the tolerance, too
-    assert_eq!(held(&turned_base).account().unreached, 0);
+    assert_eq!(held(&turned_base).summary().unreached, 0);
     assert_eq!(turned_base.blocker(), None);
     assert_eq!(turned_base.overlap(), None);
 }

@@ -27,7 +27,7 @@ fn an_open_scene_is_refused_with_its_worst_row() {
     let cube = Scene::built_in("cube:1").unwrap();
     let five: Vec<NamedPatch> = cube.patches()[..5].to_vec();
     let refusal = visibility_chain(&Scene::try_new(five).unwrap()).unwrap_err();
-    let ChainError::Exchange(ExchangeError::OpenScene { row, sum, .. }) = refusal else {
+    let ChainError::Exchange(ExchangeError::OpenScene { row, name, sum, .. }) = refusal else {
         panic!("{refusal}")
     };
     // the lacking face is opposite to face 4 and adjacent to the others, and sees 0.2000 of each
@@ -35,4 +35,5 @@ fn an_open_scene_is_refused_with_its_worst_row() {
         row < 5 && (sum - 0.8).abs() < 1e-3,
         "row {row} sums to {sum}"
     );
+    assert_eq!(name, cube.patches()[row].name());
 }

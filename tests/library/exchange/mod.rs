@@ -5,3 +5,4 @@ mod closure;
 mod plan;
 mod promises;
 mod rows;
+mod tiles;

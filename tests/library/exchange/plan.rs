@@ -1,10 +1,10 @@
 //! What a plan leaves out and shares: known by counting, and without a change of any value beyond its bound.
 
-use super::support::rooms::{mapped, placing};
+use crate::support::rooms::{mapped, placing};
 use glam::DVec3;
 use infoscene::geometry::Patch;
 use infoscene::scene::{
-    Account, Congruence, NamedPatch, Occlusion, PlanSummary, Scene, ScenePairs,
+    Congruence, NamedPatch, Occlusion, PassSummary, PlanSummary, Scene, ScenePairs,
 };
 use proptest::prelude::*;
 
@@ -12,13 +12,13 @@ use proptest::prelude::*;
 const TOLERANCE: f64 = 1e-6;
 
 /// A plan is of planes and shapes, whatever stands in the way.
-fn pairs(scene: &Scene, congruence: Congruence) -> ScenePairs {
+fn pairs(scene: &Scene, congruence: Congruence) -> ScenePairs<'static> {
     ScenePairs::try_new(scene, TOLERANCE, congruence, Occlusion::Ignore).unwrap()
 }
 
-fn account(scene: &Scene, congruence: Congruence) -> Account {
+fn account(scene: &Scene, congruence: Congruence) -> PassSummary {
     let exchange = pairs(scene, congruence).exchange_areas().unwrap();
-    exchange.account().clone()
+    exchange.summary().clone()
 }
 
 fn cube(cells: usize) -> Scene {
@@ -84,7 +84,7 @@ fn rounded_lines_share_within_the_tolerance() {
     let computed = |tolerance: f64| {
         let pairs =
             ScenePairs::try_new(&scene, tolerance, Congruence::Shared, Occlusion::Refuse).unwrap();
-        pairs.exchange_areas().unwrap().account().plan.computed
+        pairs.exchange_areas().unwrap().summary().plan.computed
     };
     assert_eq!(computed(1e-6), 6 + 3 * 6);
     // near pairs do not: the bound on what their corners' rounding does is cruder there
@@ -138,7 +138,7 @@ proptest! {
     #[test]
     fn the_walls_of_a_turned_room_are_one_plane_each((turn, size, shift) in placing(), cells in 1..7usize) {
         let turned = mapped(&cube(cells), |corner| turn * corner * size + shift);
-        let pairs = ScenePairs::try_new(&turned, 0.5, Congruence::Ignored).unwrap();
+        let pairs = ScenePairs::try_new(&turned, 0.5, Congruence::Ignored, Occlusion::Ignore).unwrap();
         let plan = pairs.entries(None, None).unwrap().1.plan;
         let coplanar = 3 * cells * cells * (cells * cells - 1);
         prop_assert_eq!((plan.planes, plan.untouched, plan.coplanar), (6, coplanar, coplanar));
@@ -163,7 +163,7 @@ fn congruence_changes_no_value_beyond_its_bound() {
             pairs.exchange_areas().unwrap()
         };
         let (shared, apart) = (exchange(Congruence::Shared), exchange(Congruence::Ignored));
-        let congruent = shared.account().plan.congruent;
+        let congruent = shared.summary().plan.congruent;
         assert!(congruent > 0, "{index}: nothing is shared");
         let n = scene.patches().len();
         for i in 0..n {
@@ -203,7 +203,7 @@ fn reciprocity_is_exact() {
         let account = pairs
             .for_each_row(|i, row| -> Result<(), infoscene::scene::ExchangeError> {
                 for (j, answer) in row.iter().enumerate() {
-                    assert_eq!(*answer, pairs.pair(j, i)?);
+                    assert_eq!(*answer, pairs.row_pair(j, i)?);
                     assert_eq!(answer.exchange, held.get(j, i).exchange);
                     // 0 ≤ F ≤ 1
                     let most = pairs.areas()[i].min(pairs.areas()[j]);
@@ -212,9 +212,9 @@ fn reciprocity_is_exact() {
                 Ok(())
             })
             .unwrap();
-        assert_eq!(&account, held.account());
+        assert_eq!(&account, held.summary());
         let (entries, account) = pairs.entries(None, None).unwrap();
-        assert_eq!(&account, held.account());
+        assert_eq!(&account, held.summary());
         assert_eq!(entries.len(), 54 * 53);
     }
 }

@@ -13,14 +13,23 @@ use infoscene::report::{
     write_form_factors, write_npy_row,
 };
 use infoscene::scene::{
-    Congruence, NamedPatch, Obstacle, Occlusion, Scene, SceneError, ScenePairs,
+    Congruence, ExchangeError, NamedPatch, Obstacle, Occlusion, Scene, SceneError, ScenePairs,
+    Unheard,
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
 
+fn of_exchange(error: ExchangeError) -> SceneError {
+    match error {
+        ExchangeError::Scene(error) => error,
+        other => panic!("the scene is not to blame: {other}"),
+    }
+}
+
 fn of_chain(error: ChainError) -> SceneError {
     match error {
         ChainError::Scene(error) => error,
+        ChainError::Exchange(error) => of_exchange(error),
         other => panic!("the scene is not to blame: {other}"),
     }
 }
@@ -28,12 +37,13 @@ fn of_chain(error: ChainError) -> SceneError {
 fn of_split(error: DiscretizeError) -> SceneError {
     match error {
         DiscretizeError::Scene(error) => error,
+        DiscretizeError::Exchange(error) => of_exchange(error),
         other => panic!("the scene is not to blame: {other}"),
     }
 }
 
-fn pairs(scene: &Scene, occlusion: Occlusion) -> Result<ScenePairs, SceneError> {
-    ScenePairs::try_new(scene, 1e-9, Congruence::Shared, occlusion)
+fn pairs(scene: &Scene, occlusion: Occlusion) -> Result<ScenePairs<'static>, SceneError> {
+    ScenePairs::try_new(scene, 1e-9, Congruence::Shared, occlusion).map_err(of_exchange)
 }
 
 fn split(scene: &Scene, against: &[usize], occlusion: Occlusion) -> Result<(), SceneError> {
@@ -48,7 +58,9 @@ const DOORS: [(&str, Door); 8] = [
     ("pairs", |scene| {
         pairs(scene, Occlusion::default()).map(|_| ())
     }),
-    ("exchange areas", |scene| scene.exchange_areas().map(|_| ())),
+    ("exchange areas", |scene| {
+        scene.exchange_areas().map(|_| ()).map_err(of_exchange)
+    }),
     ("visibility chain", |scene| {
         visibility_chain(scene).map(|_| ()).map_err(of_chain)
     }),
@@ -63,7 +75,7 @@ const DOORS: [(&str, Door); 8] = [
         continuous_information(scene).map(|_| ()).map_err(of_chain)
     }),
     ("losses of pairs", |scene| {
-        pair_losses(scene, || ()).map(|_| ()).map_err(of_chain)
+        pair_losses(scene, &Unheard).map(|_| ()).map_err(of_chain)
     }),
     ("split", |scene| {
         let others: Vec<usize> = (1..scene.patches().len()).collect();
@@ -150,7 +162,10 @@ fn ignored_occlusion_gives_the_values_of_the_empty_room() {
     let empty = Scene::built_in("cube:1").unwrap();
     let found = pairs(&scene, Occlusion::Ignore).unwrap();
     let expected = pairs(&empty, Occlusion::Refuse).unwrap();
-    assert_eq!(found.pair(0, 5).unwrap(), expected.pair(0, 5).unwrap());
+    assert_eq!(
+        found.row_pair(0, 5).unwrap(),
+        expected.row_pair(0, 5).unwrap()
+    );
     assert_eq!(split(&scene, &[1, 2, 3, 4, 5], Occlusion::Ignore), Ok(()));
 }
 
@@ -288,7 +303,7 @@ fn a_number_that_is_not_finite_is_named_by_its_full_key() {
 #[test]
 fn form_factors_that_are_not_finite_are_named_in_every_format() {
     let scene = Scene::built_in("cube:1").unwrap();
-    let plan = scene.exchange_areas().unwrap().account().plan.clone();
+    let plan = scene.exchange_areas().unwrap().summary().plan.clone();
     let patch = |index, area| PatchRecord {
         index,
         name: "wall",

@@ -4,14 +4,13 @@ use super::bases::square;
 use glam::DVec3;
 use infoscene::chain::{ReversibleChain, open_visibility_chain, visibility_chain};
 use infoscene::geometry::Patch;
-use infoscene::information::{Surroundings, mutual_information, scene_information};
+use infoscene::information::{OpenScene, mutual_information, scene_information};
 use infoscene::numeric::tolerance;
 use infoscene::scene::{
     Closure, Congruence, ExchangeAreas, ExchangeError, Material, NamedPatch, Occlusion, Scene,
     SceneError, ScenePairs,
 };
 use nalgebra::DMatrix;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 const TOLERANCE: f64 = 1e-12;
@@ -22,7 +21,7 @@ fn opposite() -> f64 {
     2.0 / std::f64::consts::PI * ((2.0 / 3f64.sqrt()).ln() + arc - std::f64::consts::FRAC_PI_2)
 }
 
-fn pairs(scene: &Scene) -> ScenePairs {
+fn pairs(scene: &Scene) -> ScenePairs<'static> {
     ScenePairs::try_new(scene, TOLERANCE, Congruence::Shared, Occlusion::Refuse).unwrap()
 }
 
@@ -38,7 +37,7 @@ fn rows_are_sums() {
     let summed = cube.clone().with_groups(&labels).unwrap();
     let (fine, coarse) = (held(&cube), held(&summed));
     let n = summed.group_count();
-    assert_eq!((coarse.patches(), n), (n, 4));
+    assert_eq!((coarse.rows(), n), (n, 4));
     for g in 0..n {
         for h in 0..n {
             let patches = |row: usize| summed.patches_of_group(row);
@@ -61,7 +60,7 @@ fn rows_are_sums() {
     let own = ring.get(2, 2).exchange.value / ring.areas()[2];
     assert!((own - (1.0 - 2.0 * adjacent)).abs() < 1e-14, "{own}");
     let all = sides.with_groups(&[0; 6]).unwrap();
-    let measured = scene_information(&pairs(&all), Surroundings::None).unwrap();
+    let measured = scene_information(&pairs(&all), OpenScene::Refuse).unwrap();
     assert!(measured.mutual_information.abs() <= measured.error && measured.error < 1e-12);
     assert!((measured.closure.worst().sum - 1.0).abs() < 1e-14);
 }
@@ -134,7 +133,7 @@ fn a_summed_scene_is_the_coarser_chain() {
     let bits = mutual_information(&coarse);
     let chain = visibility_chain(&summed).unwrap();
     assert!((mutual_information(&chain) - bits).abs() <= tolerance::IDENTITY);
-    let measured = scene_information(&pairs(&summed), Surroundings::None).unwrap();
+    let measured = scene_information(&pairs(&summed), OpenScene::Refuse).unwrap();
     let off = (measured.mutual_information - bits).abs();
     assert!(off <= measured.error && measured.error <= 1e-10, "{off}");
 }
@@ -156,9 +155,9 @@ fn all_ways_to_the_rows_agree() {
         let pairs = pairs(&scene);
         let held = pairs.exchange_areas().unwrap();
         let (sums, account) = pairs.row_sums(|_, _, exchange| [exchange.value]).unwrap();
-        assert_eq!(&account, held.account());
+        assert_eq!(&account, held.summary());
         for (i, [sum]) in sums.iter().enumerate() {
-            let row = (0..held.patches()).map(|j| held.get(i, j).exchange.value);
+            let row = (0..held.rows()).map(|j| held.get(i, j).exchange.value);
             assert!((sum - row.sum::<f64>()).abs() <= 1e-15);
         }
         let by_rows = pairs.for_each_row(|i, row| -> Result<(), ExchangeError> {
@@ -167,9 +166,9 @@ fn all_ways_to_the_rows_agree() {
             }
             Ok(())
         });
-        assert_eq!(&by_rows.unwrap(), held.account());
+        assert_eq!(&by_rows.unwrap(), held.summary());
         let (entries, account) = pairs.entries(None, None).unwrap();
-        assert_eq!(&account, held.account());
+        assert_eq!(&account, held.summary());
         for entry in &entries {
             assert_eq!(entry.answer, held.get(entry.from, entry.to));
         }
@@ -178,18 +177,18 @@ fn all_ways_to_the_rows_agree() {
         assert_eq!(parts, plan.pairs);
         assert_eq!(plan.routes.values().sum::<usize>(), plan.pairs);
         let chain = open_visibility_chain(&scene).unwrap();
-        let measured = scene_information(&pairs, Surroundings::Outside).unwrap();
+        let measured = scene_information(&pairs, OpenScene::AddOutsideState).unwrap();
         let off = (measured.mutual_information - mutual_information(&chain)).abs();
         assert!(off <= tolerance::IDENTITY, "{off}");
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(5)
             .build()
             .unwrap();
-        let again = pool.install(|| scene_information(&pairs, Surroundings::Outside).unwrap());
+        let again = pool.install(|| scene_information(&pairs, OpenScene::AddOutsideState).unwrap());
         assert_eq!(again, measured);
     }
     // nine patches, the window is summed with its wall and is in no pair
-    let counted = |labels| held(&furnished(labels)).account().plan.pairs;
+    let counted = |labels| held(&furnished(labels)).summary().plan.pairs;
     assert_eq!((counted(false), counted(true)), (36, 28));
 }
 
@@ -220,12 +219,12 @@ fn a_row_has_a_material_if_its_patches_agree() {
 #[test]
 fn progress_ends_with_all_pairs() {
     for scene in [furnished(true), Scene::built_in("cube:6").unwrap()] {
-        let done = Arc::new(AtomicUsize::new(0));
-        let so_far = Arc::clone(&done);
-        let pairs = pairs(&scene).with_progress(move |more| {
-            so_far.fetch_add(more, Ordering::Relaxed);
-        });
-        let n = pairs.patches();
+        let done = AtomicUsize::new(0);
+        let listener = |more| {
+            done.fetch_add(more, Ordering::Relaxed);
+        };
+        let pairs = pairs(&scene).with_progress(&listener);
+        let n = pairs.rows();
         assert_eq!(pairs.pairs(), n * (n - 1) / 2);
         let all = || assert_eq!(done.swap(0, Ordering::Relaxed), pairs.pairs());
         pairs.exchange_areas().unwrap();

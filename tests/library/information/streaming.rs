@@ -4,17 +4,17 @@ use crate::support::references::value;
 use infoscene::chain::{ChainError, ReversibleChain, open_visibility_chain, visibility_chain};
 use infoscene::form_factor::DEFAULT_TOLERANCE;
 use infoscene::information::{
-    ErrorGrade, SceneInformation, Surroundings, entropy_rate, mutual_information,
-    positional_entropy, scene_information,
+    ErrorGrade, OpenScene, SceneInformation, entropy_rate, mutual_information, positional_entropy,
+    scene_information,
 };
 use infoscene::numeric::{tolerance, x_log2_ratio};
 use infoscene::scene::{Congruence, ExchangeError, NamedPatch, Occlusion, Scene, ScenePairs};
 
-fn pairs(scene: &Scene, occlusion: Occlusion) -> ScenePairs {
+fn pairs(scene: &Scene, occlusion: Occlusion) -> ScenePairs<'static> {
     ScenePairs::try_new(scene, DEFAULT_TOLERANCE, Congruence::Shared, occlusion).unwrap()
 }
 
-fn measured(scene: &Scene, surroundings: Surroundings) -> Result<SceneInformation, ChainError> {
+fn measured(scene: &Scene, surroundings: OpenScene) -> Result<SceneInformation, ChainError> {
     scene_information(&pairs(scene, Occlusion::Refuse), surroundings)
 }
 
@@ -63,7 +63,7 @@ fn streamed_measures_are_those_of_the_matrix() {
     for cells in [1, 2, 3, 6] {
         let scene = cube(cells);
         let chain = visibility_chain(&scene).unwrap();
-        let found = measured(&scene, Surroundings::None).unwrap();
+        let found = measured(&scene, OpenScene::Refuse).unwrap();
         assert_equal(&found, &chain);
         assert!(found.outside_contribution.is_none());
     }
@@ -75,7 +75,7 @@ fn streamed_measures_of_an_open_scene_are_those_of_its_matrix() {
     let two = Scene::built_in("two-squares").unwrap();
     for scene in [two, opened(1, 1), opened(3, 1), opened(3, 9), opened(2, 10)] {
         let chain = open_visibility_chain(&scene).unwrap();
-        let found = measured(&scene, Surroundings::Outside).unwrap();
+        let found = measured(&scene, OpenScene::AddOutsideState).unwrap();
         assert_equal(&found, &chain);
         assert_eq!(found.error_grade, ErrorGrade::Estimate);
         assert!(found.outside_contribution.unwrap() > 0.0);
@@ -91,7 +91,7 @@ fn streamed_measures_of_an_open_scene_are_those_of_its_matrix() {
 #[test]
 fn a_closed_scene_has_no_outside() {
     let scene = cube(2);
-    let [closed, open] = [Surroundings::None, Surroundings::Outside]
+    let [closed, open] = [OpenScene::Refuse, OpenScene::AddOutsideState]
         .map(|surroundings| measured(&scene, surroundings).unwrap());
     assert_eq!(closed, open);
 }
@@ -100,7 +100,7 @@ fn a_closed_scene_has_no_outside() {
 #[test]
 fn information_errors_are_bounds() {
     for cells in [1, 2, 3, 4, 6] {
-        let found = measured(&cube(cells), Surroundings::None).unwrap();
+        let found = measured(&cube(cells), OpenScene::Refuse).unwrap();
         let exact = value("cube_grids.csv", &format!("cube_regular_{cells}"));
         assert_eq!(found.error_grade, ErrorGrade::Bound);
         let off = (found.mutual_information - exact).abs();
@@ -125,7 +125,7 @@ fn threads_do_not_change_a_bit() {
                         .unwrap();
                 let held = pairs.exchange_areas().unwrap();
                 (
-                    scene_information(&pairs, Surroundings::Outside).unwrap(),
+                    scene_information(&pairs, OpenScene::AddOutsideState).unwrap(),
                     held,
                 )
             })
@@ -158,7 +158,7 @@ fn a_row_above_one_is_refused() {
     let mut patches = cube(1).patches().to_vec();
     patches.extend(Scene::facing_squares(0.5).unwrap().patches()[1..].to_vec());
     let pairs = pairs(&Scene::try_new(patches).unwrap(), Occlusion::Ignore);
-    let refusal = scene_information(&pairs, Surroundings::Outside).unwrap_err();
+    let refusal = scene_information(&pairs, OpenScene::AddOutsideState).unwrap_err();
     assert!(
         matches!(
             refusal,

@@ -1,7 +1,7 @@
 //! Corollary 1, seen: discrete values rise to the continuous one.
 
 use crate::support::rooms::tiled_box;
-use infoscene::information::{Surroundings, continuous_information, scene_information};
+use infoscene::information::{OpenScene, continuous_information, scene_information};
 use infoscene::scene::{Congruence, Occlusion, ScenePairs};
 use infoscene::study::refinement::{patch_sizes_per_edge, refinements};
 
@@ -34,7 +34,7 @@ fn rate_depends_on_the_edges_alone() {
             let room = tiled_box(size, cells);
             let pairs =
                 ScenePairs::try_new(&room, 1e-12, Congruence::Shared, Occlusion::Refuse).unwrap();
-            let discrete = scene_information(&pairs, Surroundings::None).unwrap();
+            let discrete = scene_information(&pairs, OpenScene::Refuse).unwrap();
             (continuous - discrete.mutual_information) * patch_sizes_per_edge(&room).unwrap()
         });
         let halved = [0, 1].map(|k| 2.0 * values[k + 1] - values[k]);

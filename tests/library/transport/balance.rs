@@ -9,7 +9,7 @@ use infoscene::scene::{Closure, Scene};
 fn the_mean_radiosity_of_even_reflectance_is_geometry_free() {
     for (name, scene) in closed_scenes() {
         let exchange = scene.exchange_areas().unwrap();
-        let n = exchange.patches();
+        let n = exchange.rows();
         for reflectance in [0.1, 0.5, 0.95, 1.0 - 1e-9] {
             let emittances: Vec<f64> = (0..n).map(|patch| uneven(patch, 3)).collect();
             let found = radiosity(&exchange, &vec![reflectance; n], &emittances);
@@ -31,7 +31,7 @@ fn what_is_emitted_is_absorbed_or_escapes() {
     scenes.push(("three squares", Scene::built_in("three-squares").unwrap()));
     for (name, scene) in scenes {
         let exchange = scene.exchange_areas().unwrap();
-        let n = exchange.patches();
+        let n = exchange.rows();
         let closure = Closure::of_held(&exchange);
         // every fourth patch reflects nothing
         let reflectances: Vec<f64> = (0..n)
@@ -83,7 +83,7 @@ fn two_patches_have_a_closed_form() {
 fn importance_is_adjoint_to_radiosity() {
     for (name, scene) in closed_scenes() {
         let exchange = scene.exchange_areas().unwrap();
-        let n = exchange.patches();
+        let n = exchange.rows();
         let materials: Vec<_> = (0..n)
             .map(|patch| {
                 let reflectance = if patch % 5 == 2 {
@@ -94,7 +94,7 @@ fn importance_is_adjoint_to_radiosity() {
                 infoscene::scene::Material::try_new(reflectance, 0.0).unwrap()
             })
             .collect();
-        let room = infoscene::transport::Interreflection::of(&exchange, &materials).unwrap();
+        let room = infoscene::transport::RadiositySystem::of(&exchange, &materials).unwrap();
         let emittances: Vec<f64> = (0..n).map(|patch| uneven(patch, 5)).collect();
         let direct: Vec<f64> = (0..n).map(|patch| uneven(patch, 6)).collect();
         let radiosity = room.radiosity(&emittances).unwrap();

@@ -2,7 +2,7 @@
 
 use super::{closed_scenes, uneven};
 use infoscene::scene::{Congruence, Material, Occlusion, Scene, ScenePairs};
-use infoscene::transport::Interreflection;
+use infoscene::transport::RadiositySystem;
 
 /// Form factors asked for 1e-3 … 1e-9 only: their errors move the radiosities by no more than the bound says, in closed
 /// scenes and open ones.
@@ -29,7 +29,7 @@ fn form_factor_errors_stay_within_their_bound() {
                 ScenePairs::try_new(&scene, tolerance, Congruence::Ignored, Occlusion::Refuse)
                     .unwrap();
             let exchange = pairs.exchange_areas().unwrap();
-            let room = Interreflection::of(&exchange, &materials).unwrap();
+            let room = RadiositySystem::of(&exchange, &materials).unwrap();
             room.radiosity(&emittances).unwrap()
         };
         let exact = solved(1e-14);
@@ -67,7 +67,7 @@ fn bounds_follow_the_form_factors() {
         let pairs =
             ScenePairs::try_new(&scene, tolerance, Congruence::Shared, Occlusion::Refuse).unwrap();
         let exchange = pairs.exchange_areas().unwrap();
-        let room = Interreflection::of(&exchange, &materials).unwrap();
+        let room = RadiositySystem::of(&exchange, &materials).unwrap();
         let errors = room
             .radiosity(&emittances)
             .unwrap()
@@ -81,7 +81,7 @@ fn bounds_follow_the_form_factors() {
         .exchange_areas()
         .unwrap()
         .into_values();
-    let room = Interreflection::of_matrix(&exact, vec![0.5; 6]).unwrap();
+    let room = RadiositySystem::of_matrix(&exact, vec![0.5; 6]).unwrap();
     let found = room.radiosity(&[1.0, 0.0, 0.0, 0.0, 0.0, 0.0]).unwrap();
     assert_eq!(found.form_factor_errors, None);
 }
@@ -93,7 +93,7 @@ fn the_bound_is_no_lower_than_what_one_error_does() {
     let pairs = ScenePairs::try_new(&scene, 1e-12, Congruence::Shared, Occlusion::Refuse).unwrap();
     let exchange = pairs.exchange_areas().unwrap();
     let half = Material::try_new(0.5, 0.0).unwrap();
-    let room = Interreflection::of(&exchange, &[half; 2]).unwrap();
+    let room = RadiositySystem::of(&exchange, &[half; 2]).unwrap();
     let found = room.radiosity(&[1.0, 0.0]).unwrap();
     let moved = 0.5 * found.values[0] * exchange.get(0, 1).exchange.error_bound;
     let bound = found.form_factor_errors.unwrap()[1];

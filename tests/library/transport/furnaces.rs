@@ -8,7 +8,7 @@ use proptest::prelude::*;
 fn furnaces_glow_evenly() {
     for (name, scene) in closed_scenes() {
         let exchange = scene.exchange_areas().unwrap();
-        let n = exchange.patches();
+        let n = exchange.rows();
         for (salt, most) in [0.5, 0.95, 1.0 - 1e-9, 1.0 - 1e-12].into_iter().enumerate() {
             let reflectances: Vec<f64> = (0..n)
                 .map(|patch| most * (1.0 - 0.5 * uneven(patch, salt) * f64::from(salt < 2)))
@@ -31,9 +31,9 @@ fn furnaces_glow_evenly() {
 fn a_brighter_patch_is_seen_by_all() {
     let (_, scene) = closed_scenes().pop().unwrap();
     let exchange = scene.exchange_areas().unwrap();
-    let mut emittances = vec![0.5; exchange.patches()];
+    let mut emittances = vec![0.5; exchange.rows()];
     emittances[0] = 0.75;
-    let found = radiosity(&exchange, &vec![0.5; exchange.patches()], &emittances);
+    let found = radiosity(&exchange, &vec![0.5; exchange.rows()], &emittances);
     assert!(found.values.iter().all(|value| *value > 1.0 + 1e-3));
 }
 

@@ -3,12 +3,13 @@
 mod balance;
 mod bounds;
 mod furnaces;
+mod operators;
 mod refusals;
 mod stiff;
 mod walks;
 
 use infoscene::scene::{ExchangeAreas, Material, Scene};
-use infoscene::transport::{Brightness, Interreflection};
+use infoscene::transport::{RadiositySolution, RadiositySystem};
 
 /// Closed scenes: cubes, boxes flat and long, and the Cornell box.
 pub fn closed_scenes() -> Vec<(&'static str, Scene)> {
@@ -30,11 +31,15 @@ pub fn uneven(patch: usize, salt: usize) -> f64 {
 }
 
 /// The radiosities for these reflectances and emittances.
-fn radiosity(exchange: &ExchangeAreas, reflectances: &[f64], emittances: &[f64]) -> Brightness {
+fn radiosity(
+    exchange: &ExchangeAreas,
+    reflectances: &[f64],
+    emittances: &[f64],
+) -> RadiositySolution {
     let materials: Vec<Material> = reflectances
         .iter()
         .map(|reflectance| Material::try_new(*reflectance, 0.0).unwrap())
         .collect();
-    let room = Interreflection::of(exchange, &materials).unwrap();
+    let room = RadiositySystem::of(exchange, &materials).unwrap();
     room.radiosity(emittances).unwrap()
 }

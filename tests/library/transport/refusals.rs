@@ -1,11 +1,11 @@
 //! What has no equilibrium, or is no scene, is refused by name.
 
 use infoscene::scene::{Material, Scene};
-use infoscene::transport::{Interreflection, TransportError};
+use infoscene::transport::{DenseExchange, RadiositySystem, TransportError};
 use nalgebra::{DMatrix, dmatrix};
 
-fn pair(reflectances: Vec<f64>) -> Result<Interreflection<'static>, TransportError> {
-    Interreflection::of_matrix(&dmatrix![0.0, 1.0; 1.0, 0.0], reflectances)
+fn pair(reflectances: Vec<f64>) -> Result<RadiositySystem<DenseExchange<'static>>, TransportError> {
+    RadiositySystem::of_matrix(&dmatrix![0.0, 1.0; 1.0, 0.0], reflectances)
 }
 
 #[test]
@@ -61,7 +61,7 @@ fn sources_are_numbers_one_for_each_patch() {
         }
     ));
     let cube = Scene::built_in("cube:1").unwrap().exchange_areas().unwrap();
-    let refusal = Interreflection::of(&cube, &[Material::BLACK; 5]).unwrap_err();
+    let refusal = RadiositySystem::of(&cube, &[Material::BLACK; 5]).unwrap_err();
     assert!(matches!(
         refusal,
         TransportError::WrongCount {
@@ -74,7 +74,7 @@ fn sources_are_numbers_one_for_each_patch() {
 
 #[test]
 fn a_matrix_is_symmetric_and_not_negative() {
-    let refused = |matrix: &DMatrix<f64>| Interreflection::of_matrix(matrix, vec![0.5; 2]).is_err();
+    let refused = |matrix: &DMatrix<f64>| RadiositySystem::of_matrix(matrix, vec![0.5; 2]).is_err();
     assert!(refused(&dmatrix![0.0, 1.0; 2.0, 0.0]));
     assert!(refused(&dmatrix![0.0, -1.0; -1.0, 0.0]));
     assert!(refused(&dmatrix![f64::NAN, 1.0; 1.0, 0.0]));
@@ -87,7 +87,7 @@ fn a_matrix_is_symmetric_and_not_negative() {
 #[test]
 fn extreme_rooms_are_answered() {
     // alone: B = E
-    let alone = Interreflection::of_matrix(&dmatrix![0.0], vec![0.5]).unwrap();
+    let alone = RadiositySystem::of_matrix(&dmatrix![0.0], vec![0.5]).unwrap();
     assert_eq!(alone.radiosity(&[2.0]).unwrap().values, [2.0]);
     // the second room is dark
     let apart = dmatrix![
@@ -96,12 +96,12 @@ fn extreme_rooms_are_answered() {
         0.0, 0.0, 0.0, 1.0;
         0.0, 0.0, 1.0, 0.0
     ];
-    let rooms = Interreflection::of_matrix(&apart, vec![0.5; 4]).unwrap();
+    let rooms = RadiositySystem::of_matrix(&apart, vec![0.5; 4]).unwrap();
     let found = rooms.radiosity(&[3.0, 0.0, 0.0, 0.0]).unwrap();
     assert_eq!(found.values, [4.0, 2.0, 0.0, 0.0]);
     for unit in [1e-300, 1e300] {
         let room = dmatrix![0.0, unit; unit, 0.0];
-        let room = Interreflection::of_matrix(&room, vec![0.5; 2]).unwrap();
+        let room = RadiositySystem::of_matrix(&room, vec![0.5; 2]).unwrap();
         assert_eq!(room.radiosity(&[3.0, 0.0]).unwrap().values, [4.0, 2.0]);
     }
     let black = pair(vec![0.0, 0.0]).unwrap();

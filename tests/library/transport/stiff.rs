@@ -3,14 +3,14 @@
 use infoscene::numeric::tolerance;
 use infoscene::study::transport_stability::transport_stability;
 use infoscene::study::transport_stability::{exact_radiosities, stiff_scenes, worst_error};
-use infoscene::transport::Interreflection;
+use infoscene::transport::RadiositySystem;
 
 /// Against enclosures of 256 bits that share no formula: each radiosity to rounding, and the bound no lower than the error.
 #[test]
 fn stiff_scenes_keep_their_digits() {
     for scene in stiff_scenes().unwrap() {
         let exact = exact_radiosities(&scene, 256).unwrap();
-        let room = Interreflection::of_matrix(&scene.exchange, scene.reflectances.clone()).unwrap();
+        let room = RadiositySystem::of_matrix(&scene.exchange, scene.reflectances.clone()).unwrap();
         let found = room.radiosity(&scene.emittances).unwrap();
         let error = worst_error(&found.values, &exact);
         let name = &scene.name;

@@ -2,8 +2,8 @@
 
 use super::uneven;
 use infoscene::scene::{Material, Scene};
-use infoscene::transport::Interreflection;
 use infoscene::transport::walks::Steering;
+use infoscene::transport::{DenseExchange, RadiositySystem};
 
 /// A cube of 150 patches, with R from 0 to 0.8 and a third of the patches emitting.
 struct Room {
@@ -31,8 +31,8 @@ impl Room {
         }
     }
 
-    fn interreflection(&self) -> Interreflection<'_> {
-        Interreflection::of(&self.exchange, &self.materials).unwrap()
+    fn interreflection(&self) -> RadiositySystem<DenseExchange<'_>> {
+        RadiositySystem::of(&self.exchange, &self.materials).unwrap()
     }
 }
 

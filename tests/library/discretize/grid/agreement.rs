@@ -6,7 +6,7 @@ use crate::support::references::rows;
 use crate::support::rooms::polygon;
 use glam::DVec3;
 use infoscene::discretize::{BoxGrid, UNIT_CUBE};
-use infoscene::information::{Surroundings, scene_information};
+use infoscene::information::{OpenScene, scene_information};
 use infoscene::numeric::Interval;
 use infoscene::scene::{Congruence, NamedPatch, Occlusion, Scene, ScenePairs};
 use proptest::prelude::*;
@@ -44,7 +44,7 @@ fn scene([x, y, z]: [f64; 3], lines: &[f64]) -> Scene {
 fn assert_agree(grid: &BoxGrid, scene: &Scene, what: &str) {
     let found = grid.information().unwrap();
     let pairs = ScenePairs::try_new(scene, 1e-14, Congruence::Shared, Occlusion::Refuse).unwrap();
-    let other = scene_information(&pairs, Surroundings::None).unwrap();
+    let other = scene_information(&pairs, OpenScene::Refuse).unwrap();
     let difference = found.mutual_information - other.mutual_information;
     assert!(
         difference.abs() <= found.error + other.error,

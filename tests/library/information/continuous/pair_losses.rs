@@ -3,16 +3,16 @@
 use super::information;
 use crate::support::rooms::{L, mapped, prism};
 use infoscene::chain::ChainError;
-use infoscene::information::{PairLoss, Surroundings, pair_losses, scene_information};
-use infoscene::scene::{Congruence, Occlusion, Scene, SceneError, ScenePairs};
+use infoscene::information::{OpenScene, PairLoss, pair_losses, scene_information};
+use infoscene::scene::{Congruence, Occlusion, Scene, SceneError, ScenePairs, Unheard};
 
 fn losses(scene: &Scene) -> Vec<PairLoss> {
-    pair_losses(scene, || ()).unwrap()
+    pair_losses(scene, &Unheard).unwrap()
 }
 
 fn discrete(scene: &Scene) -> f64 {
     let pairs = ScenePairs::try_new(scene, 1e-12, Congruence::Shared, Occlusion::Refuse).unwrap();
-    scene_information(&pairs, Surroundings::None)
+    scene_information(&pairs, OpenScene::Refuse)
         .unwrap()
         .mutual_information
 }
@@ -97,7 +97,7 @@ fn losses_do_not_know_the_size() {
 #[test]
 fn losses_need_a_convex_room() {
     let open = Scene::built_in("two-squares").unwrap();
-    let refused = pair_losses(&prism(&L), || ()).unwrap_err();
+    let refused = pair_losses(&prism(&L), &Unheard).unwrap_err();
     assert!(
         matches!(refused, ChainError::Scene(SceneError::NotConvex { .. })),
         "{refused}"

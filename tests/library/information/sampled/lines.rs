@@ -40,9 +40,9 @@ fn assert_counts(scene: &Scene, counts: &BTreeMap<[usize; 2], f64>, kind: &str) 
     let exchange = ScenePairs::try_new(scene, 1e-9, Congruence::Shared, Occlusion::Refuse).unwrap();
     let area: f64 = exchange.areas().iter().sum();
     let (mut pearson, mut possible) = (0.0, 0.0);
-    for i in 0..exchange.patches() {
-        for j in i..exchange.patches() {
-            let ordered = exchange.pair(i, j).unwrap().exchange.value / area;
+    for i in 0..exchange.rows() {
+        for j in i..exchange.rows() {
+            let ordered = exchange.row_pair(i, j).unwrap().exchange.value / area;
             let expected = total * ordered * if i == j { 1.0 } else { 2.0 };
             let found = counts.get(&[i, j]).copied().unwrap_or(0.0);
             if expected > 1e-9 {
@@ -201,5 +201,5 @@ fn rooms_far_away_and_of_any_size_are_served() {
             );
         }
     }
-    assert!(pairs(&scene("cube:2", 0)).patches() == 24);
+    assert!(pairs(&scene("cube:2", 0)).rows() == 24);
 }

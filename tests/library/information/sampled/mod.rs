@@ -8,7 +8,7 @@ mod refusals;
 mod spread;
 mod threads;
 
-use infoscene::information::{Surroundings, scene_information};
+use infoscene::information::{OpenScene, scene_information};
 use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs};
 
 /// A built-in scene, quartered so many times.
@@ -16,13 +16,13 @@ fn scene(name: &str, times: u32) -> Scene {
     Scene::built_in(name).unwrap().subdivided(times).unwrap().0
 }
 
-fn pairs(scene: &Scene) -> ScenePairs {
+fn pairs(scene: &Scene) -> ScenePairs<'static> {
     ScenePairs::try_new(scene, 1e-12, Congruence::Shared, Occlusion::Refuse).unwrap()
 }
 
 /// The mutual information by closed forms.
 fn exact(scene: &Scene) -> f64 {
-    let measured = scene_information(&pairs(scene), Surroundings::None).unwrap();
+    let measured = scene_information(&pairs(scene), OpenScene::Refuse).unwrap();
     measured.mutual_information
 }
 
