@@ -21,6 +21,10 @@ const MOST_PLANES: usize = 2048;
 
 /// Whether the patches of two planes can exchange anything.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(
+    clippy::enum_variant_names,
+    reason = "the term of computer graphics is back-facing"
+)]
 pub(super) enum Facing {
     /// They may be visible from each other; each pair decides for itself.
     Visible,
