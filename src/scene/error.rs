@@ -145,8 +145,8 @@ pub enum SceneError {
     },
     /// The patches do not enclose their surroundings.
     #[error(
-        "the scene is open: row {row} ({name}) of the form factors sums to {sum}, 1 ± {tolerance:e} is \
-         closed"
+        "the scene is open: row {row} of the form factors (patch {name}) sums to {sum}, \
+         1 ± {tolerance:e} is closed"
     )]
     OpenScene {
         /// The row farthest from 1.
@@ -213,8 +213,8 @@ pub enum SceneError {
     },
     /// The form factors of a patch sum to more than one.
     #[error(
-        "row {row} ({name}) of the form factors sums to {sum}, 1 + {tolerance:e} at most is possible: \
-         patches overlap, or hide each other"
+        "row {row} of the form factors (patch {name}) sums to {sum}, 1 + {tolerance:e} at most is \
+         possible: patches overlap, or hide each other"
     )]
     RowAboveOne {
         /// The row farthest above 1.

@@ -36,13 +36,13 @@ pub(super) enum Facing {
 
 /// The planes of a scene, and which of them face each other.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Facings {
+pub(super) struct FacingPlanes {
     planes: Planes,
     /// `table[g · planes + h]`; empty beyond [`MOST_PLANES`].
     table: Vec<Facing>,
 }
 
-impl Facings {
+impl FacingPlanes {
     /// Compares the planes of patches; a patch whose root is another one lies in that one, and in
     /// its plane.
     pub(super) fn of(patches: &[NamedPatch], roots: &[usize]) -> Self {

@@ -10,7 +10,7 @@
 //! **Not covered**: congruence of polygons that are not axis-parallel rectangles.
 
 use super::NamedPatch;
-use super::facing::{Facing, Facings};
+use super::facing::{Facing, FacingPlanes};
 use super::lattice::Lattice;
 use rayon::prelude::*;
 use std::num::NonZeroU32;
@@ -29,14 +29,14 @@ pub enum Congruence {
 /// The pairs that are left out, and those that share values.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Plan {
-    facings: Facings,
+    facings: FacingPlanes,
     classes: Option<Classes>,
 }
 
 impl Plan {
     /// The plan for these patches, some of which may lie in others, in the end in their roots.
     pub(super) fn of(patches: &[NamedPatch], roots: &[usize], congruence: Congruence) -> Self {
-        let facings = Facings::of(patches, roots);
+        let facings = FacingPlanes::of(patches, roots);
         let lattice = match congruence {
             Congruence::Shared => Lattice::of(patches),
             Congruence::Ignored => None,
@@ -46,7 +46,7 @@ impl Plan {
     }
 
     /// The planes, and which of them face each other.
-    pub(super) const fn facings(&self) -> &Facings {
+    pub(super) const fn facings(&self) -> &FacingPlanes {
         &self.facings
     }
 
@@ -73,7 +73,7 @@ impl Plan {
     }
 }
 
-fn facing(facings: &Facings, first: usize, second: usize) -> Facing {
+fn facing(facings: &FacingPlanes, first: usize, second: usize) -> Facing {
     facings.facing(facings.of_patch(first), facings.of_patch(second))
 }
 
@@ -90,7 +90,7 @@ struct Classes {
 impl Classes {
     /// The classes of those pairs whose planes face each other: the same whatever the order in
     /// which threads come upon them.
-    fn of(lattice: Lattice, facings: &Facings, patches: usize) -> Self {
+    fn of(lattice: Lattice, facings: &FacingPlanes, patches: usize) -> Self {
         let first: Vec<FirstPair> = (0..lattice.classes()).map(|_| FirstPair::none()).collect();
         (0..patches).into_par_iter().for_each(|one| {
             for other in one + 1..patches {
