@@ -4,7 +4,7 @@
 //! from them. A row that is one patch has the set of its plane; one that lies in several planes may
 //! see itself.
 
-use super::facing::{Facing, Facings};
+use super::facing::{Facing, FacingPlanes};
 use super::members::RowTerms;
 use crate::numeric::compensated_sum;
 use smallvec::SmallVec;
@@ -27,7 +27,7 @@ pub(super) struct PlaneSets {
 }
 
 impl PlaneSets {
-    pub(super) fn of(terms: &RowTerms, facings: &Facings) -> Self {
+    pub(super) fn of(terms: &RowTerms, facings: &FacingPlanes) -> Self {
         let mut of = Vec::with_capacity(terms.rows());
         let mut rows: Vec<Vec<usize>> = Vec::new();
         let mut planes = Vec::new();
@@ -79,7 +79,7 @@ impl PlaneSets {
 
     /// Whether rows of two plane sets can exchange anything; of the same set, whether a row can
     /// exchange anything with itself.
-    pub(super) fn facing(&self, facings: &Facings, first: usize, second: usize) -> Facing {
+    pub(super) fn facing(&self, facings: &FacingPlanes, first: usize, second: usize) -> Facing {
         let mut most = Facing::Coplanar;
         for one in &self.planes[first] {
             for other in &self.planes[second] {
@@ -95,7 +95,7 @@ impl PlaneSets {
 
     /// For each row the sum of the weights of all rows that it exchanges nothing with, its own
     /// included if it cannot see itself.
-    pub(super) fn unseen(&self, facings: &Facings, weights: &[f64]) -> Vec<f64> {
+    pub(super) fn unseen(&self, facings: &FacingPlanes, weights: &[f64]) -> Vec<f64> {
         let sum = |places: Range<usize>| {
             compensated_sum(self.order[places].iter().map(|row| weights[*row]))
         };

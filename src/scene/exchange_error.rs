@@ -19,8 +19,8 @@ pub enum ExchangeError {
     },
     /// The patches do not enclose their surroundings.
     #[error(
-        "the scene is open: row {row} ({name}) of the form factors sums to {sum}, 1 ± {tolerance:e} is \
-         closed"
+        "the scene is open: row {row} of the form factors (patch {name}) sums to {sum}, \
+         1 ± {tolerance:e} is closed"
     )]
     OpenScene {
         /// The row farthest from 1.
@@ -34,8 +34,8 @@ pub enum ExchangeError {
     },
     /// The form factors of a patch sum to more than one.
     #[error(
-        "row {row} ({name}) of the form factors sums to {sum}, 1 + {tolerance:e} at most is possible: \
-         patches overlap, or hide each other"
+        "row {row} of the form factors (patch {name}) sums to {sum}, 1 + {tolerance:e} at most is \
+         possible: patches overlap, or hide each other"
     )]
     RowAboveOne {
         /// The row farthest above 1.

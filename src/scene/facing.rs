@@ -21,6 +21,10 @@ pub(super) const MOST_PLANES: usize = 2048;
 
 /// The relation of two planes, which decides whether their polygons can exchange anything.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(
+    clippy::enum_variant_names,
+    reason = "the term of computer graphics is back-facing"
+)]
 pub(super) enum Facing {
     /// Some pairs may exchange something: each decides for itself.
     Visible,
@@ -32,7 +36,7 @@ pub(super) enum Facing {
 
 /// The planes of polygons, each way that they face, and which of them can see each other.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Facings {
+pub(super) struct FacingPlanes {
     /// The plane of each polygon.
     of: Vec<u32>,
     /// The polygons of each plane, in order.
@@ -41,7 +45,7 @@ pub(super) struct Facings {
     table: Vec<Facing>,
 }
 
-impl Facings {
+impl FacingPlanes {
     /// The planes of polygons; one whose root is another lies in that one, and in its plane.
     ///
     /// **Arguments** `patches`: the patch that each polygon is; `roots`: the polygon that each lies

@@ -26,7 +26,7 @@
 
 use super::aspects::PlaneSets;
 use super::congruence::allowance;
-use super::facing::{Facing, Facings};
+use super::facing::{Facing, FacingPlanes};
 use super::members::RowTerms;
 use super::plan::{Congruence, Plan};
 use super::progress::{Listener, Progress, Unheard};
@@ -95,7 +95,7 @@ impl<'p> ScenePairs<'p> {
     ) -> Result<Self, ExchangeError> {
         let terms = RowTerms::of(scene);
         let shapes = terms.shapes(scene);
-        let facings = Facings::of(scene, terms.patches(), terms.roots());
+        let facings = FacingPlanes::of(scene, terms.patches(), terms.roots());
         let plan = Plan::of(&shapes, facings, congruence);
         let [areas, area_bounds] = areas(&terms, &shapes);
         let mut pairs = Self {

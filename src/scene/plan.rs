@@ -10,7 +10,7 @@
 //! **Not covered**: congruence of polygons that are not axis-parallel rectangles.
 
 use super::NamedPatch;
-use super::facing::{Facing, Facings};
+use super::facing::{Facing, FacingPlanes};
 use super::lattice::Lattice;
 use rayon::prelude::*;
 use std::num::NonZeroU32;
@@ -29,13 +29,13 @@ pub enum Congruence {
 /// The pairs that are left out, and those that share values.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Plan {
-    facings: Facings,
+    facings: FacingPlanes,
     classes: Option<Classes>,
 }
 
 impl Plan {
     /// The plan for polygons in these planes.
-    pub(super) fn of(patches: &[NamedPatch], facings: Facings, congruence: Congruence) -> Self {
+    pub(super) fn of(patches: &[NamedPatch], facings: FacingPlanes, congruence: Congruence) -> Self {
         let lattice = match congruence {
             Congruence::Shared => Lattice::of(patches),
             Congruence::Ignored => None,
@@ -45,7 +45,7 @@ impl Plan {
     }
 
     /// The planes, and which of them face each other.
-    pub(super) const fn facings(&self) -> &Facings {
+    pub(super) const fn facings(&self) -> &FacingPlanes {
         &self.facings
     }
 
@@ -72,7 +72,7 @@ impl Plan {
     }
 }
 
-fn facing(facings: &Facings, first: usize, second: usize) -> Facing {
+fn facing(facings: &FacingPlanes, first: usize, second: usize) -> Facing {
     facings.facing(facings.of_patch(first), facings.of_patch(second))
 }
 
@@ -89,7 +89,7 @@ struct Classes {
 impl Classes {
     /// The classes of those pairs whose planes face each other: the same whatever the order in
     /// which threads come upon them.
-    fn of(lattice: Lattice, facings: &Facings, patches: usize) -> Self {
+    fn of(lattice: Lattice, facings: &FacingPlanes, patches: usize) -> Self {
         let first: Vec<FirstPair> = (0..lattice.classes()).map(|_| FirstPair::none()).collect();
         (0..patches).into_par_iter().for_each(|one| {
             for other in one + 1..patches {

@@ -157,7 +157,7 @@ impl PassCounts {
             untouched: coplanar + back_facing,
             coplanar: self.routes[Route::Coplanar as usize],
             back_facing: self.routes[Route::BackFacing as usize],
-            congruent: self.visible - computed,
+            congruent: self.visible.saturating_sub(computed),
             computed,
             routes: routes
                 .filter(|(_, pairs)| *pairs > 0)
