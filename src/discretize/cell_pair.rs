@@ -1,6 +1,6 @@
-//! Two cells on opposite or adjacent faces of a box, and what they exchange.
+//! Two cells on opposite or adjacent faces of a box, and their exchange area.
 
-use super::DiscretizeError;
+use super::error::DiscretizeError;
 use super::grid_axis::{Depth, Relation};
 use crate::form_factor::{
     EdgeSlopes, Exchange, ExchangeArea, Sides, exchange_by_rules, parallel, perpendicular,
@@ -12,19 +12,19 @@ use crate::numeric::{DoubleDouble, SQUARED_EPSILON, Scalar, tolerance};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CellPair<'g, S> {
     pub faces: Faces<'g, S>,
-    /// How many ordered pairs there are in the whole box.
+    /// The number of such ordered pairs in the whole box.
     pub count: f64,
 }
 
 /// The faces that two cells lie on.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Faces<'g, S> {
-    /// Two common axes.
+    /// Opposite faces, with two common axes.
     Opposite {
         along: [&'g Relation<S>; 2],
         distance: &'g S,
     },
-    /// A depth each over the plane of the other one, and a common axis.
+    /// Adjacent faces: each cell has a depth over the plane of the other, and one axis is common.
     Adjacent {
         depths: [&'g Depth<S>; 2],
         along: &'g Relation<S>,
@@ -64,7 +64,7 @@ impl<S: Scalar> CellPair<'_, S> {
         })
     }
 
-    /// How the exchange area changes with the places of the edges.
+    /// The derivatives of the exchange area by the places of the edges.
     pub(super) fn slopes(&self) -> EdgeSlopes<S> {
         match &self.faces {
             Faces::Opposite { along, distance } => {
@@ -77,7 +77,7 @@ impl<S: Scalar> CellPair<'_, S> {
         }
     }
 
-    /// How these places move with the free lines.
+    /// The rates at which these places move with the free lines.
     pub(super) fn moves(&self) -> [&[(usize, S)]; 8] {
         let all: [&Vec<(usize, S)>; 8] = match &self.faces {
             Faces::Opposite { along: [u, v], .. } => {
@@ -99,8 +99,10 @@ impl<S: Scalar> CellPair<'_, S> {
 }
 
 impl CellPair<'_, f64> {
-    /// The exchange area by the cheapest road whose bound is within `allowed` of it and `product`, what independent cells would
-    /// exchange, else the one with the least bound: rules along the sides of far cells, the closed form, the same in
+    /// The exchange area by the cheapest route whose bound is within `allowed` of it and `product`,
+    /// that of independent cells, else by the one with the least bound.
+    ///
+    /// The routes are rules along the sides of far cells, the closed form, and the closed form in
     /// double-double.
     pub(super) fn exchange_area(
         &self,
@@ -127,7 +129,7 @@ impl CellPair<'_, f64> {
         })
     }
 
-    /// Farther apart than long: nearer ones would take too many points.
+    /// Whether the cells are farther apart than long: nearer ones would take too many points.
     fn is_far(&self) -> bool {
         let gap = |spans: &[Span; 2]| {
             let [a, b] = spans;
@@ -175,7 +177,6 @@ impl CellPair<'_, f64> {
                 perpendicular::exchange_area_at([&x, &z], &Offsets::between(&first, &second))
             }
         };
-        // each term takes some twenty operations within 64 ε²
         let cancelled = DOUBLE_DOUBLE_TERMS * SQUARED_EPSILON * exchange.magnitude.to_f64();
         let value = exchange.value.to_f64();
         Ok(ExchangeArea {
@@ -185,5 +186,7 @@ impl CellPair<'_, f64> {
     }
 }
 
-/// The factor of ε² in the bound of a closed form in double-double.
+/// The factor of ε² in the bound of a closed form in double-double: (a) an operation is within 64
+/// ε² where one of `f64` is within ε, and each term takes as many as
+/// [`RECTANGLE_TERMS`](tolerance::RECTANGLE_TERMS) counts.
 const DOUBLE_DOUBLE_TERMS: f64 = 64.0 * tolerance::RECTANGLE_TERMS;

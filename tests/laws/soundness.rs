@@ -4,13 +4,13 @@ use glam::DVec3;
 use infoscene::discretize::{CertifiedGrid, UNIT_CUBE};
 use infoscene::form_factor::RectanglePair;
 use infoscene::geometry::{Rectangle, Span, SplitAxis};
-use infoscene::numeric::{Dual, Function, Interval, Scalar, certified_roots};
+use infoscene::numeric::{Dual, Interval, IntervalFunction, Scalar, certified_roots};
 
 /// `y + atan2(y, −1)/100` jumps across 0 and has no root, though its slope is near 1 on either side.
 #[test]
 fn a_jump_of_the_angle_is_no_root() {
     struct Jump;
-    impl Function for Jump {
+    impl IntervalFunction for Jump {
         fn value<S: Scalar>(&self, y: &S) -> Option<S> {
             let angle = y.atan2(&y.constant(-1.0));
             Some(angle * &y.constant(0.01) + y)
