@@ -1,21 +1,23 @@
 //! Random refinements, valid by construction and aimed at the hard spots of floating point.
 //!
-//! A [`RefinementDraw`] is a family of chains, a family of divisions, and a list of small bytes; it is turned into a
-//! [`Refinement`] by the formula
+//! A [`RefinementDraw`] is a family of chains, a family of divisions, and a list of bytes; it is
+//! turned into a [`Refinement`] by the formula
 //!
 //! ```text
 //!   J′_kl = J_ij s_k s_l (1 + δ_kl),     k a part of i, l of j,  δ symmetric, ≥ −1
 //! ```
 //!
-//! and the coarse chain is what the parts add up to. Small bytes mean simple numbers, so that shrinking the
-//! bytes leads to readable chains. Where the bytes come from is left open: a random source
-//! ([`RandomChains`](super::random::RandomChains)) or a proptest strategy.
+//! and the coarse chain is the sum of the parts. Small bytes mean simple numbers, so that shrinking
+//! the bytes leads to readable chains. The bytes may come from a random source
+//! ([`RandomChains`](super::random::RandomChains)) or from a proptest strategy.
 
-use super::{ChainError, Refinement, ReversibleChain};
+use super::error::ChainError;
+use super::refinement::Refinement;
+use super::reversible::ReversibleChain;
 use crate::scene::Scene;
 use nalgebra::DMatrix;
 
-/// What the coarse chain looks like.
+/// A family of coarse chains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ChainFamily {
@@ -23,8 +25,8 @@ pub enum ChainFamily {
     Dense,
     /// About five entries in eight are zero.
     Sparse,
-    /// Two blocks coupled by entries of 1e-18 and less: before a division that empties a block, a second
-    /// eigenvalue within 1e-12 of 1.
+    /// Two blocks coupled by entries of 1e-18 and less: before a division that empties a block, a
+    /// second eigenvalue within 1e-12 of 1.
     Decomposable,
     /// Weights spread from 1 to 1e-300.
     Spread,
@@ -43,11 +45,11 @@ impl ChainFamily {
     ];
 }
 
-/// How states are divided.
+/// A family of divisions of states.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum DivisionFamily {
-    /// Shares and deviations at will.
+    /// Arbitrary shares and deviations.
     Free,
     /// Equal shares.
     Equal,
@@ -73,7 +75,7 @@ impl DivisionFamily {
     ];
 }
 
-/// What a random refinement is made from.
+/// A draw from which one random refinement is made.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RefinementDraw {
     /// The coarse chain's family.
@@ -88,7 +90,7 @@ pub struct RefinementDraw {
     pub bytes: Vec<u8>,
 }
 
-/// Reads bytes one after the other.
+/// A reader of bytes, one after the other.
 struct Bytes<'r> {
     bytes: std::slice::Iter<'r, u8>,
 }
@@ -110,10 +112,11 @@ impl Bytes<'_> {
 }
 
 impl RefinementDraw {
-    /// The refinement.
+    /// Makes the refinement.
     ///
     /// # Errors
-    /// [`ChainError::WrongShape`] for a state of no parts; none within the ranges stated at the fields.
+    /// [`ChainError::WrongShape`] for a state of no parts; none within the ranges stated at the
+    /// fields.
     pub fn refinement(&self) -> Result<Refinement, ChainError> {
         if self.parts.contains(&0) {
             let (what, found, expected) = ("the list of parts of a state", 0, 1);

@@ -1,7 +1,8 @@
 //! Proptest strategies for reversible chains and their refinements.
 //!
-//! Everything is valid by construction: nothing is rejected, and shrinking leads to few states and simple
-//! numbers. A refinement prints as Rust source that makes it again, to be pasted into a test.
+//! All values are valid by construction: none is rejected, and shrinking leads to few states and
+//! simple numbers. A refinement prints as Rust source that makes it again, to be pasted into a
+//! test.
 //!
 //! | family | weight | what it is hard for |
 //! |---|---|---|
@@ -30,17 +31,19 @@
 //! ```
 
 use super::recipe::{ChainFamily, DivisionFamily, RefinementDraw};
-use super::{Refinement, ReversibleChain};
+use super::refinement::Refinement;
+use super::reversible::ReversibleChain;
 use proptest::prelude::*;
 
-/// Bytes enough for every entry of `states` states and of what three of them divided by four make of it.
+/// The number of bytes for every entry of `states` states and of the refinement that divides three
+/// of them by four.
 fn byte_count(states: usize) -> usize {
     let entries = |states: usize| states * (states + 1) / 2;
     (entries(states) + entries(states + 9) + 4 * states).max(320)
 }
 
-/// Recipes of refinements of at most `most_states` (≥ 2) states; two in five have 8 or more, if that many are
-/// allowed.
+/// Draws of refinements of at most `most_states` (≥ 2) states; two in five have 8 or more, if that
+/// many are allowed.
 pub fn refinement_draw(most_states: usize) -> impl Strategy<Value = RefinementDraw> {
     let most = most_states.max(2);
     let states = if most > 8 {
@@ -67,12 +70,12 @@ pub fn refinement_draw(most_states: usize) -> impl Strategy<Value = RefinementDr
     )
 }
 
-/// Refinements of chains of at most `most_states` states: one to three states divided, each into two to
-/// four parts.
+/// Refinements of chains of at most `most_states` states: one to three states divided, each into
+/// two to four parts.
 ///
 /// # Panics
-/// While drawing, if a draw within its stated ranges cannot be built: a defect of this crate, which a test
-/// run must show and not filter away.
+/// While drawing, if a draw within its stated ranges cannot be built: a defect of this crate, which
+/// a test run must show and not filter away.
 pub fn refinement(most_states: usize) -> impl Strategy<Value = Refinement> {
     refinement_draw(most_states).prop_map(|draw| built(&draw))
 }
@@ -85,7 +88,7 @@ pub fn reversible_chain(most_states: usize) -> impl Strategy<Value = ReversibleC
     refinement(most_states).prop_map(|refinement| refinement.coarse().clone())
 }
 
-/// A draw that cannot be built is a defect of this crate.
+/// The refinement of a draw; one that cannot be built is a defect of this crate.
 fn built(draw: &RefinementDraw) -> Refinement {
     match draw.refinement() {
         Ok(refinement) => refinement,

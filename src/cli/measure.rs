@@ -7,7 +7,7 @@ use super::{Answer, Outcome};
 use crate::chain::ChainError;
 use crate::information::{
     LineKind, LineSample, Surroundings, brightness_information, continuous_information,
-    expected_bias_of_scene, pair_losses, scene_information,
+    pair_losses, scene_information, scene_information_and_bias,
 };
 use crate::report::{measure_report, sample_report};
 use crate::scene::{NamedPatch, Scene, SceneError};
@@ -129,8 +129,7 @@ impl Measure {
         let sample = LineSample::draw(&scene, self.kind.into(), lines, self.seed)?;
         let exact = if scene.group_count() <= MOST_ROWS && scene.check_unblocked().is_ok() {
             let pairs = self.scene.pairs(&scene)?;
-            let measured = scene_information(&pairs, Surroundings::None)?;
-            let bias = expected_bias_of_scene(&pairs, sample.counts.samples())?;
+            let (measured, bias) = scene_information_and_bias(&pairs, sample.counts.samples())?;
             Some([measured.mutual_information, bias])
         } else {
             None

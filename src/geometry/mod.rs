@@ -7,6 +7,7 @@
 //! **Not here**: anything radiometric.
 
 mod aligned_rectangle;
+mod centroid;
 mod convex_pieces;
 mod cut_lines;
 mod error;
@@ -23,6 +24,7 @@ mod uniform_line;
 mod vector;
 
 pub use aligned_rectangle::AlignedRectangle;
+pub use centroid::centroid;
 pub use cut_lines::CutLines;
 pub use error::GeometryError;
 pub use offsets::Offsets;

@@ -6,7 +6,8 @@
 //!   ΔI = Σ_ij ΔJ_ij (x_ij − I)/W,    |ΔJ_ij| ≤ β_i β_j δ_ij + J_ij (η_i + η_j)
 //! ```
 //!
-//! δ the bounds of the exchange areas, η those of the brightnesses relative to themselves. The answer's error is an *estimate*.
+//! δ the bounds of the exchange areas, η those of the brightnesses relative to themselves. The
+//! error of the answer is an *estimate*.
 
 use super::measures::{pair_divergence, positional_entropy};
 use super::scene::divergence_error;
@@ -18,7 +19,7 @@ use crate::transport::Brightness;
 use rayon::prelude::*;
 use std::f64::consts::LN_2;
 
-/// The information of the chain that this brightness makes of a scene; light that escapes has no state in it.
+/// The information of a scene's chain under a brightness; light that escapes has no state in it.
 ///
 /// # Errors
 /// As [`brightness_chain`].
@@ -56,7 +57,7 @@ pub fn brightness_information(
             }
         })
         .collect();
-    let rows = (0..n).into_par_iter().map(|j| {
+    let summed = (0..n).into_par_iter().map(|j| {
         let column = chain.joint().column(j);
         let probability = weights[j] / total;
         if probability <= 0.0 {
@@ -64,7 +65,7 @@ pub fn brightness_information(
         }
         let lit = || (0..n).filter(|i| weights[*i] > 0.0);
         let terms = lit().map(|i| pair_divergence(column[i], weights[i], probability));
-        let bounds = lit().map(|i| {
+        let bounded = lit().map(|i| {
             let known = exchange.get(i, j).exchange;
             let share = if known.value > 0.0 {
                 known.error_bound / known.value
@@ -75,14 +76,14 @@ pub fn brightness_information(
             let moved = divergence_error(column[i], bound, weights[i] * probability);
             [bound, moved]
         });
-        let bounds: Vec<[f64; 2]> = bounds.collect();
+        let bounds: Vec<[f64; 2]> = bounded.collect();
         [
             compensated_sum(terms),
             bounds.iter().map(|[bound, _]| bound).sum(),
             bounds.iter().map(|[_, moved]| moved).sum(),
         ]
     });
-    let rows: Vec<[f64; 3]> = rows.collect();
+    let rows: Vec<[f64; 3]> = summed.collect();
     let contributions: Vec<f64> = rows.iter().map(|row| row[0] / (total * LN_2)).collect();
     let mutual_information = compensated_sum(contributions.iter().copied());
     let [mass, moved] = [1, 2].map(|k| compensated_sum(rows.iter().map(|row| row[k])));

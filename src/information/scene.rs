@@ -1,28 +1,32 @@
-//! Positional entropy, entropy rate and mutual information of a scene's visibility chain, from its pairs as they come.
+//! Positional entropy, entropy rate and mutual information of a scene's visibility chain, from its
+//! pairs as they come.
 //!
-//! The matrix is never held. With the areas as weights the sums over rows need one pass, because the total N of an open
-//! chain can be put in afterwards:
+//! The matrix is never held. With the areas as weights the sums over rows need one pass, because
+//! the total N of an open chain can be put in afterwards:
 //!
 //! ```text
 //!   q_ij = A_i A_j / A_T:   Σ_j J_ij ln(J_ij N/(A_i A_j)) = Σ_j q_ij φ(J_ij/q_ij − 1) + (r_i − A_i) + r_i ln(N/A_T)
 //! ```
 //!
-//! where `r_i = Σ_j J_ij`. For a closed scene the last two vanish and what is left is a sum of terms ≥ 0; pairs left out by
-//! the plan give `Σ q_ij`, plane by plane.
+//! where `r_i = Σ_j J_ij`. For a closed scene the last two vanish and what is left is a sum of
+//! terms ≥ 0; pairs left out by the plan give `Σ q_ij`, plane by plane.
 //!
-//! **Errors** `f(J) = J log2(J/q) − (J − q)/ln 2` is convex with slope `log2(J/q)`. If J is known to ± e < J,
+//! **Errors** `f(J) = J log2(J/q) − (J − q)/ln 2` is convex with slope `log2(J/q)`. If J is known
+//! to ± e < J,
 //!
 //! ```text
 //!   |Δf| ≤ e (|log2(J/q)| + e/((J − e) ln 2)),
 //! ```
 //!
-//! summed over all pairs: a *bound* for a closed scene, whose exact weights are the areas. For an open scene the errors also
-//! move the escaping parts and N; their first-order effect is added, and the result is an *estimate*.
+//! summed over all pairs: a *bound* for a closed scene, whose exact weights are the areas. For an
+//! open scene the errors also move the escaping parts and N; their first-order effect is added, and
+//! the result is an *estimate*.
 //!
 //! **Not covered**: what is below 1e-308 of the total.
 
 use super::measures::{Unit, pair_divergence};
 use crate::chain::ChainError;
+use crate::form_factor::ExchangeArea;
 use crate::numeric::{compensated_sum, tolerance, x_log2_x};
 use crate::scene::{Account, Closure, ScenePairs};
 use std::f64::consts::LN_2;
@@ -69,7 +73,8 @@ pub struct SceneInformation {
     pub error: f64,
     /// What the error is.
     pub error_grade: ErrorGrade,
-    /// The terms of eq. (3) by patch, or by the row that several are summed into, `w_i Σ_j P_ij log2(P_ij/w_j)`.
+    /// The terms of eq. (3) by patch, or by the row that several are summed into,
+    /// `w_i Σ_j P_ij log2(P_ij/w_j)`.
     pub contributions: Vec<f64>,
     /// The same of the state `outside`, if there is one.
     pub outside_contribution: Option<f64>,
@@ -92,8 +97,8 @@ const DIVERGENCE_ERROR: usize = 3;
 /// The information of a scene's visibility chain, each pair taken once and none held.
 ///
 /// # Errors
-/// [`ChainError::Scene`] for an open scene without [`Surroundings::Outside`], for rows above one, and if two patches are
-/// refused.
+/// [`ChainError::Scene`] for an open scene without [`Surroundings::Outside`], for rows above one,
+/// and if two patches are refused.
 ///
 /// # Examples
 /// ```
@@ -109,6 +114,22 @@ pub fn scene_information(
     pairs: &ScenePairs,
     surroundings: Surroundings,
 ) -> Result<SceneInformation, ChainError> {
+    let (information, _) = information_with_sums(pairs, surroundings, |_, _, terms| terms)?;
+    Ok(information)
+}
+
+/// The terms of a pair in the sums of a row: value, bound, divergence, error of the divergence.
+pub(super) type PairTerms = [f64; 4];
+
+/// The information of [`scene_information`], and sums over rows that were taken in the same pass.
+///
+/// **Arguments** `terms`: the terms of a pair of rows, from its exchange area and the terms of the
+/// information, which come first and unchanged.
+pub(super) fn information_with_sums<const N: usize>(
+    pairs: &ScenePairs,
+    surroundings: Surroundings,
+    terms: impl Fn([usize; 2], &ExchangeArea, PairTerms) -> [f64; N] + Sync,
+) -> Result<(SceneInformation, Vec<[f64; N]>), ChainError> {
     let total_area = compensated_sum(pairs.areas().iter().copied());
     let unit = Unit::of_total(total_area);
     let areas: Vec<f64> = pairs.areas().iter().map(|area| unit.times(*area)).collect();
@@ -118,7 +139,7 @@ pub fn scene_information(
         let probability = areas[j] / area;
         let divergence = pair_divergence(value, areas[i], probability);
         let error = divergence_error(value, bound, areas[i] * probability);
-        [value, bound, divergence, error]
+        terms([i, j], exchange, [value, bound, divergence, error])
     })?;
     let area_bounds = pairs.area_bounds().iter();
     let area_bounds: Vec<f64> = area_bounds.map(|bound| unit.times(*bound)).collect();
@@ -174,14 +195,15 @@ pub fn scene_information(
             mutual_information,
         )
     };
-    // Σ |q − J| ≤ 2 A_i in row and column i; where an area is one patch's, its 4 ε are in the rounding
+    // Σ |q − J| ≤ 2 A_i in row and column i; where an area is one patch's, its 4 ε are in the
+    // rounding
     let from_areas = areas.iter().zip(&area_bounds).map(|(area, bound)| {
         let more = bound - 4.0 * f64::EPSILON * area;
         4.0 * more / LN_2
     });
     let from_areas = compensated_sum(from_areas);
     let rounding = tolerance::INFORMATION * (2.0 + mutual_information);
-    Ok(SceneInformation {
+    let information = SceneInformation {
         positional_entropy,
         // a difference below rounding may come out on the other side of 0
         entropy_rate: (positional_entropy - mutual_information).max(0.0),
@@ -198,10 +220,11 @@ pub fn scene_information(
         total_area,
         closure,
         account,
-    })
+    };
+    Ok((information, sums))
 }
 
-/// The state that takes what escapes.
+/// The state that takes the escaping power.
 struct Outside {
     escaping: Vec<f64>,
     weight: f64,
@@ -228,7 +251,8 @@ impl Outside {
         }
     }
 
-    /// To first order, in bits times the total: what the rows' bounds do to the escaping parts and to N.
+    /// To first order, in bits times the total: what the rows' bounds do to the escaping parts and
+    /// to N.
     fn error(&self, area: f64, areas: &[f64], bounds: impl Iterator<Item = f64>, bits: f64) -> f64 {
         let growth = (self.total / area).log2();
         let rows = areas.iter().zip(&self.escaping).zip(bounds);
@@ -243,7 +267,7 @@ impl Outside {
     }
 }
 
-/// What an error of the exchange area may change `J ln(J/q) − J + q` by, in nats.
+/// A bound on the change of `J ln(J/q) − J + q` by an error of the exchange area J, in nats.
 pub(crate) fn divergence_error(value: f64, bound: f64, product: f64) -> f64 {
     if bound <= 0.0 {
         return 0.0;
