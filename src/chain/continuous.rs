@@ -54,7 +54,8 @@ const MOST_CELLS: usize = 8_000;
 /// use infoscene::scene::Scene;
 /// // B = 1 on one square, 1 + x on the other: more light from where it is brighter
 /// let squares = Scene::built_in("two-squares")?;
-/// let chain = continuous_chain(&squares, |patch, x| if patch == 0 { 1.0 } else { 1.0 + x.y }, 1e-6)?;
+/// let brightness = |patch, x: glam::DVec3| if patch == 0 { 1.0 } else { 1.0 + x.y };
+/// let chain = continuous_chain(&squares, brightness, 1e-6)?;
 /// assert_eq!(chain.chain.transition_probability(0, 1), 1.0);
 /// // by symmetry y is ½ in the mean, and F is 0.2000437760754
 /// assert!((chain.chain.joint()[(0, 1)] - 1.5 * 0.200_043_776_075_4).abs() < 1e-6);

@@ -37,7 +37,8 @@ pub enum ChainError {
     },
     /// A product of a weight and a transition probability is too small.
     #[error(
-        "weight {row} times the probability of going to {column} leaves f64's normal range: scale the weights up"
+        "weight {row} times the probability of going to {column} leaves f64's normal range: \
+         scale the weights up"
     )]
     Underflow {
         /// The state left.
@@ -86,7 +87,7 @@ pub enum ChainError {
         /// Largest index.
         last: usize,
     },
-    /// Nothing was counted.
+    /// The list of counts is empty.
     #[error("no pair of states was counted: an estimate needs samples")]
     NoSamples,
     /// A pair was counted that has no probability.

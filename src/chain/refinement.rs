@@ -81,10 +81,11 @@ impl Refinement {
     /// use infoscene::chain::{Refinement, ReversibleChain};
     /// use infoscene::information::{mutual_information, refinement_gain};
     /// use nalgebra::dmatrix;
-    /// let three = ReversibleChain::try_new(dmatrix![0.0, 1.0, 1.0; 1.0, 0.0, 1.0; 1.0, 1.0, 0.0])?;
+    /// let joint = dmatrix![0.0, 1.0, 1.0; 1.0, 0.0, 1.0; 1.0, 1.0, 0.0];
+    /// let three = ReversibleChain::try_new(joint)?;
     /// let refinement = Refinement::coarsening(three, vec![0, 1, 1])?;
-    /// let difference = mutual_information(refinement.refined()) - mutual_information(refinement.coarse());
-    /// assert!((refinement_gain(&refinement) - difference).abs() < 1e-15);
+    /// let [after, before] = [refinement.refined(), refinement.coarse()].map(mutual_information);
+    /// assert!((refinement_gain(&refinement) - (after - before)).abs() < 1e-15);
     /// # Ok::<(), infoscene::chain::ChainError>(())
     /// ```
     pub fn coarsening(refined: ReversibleChain, parents: Vec<usize>) -> Result<Self, ChainError> {

@@ -121,26 +121,8 @@ impl ReversibleChain {
                 value: weights[state],
             });
         }
+        check_flows(weights, transitions)?;
         let flow = |row: usize, column: usize| weights[row] * transitions[(row, column)];
-        for row in 0..rows {
-            for column in 0..rows {
-                let (value, mirrored) = (flow(row, column), flow(column, row));
-                let factors = [weights[row], transitions[(row, column)]];
-                if factors.iter().all(|factor| *factor > 0.0) && value < f64::MIN_POSITIVE {
-                    return Err(ChainError::Underflow { row, column });
-                }
-                if (value - mirrored).abs()
-                    > tolerance::RECIPROCITY * value.abs().max(mirrored.abs())
-                {
-                    return Err(ChainError::NotReciprocal {
-                        row,
-                        column,
-                        value,
-                        mirrored,
-                    });
-                }
-            }
-        }
         Self::try_new(DMatrix::from_fn(rows, rows, |row, column| {
             let (value, mirrored) = (
                 flow(row.min(column), row.max(column)),
@@ -195,4 +177,28 @@ impl ReversibleChain {
             0.0
         }
     }
+}
+
+/// Checks that the flows `w_i P_ij` are in range, and equal to `w_j P_ji`.
+fn check_flows(weights: &[f64], transitions: &DMatrix<f64>) -> Result<(), ChainError> {
+    let rows = weights.len();
+    let flow = |row: usize, column: usize| weights[row] * transitions[(row, column)];
+    for row in 0..rows {
+        for column in 0..rows {
+            let (value, mirrored) = (flow(row, column), flow(column, row));
+            let factors = [weights[row], transitions[(row, column)]];
+            if factors.iter().all(|factor| *factor > 0.0) && value < f64::MIN_POSITIVE {
+                return Err(ChainError::Underflow { row, column });
+            }
+            if (value - mirrored).abs() > tolerance::RECIPROCITY * value.abs().max(mirrored.abs()) {
+                return Err(ChainError::NotReciprocal {
+                    row,
+                    column,
+                    value,
+                    mirrored,
+                });
+            }
+        }
+    }
+    Ok(())
 }

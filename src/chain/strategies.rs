@@ -4,7 +4,7 @@
 //! simple numbers. A refinement prints as Rust source that makes it again, to be pasted into a
 //! test.
 //!
-//! | family | weight | what it is hard for |
+//! | family | weight | difficulty |
 //! |---|---|---|
 //! | [`ChainFamily::Dense`] | 3 | nothing |
 //! | [`ChainFamily::Sparse`] | 2 | zeros |

@@ -152,7 +152,7 @@ impl BestGrid {
     }
 }
 
-/// The highest of the maxima that climbing from the starts reaches, and what became of the starts.
+/// The highest of the maxima that climbing from the starts reaches, and the ends of the starts.
 fn highest_maximum(
     grid_of: &(impl Fn(&[f64]) -> Result<BoxGrid, DiscretizeError> + Sync),
     starts: &[Vec<f64>],

@@ -77,31 +77,26 @@ pub const LARGEST_ASPECT: f64 = 1e6;
 /// over all pairs is twice the total area, which leaves a bound of some 1e-13 of a bit.
 const EXCHANGE_ERROR: f64 = 96.0 * f64::EPSILON;
 
-/// The refusal of a parameter outside its range.
-pub(super) fn refused(
-    parameter: &'static str,
-    value: f64,
-    condition: &'static str,
-) -> DiscretizeError {
-    DiscretizeError::OutOfRange {
-        parameter,
-        value,
-        condition,
-    }
-}
-
 /// The edges in units of a power of two near the longest.
 fn scaled(edges: [f64; 3]) -> Result<[f64; 3], DiscretizeError> {
     for edge in edges {
         if !(edge.is_normal() && edge > 0.0) {
-            return Err(refused("an edge of the box", edge, "finite and > 0"));
+            return Err(DiscretizeError::out_of_range(
+                "an edge of the box",
+                edge,
+                "finite and > 0",
+            ));
         }
     }
     let longest = edges.into_iter().fold(0.0, f64::max);
     let shortest = edges.into_iter().fold(f64::INFINITY, f64::min);
     if shortest < longest / LARGEST_ASPECT {
         let condition = "at least a millionth of the longest";
-        return Err(refused("the shortest edge of the box", shortest, condition));
+        return Err(DiscretizeError::out_of_range(
+            "the shortest edge of the box",
+            shortest,
+            condition,
+        ));
     }
     // the exponent alone
     let unit = f64::from_bits(longest.to_bits() & 0x7ff0_0000_0000_0000);
@@ -114,7 +109,11 @@ pub(super) fn checked(cells: u32) -> Result<u32, DiscretizeError> {
         Ok(cells)
     } else {
         let number = f64::from(cells);
-        Err(refused("the number of cells", number, "from 1 to 64"))
+        Err(DiscretizeError::out_of_range(
+            "the number of cells",
+            number,
+            "from 1 to 64",
+        ))
     }
 }
 
@@ -135,7 +134,11 @@ impl BoxGrid {
             if !(line - below >= NARROWEST_CELL && 1.0 - line >= NARROWEST_CELL) {
                 let condition =
                     "inside (0, 1), and at least 1e-12 above the line before it and below 1";
-                return Err(refused("a grid line", *line, condition));
+                return Err(DiscretizeError::out_of_range(
+                    "a grid line",
+                    *line,
+                    condition,
+                ));
             }
             below = *line;
         }
@@ -158,7 +161,7 @@ impl BoxGrid {
         Self::regular_like(edges, checked(cells)?, &1.0)
     }
 
-    /// The same grid in numbers of the type and precision of `like`, its lower lines and edges
+    /// The grid in numbers of the type and precision of `like`, its lower lines and edges
     /// exactly as they are.
     ///
     /// # Errors
@@ -266,7 +269,7 @@ impl<S: Scalar> BoxGrid<S> {
         Self::from_lines(edges, &lines.collect::<Vec<S>>(), Spacing::Regular)
     }
 
-    /// The same lines, with less known about their spacing.
+    /// The grid with less known about the spacing of its lines.
     pub(super) fn respaced(&self, spacing: Spacing) -> Result<Self, DiscretizeError> {
         Self::from_lines(self.edges, self.axes[0].lines(), spacing)
     }

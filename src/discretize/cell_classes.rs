@@ -1,7 +1,7 @@
 //! All pairs of cells of a grid on a box that exchange something, congruent ones once.
 //!
 //! The pairs of a tensor grid are products of relations along the axes, so that n cells an edge
-//! need n³ classes and no look at single pairs; a scene of any rectangles counts its congruent
+//! need n³ classes and no comparison of single pairs; a scene of any rectangles counts its congruent
 //! pairs by comparing all n². A row holds the pairs that differ in one relation only: opposite
 //! cells with the same relation along the first axis, adjacent ones at the same depths.
 

@@ -42,8 +42,8 @@ pub enum DiscretizeError {
     },
     /// An enclosure was asked for where there is no closed form.
     #[error(
-        "enclosures are for rectangles with edges along three common axes, and here is another pair: \
-         do without --precision, or name only rectangles that are aligned"
+        "enclosures are for rectangles with edges along three common axes, and here is another \
+         pair: do without --precision, or name only rectangles that are aligned"
     )]
     NotEnclosed,
     /// No start of the search converged.
@@ -64,4 +64,19 @@ pub enum DiscretizeError {
     /// A chain was refused.
     #[error(transparent)]
     Chain(#[from] ChainError),
+}
+
+impl DiscretizeError {
+    /// The refusal of a parameter outside its range.
+    pub(super) const fn out_of_range(
+        parameter: &'static str,
+        value: f64,
+        condition: &'static str,
+    ) -> Self {
+        Self::OutOfRange {
+            parameter,
+            value,
+            condition,
+        }
+    }
 }

@@ -288,7 +288,7 @@ impl StationaryCut {
 }
 
 impl StationaryCut {
-    /// The root as τ, and what it leaves of the condition.
+    /// The root as τ, and the residual of the condition there.
     fn solved(self) -> Result<(f64, f64), NumericError> {
         let (lower, upper) = ROOT_RANGE;
         let value = |x: f64| self.value(&x).unwrap_or(f64::NAN);

@@ -13,7 +13,8 @@
 //! with y = nτ. Hence the limits x and, by expanding once more, the rate `n (n (1 − l) − x)`:
 //!
 //! ```text
-//!   m = 1         x = 2 (1 − e^−x)               X′(0) − x − x²/2,    X′(0) = x (4/3 − x) / (2 (x − 1))
+//!   m = 1         x = 2 (1 − e^−x)               X′(0) − x − x²/2,
+//!                                     X′(0) = x (4/3 − x) / (2 (x − 1))
 //!   m = n         (1 + eˣ) ln(1 + eˣ) = 2 eˣ    −X′(1) − x − x²/2,    λ = ln(1 + eˣ),
 //!                                     X′(1) = (λ/(2 (λ − 1)) − x/(1 − e^−2x)) (1 + e^−x)
 //!   mean square   eˣ = 1 + 2x                    eˣ x² / (2 (2 − eˣ))

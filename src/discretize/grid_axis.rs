@@ -20,7 +20,7 @@ pub enum Spacing {
     Regular,
     /// Every line has a mirror image about the middle.
     Symmetric,
-    /// Nothing is known of the lines.
+    /// Lines of which no relation is known.
     Any,
 }
 

@@ -15,7 +15,7 @@
 //!
 //! **Not covered**: grids whose lines are not symmetric.
 
-use super::box_grid::{self, BoxGrid};
+use super::box_grid::BoxGrid;
 use super::cell_classes::{Classes, Row};
 use super::cell_pair::CellPair;
 use super::error::DiscretizeError;
@@ -116,7 +116,7 @@ impl<S: Scalar> BoxGrid<S> {
         match self.spacing() {
             Spacing::Symmetric => Ok(self.clone()),
             Spacing::Regular => self.respaced(Spacing::Symmetric),
-            Spacing::Any => Err(box_grid::refused(
+            Spacing::Any => Err(DiscretizeError::out_of_range(
                 "the number of lines without a mirror image",
                 f64::from(u32::try_from(self.lines().len()).unwrap_or(u32::MAX)),
                 "0 where lines move in pairs",

@@ -56,7 +56,7 @@ impl BoxGrid {
     /// **Arguments** `lines`: at least 2; fewer count as 2.
     ///
     /// # Errors
-    /// Those of [`LineSample::draw_in_grid`].
+    /// As [`LineSample::draw_in_grid`].
     pub fn sample(&self, lines: u32, seed: u64) -> Result<LineSample, DiscretizeError> {
         let grid = GridLines::try_new(self.edges(), self.lines())?;
         Ok(LineSample::draw_in_grid(&grid, lines, seed)?)

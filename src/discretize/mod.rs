@@ -2,7 +2,7 @@
 //!
 //! | question | answer |
 //! |---|---|
-//! | the best cut of a patch (§4.1, figs. 2 and 3) | [`PatchSplit`], enclosed by [`RectangleSplit`] |
+//! | the best cut of a patch (§4.1, figs. 2, 3) | [`PatchSplit`]; enclosed: [`RectangleSplit`] |
 //! | the cut of a partly dark patch (fig. 1, appendix B) | [`ContactShadow`] |
 //! | the best tensor grid on the inside of a box (figs. 4 and 5) | [`BestGrid`], [`BoxGrid`] |
 //! | the cut across a radiosity gradient (§4.2), against the mean square | [`GradientCut`] |

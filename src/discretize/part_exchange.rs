@@ -2,10 +2,10 @@
 //!
 //! ```text
 //!   ΔI(t) = (2/Σw) Σ_j β_j [ Σ_k G_j(k) log2( G_j(k)/s_k ) − G_j log2 G_j ]
-//!   G_j(k) = A_k F_kj,  s_k: the share of part k in the area,  β_j: the product of two brightnesses
+//!   G_j(k) = A_k F_kj,  s_k: share of part k in the area,  β_j: product of two brightnesses
 //! ```
 //!
-//! [`PartExchange`] is what the formula needs of a split: flux and share of a part, and their rates
+//! [`PartExchange`] holds the terms of the formula: flux and share of a part, and their rates
 //! as a cut moves. [`RectangleSplit`](super::RectangleSplit) has them in every number type,
 //! [`PolygonSplit`](super::cut_pair::PolygonSplit) in `f64`; so only the first can be enclosed.
 

@@ -120,7 +120,7 @@ impl PatchSplit {
         })
     }
 
-    /// The same split under a brightness, as in §5: constant on each patch, the cut one included.
+    /// The split under a brightness, as in §5: constant on each patch, the cut one included.
     ///
     /// **Arguments** `patch`: the one that is cut; `brightness`: radiosities, or importances times
     /// reflectances, of all patches; `total`: `Σw = Σ_ij B_i A_i F_ij B_j` of the scene, in the

@@ -4,7 +4,8 @@
 //! ```text
 //!   power l^n          ∫ = (b^(n+1) − a^(n+1))/(n+1)                  the square: power 2n
 //!   exponential e^kl   ∫ = e^ka (e^(k(b−a)) − 1)/k                    the square: rate 2k
-//!   ramp o + l         ∫ = (b−a)(u+v)/2,  ∫ of the square = (b−a)(u² + uv + v²)/3,   u = o+a, v = o+b
+//!   ramp o + l         ∫ = (b−a)(u+v)/2,                          u = o+a,  v = o+b
+//!                      ∫ of the square = (b−a)(u² + uv + v²)/3
 //!   step               ∫ = length before × one level + length after × the other
 //!   bump e^(−x²/2), x = (l−c)/σ                                       the square: width σ/√2
 //! ```
@@ -60,8 +61,21 @@ impl Profile {
     /// # Errors
     /// [`DiscretizeError::OutOfRange`].
     pub fn checked(self) -> Result<Self, DiscretizeError> {
+        let mut checks = self.checks().into_iter();
+        match checks.find(|(_, _, is_right, _)| !is_right) {
+            Some((parameter, value, _, condition)) => Err(DiscretizeError::OutOfRange {
+                parameter,
+                value,
+                condition,
+            }),
+            None => Ok(self),
+        }
+    }
+
+    /// The checks of the parameters: name, value, whether it lies in its range, and the range.
+    fn checks(self) -> Vec<(&'static str, f64, bool, &'static str)> {
         let levels = 1e-3..=1e3;
-        let checks = match self {
+        match self {
             Self::Power { exponent } => {
                 let is_right = (1e-3..=60.0).contains(&exponent);
                 vec![("the exponent", exponent, is_right, "from 1e-3 to 60")]
@@ -112,14 +126,6 @@ impl Profile {
                     "from 0.05 to 2",
                 ),
             ],
-        };
-        match checks.into_iter().find(|(_, _, is_right, _)| !is_right) {
-            Some((parameter, value, _, condition)) => Err(DiscretizeError::OutOfRange {
-                parameter,
-                value,
-                condition,
-            }),
-            None => Ok(self),
         }
     }
 

@@ -64,7 +64,7 @@ impl RectangleSplit {
         }
     }
 
-    /// The same split in numbers of the type and precision of `like`.
+    /// The split in numbers of the type and precision of `like`.
     #[must_use]
     pub fn lifted<S: Scalar>(&self, like: &S) -> RectangleSplit<S> {
         RectangleSplit {

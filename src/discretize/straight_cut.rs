@@ -53,16 +53,19 @@ impl StraightCut {
     /// # Errors
     /// [`DiscretizeError::OutOfRange`] unless `0 ≤ degrees ≤ 90` and `0 < offset < 1`.
     pub fn try_new(degrees: f64, offset: f64) -> Result<Self, DiscretizeError> {
-        let out_of_range = |parameter, value, condition| DiscretizeError::OutOfRange {
-            parameter,
-            value,
-            condition,
-        };
         if !(0.0..=90.0).contains(&degrees) {
-            return Err(out_of_range("the angle", degrees, "from 0 to 90 degrees"));
+            return Err(DiscretizeError::out_of_range(
+                "the angle",
+                degrees,
+                "from 0 to 90 degrees",
+            ));
         }
         if !(offset > 0.0 && offset < 1.0) {
-            return Err(out_of_range("the offset", offset, "between 0 and 1"));
+            return Err(DiscretizeError::out_of_range(
+                "the offset",
+                offset,
+                "between 0 and 1",
+            ));
         }
         Ok(Self { degrees, offset })
     }

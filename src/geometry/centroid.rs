@@ -4,8 +4,8 @@
 //!   x = v0 + Σ_k a_k (e_k + e_(k+1))/3 / Σ_k a_k,     e_k = v_k − v0,  a_k = (e_k × e_(k+1))·n
 //! ```
 //!
-//! over the fan of triangles at the first corner; triangles of a polygon that is not convex count with
-//! their sign.
+//! over the fan of triangles at the first corner; triangles of a polygon that is not convex count
+//! with their sign.
 
 use super::Patch;
 use glam::DVec3;

@@ -1,7 +1,8 @@
 //! Continuous mutual information (4) of a closed room that is convex inside.
 //!
 //! ```text
-//!   I^c = (1/A_T) ∫∫ F log2(A_T F) dy dx = Σ_ij I^c_ij,    I^c_ij = (1/A_T) [∫∫ F ln(A_T F)]_ij / ln 2
+//!   I^c = (1/A_T) ∫∫ F log2(A_T F) dy dx = Σ_ij I^c_ij
+//!   I^c_ij = (1/A_T) [∫∫ F ln(A_T F)]_ij / ln 2
 //! ```
 //!
 //! over pairs of faces; the parts of a pair are [`Logarithms`], so nothing singular is integrated.
@@ -102,21 +103,7 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
             bound.add(pair.exchange.error_bound);
         }
     }
-    let mut unclosed = 0.0;
-    for (face, (row, patch)) in rows.iter().zip(&faces).enumerate() {
-        let [received, cosines, bound] = row.each_ref().map(CompensatedSum::total);
-        let allowed = bound / patch.area() + tolerance::COVERED;
-        let sum = received / patch.area();
-        if (sum - 1.0).abs() > allowed {
-            return Err(SceneError::OpenScene {
-                row: first_patch(face),
-                sum,
-                tolerance: allowed,
-            }
-            .into());
-        }
-        unclosed += (cosines + 0.5 * patch.area()).abs();
-    }
+    let unclosed = deviation_from_closure(&rows, &faces, first_patch)?;
     let contributions = places
         .iter()
         .zip(&measured)
@@ -139,6 +126,31 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
         face_of,
         pairs,
     })
+}
+
+/// The sum `Σ_i |Σ_j C_ij + A_i/2|` over the faces, each of which must receive all that it sends.
+///
+/// **Arguments** `rows`: for each face its exchange areas, its C and the bounds of the first, summed.
+fn deviation_from_closure(
+    rows: &[[CompensatedSum; 3]],
+    faces: &[Patch],
+    first_patch: impl Fn(usize) -> usize,
+) -> Result<f64, SceneError> {
+    let mut unclosed = 0.0;
+    for (face, (row, patch)) in rows.iter().zip(faces).enumerate() {
+        let [received, cosines, bound] = row.each_ref().map(CompensatedSum::total);
+        let allowed = bound / patch.area() + tolerance::COVERED;
+        let sum = received / patch.area();
+        if (sum - 1.0).abs() > allowed {
+            return Err(SceneError::OpenScene {
+                row: first_patch(face),
+                sum,
+                tolerance: allowed,
+            });
+        }
+        unclosed += (cosines + 0.5 * patch.area()).abs();
+    }
+    Ok(unclosed)
 }
 
 /// Polygons in units of a power of two near the root of their area, so that logarithms are of

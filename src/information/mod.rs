@@ -5,8 +5,9 @@
 //!
 //! | question | call |
 //! |---|---|
-//! | information of a chain at hand | [`mutual_information`], [`entropy_rate`], [`positional_entropy`] |
-//! | of a scene, with an error | [`scene_information`]; under a brightness [`brightness_information`] |
+//! | information of a chain | [`mutual_information`], [`entropy_rate`], [`positional_entropy`] |
+//! | of a scene, with an error | [`scene_information`] |
+//! | of a scene under a brightness | [`brightness_information`] |
 //! | of a scene, in the continuous limit | [`continuous_information`], [`pair_losses`] |
 //! | gain of a refinement | [`refinement_gain`] |
 //! | estimates from random lines | [`LineSample`], [`PairCounts`], [`chord_information`] |

@@ -91,16 +91,7 @@ impl PairCounts {
         counts: impl IntoIterator<Item = ([usize; 2], u64)>,
         bundles: &[Vec<[usize; 2]>],
     ) -> Result<Self, ChainError> {
-        let is_weight = |weight: f64| weight.is_finite() && weight >= 0.0;
-        if let Some(state) = weights.iter().position(|weight| !is_weight(*weight)) {
-            let value = weights[state];
-            return Err(ChainError::InvalidWeight { state, value });
-        }
-        let total = compensated_sum(weights.iter().copied());
-        if !total.is_normal() {
-            return Err(ChainError::NoMass { total });
-        }
-        let weights: Vec<f64> = weights.iter().map(|weight| weight / total).collect();
+        let weights = probabilities(weights)?;
         let mut cells = Vec::new();
         for (states, count) in counts.into_iter().filter(|(_, count)| *count > 0) {
             let cell = cell_of(states, weights.len())?;
@@ -319,6 +310,20 @@ fn ln_product(weights: &[f64], [i, j]: [u32; 2]) -> f64 {
     } else {
         LN_2 + one + other
     }
+}
+
+/// Weights as probabilities, which sum to one.
+fn probabilities(weights: &[f64]) -> Result<Vec<f64>, ChainError> {
+    let is_weight = |weight: f64| weight.is_finite() && weight >= 0.0;
+    if let Some(state) = weights.iter().position(|weight| !is_weight(*weight)) {
+        let value = weights[state];
+        return Err(ChainError::InvalidWeight { state, value });
+    }
+    let total = compensated_sum(weights.iter().copied());
+    if !total.is_normal() {
+        return Err(ChainError::NoMass { total });
+    }
+    Ok(weights.iter().map(|weight| weight / total).collect())
 }
 
 /// The cell of a pair of states.

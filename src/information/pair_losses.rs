@@ -2,7 +2,8 @@
 //! information, and the loss between the two.
 //!
 //! ```text
-//!   I_ij = (J_ij/A_T) log2( J_ij A_T/(A_i A_j) ),     I^c_ij = (1/A_T) ∫∫ F log2(A_T F) dy dx ≥ I_ij
+//!   I_ij = (J_ij/A_T) log2( J_ij A_T/(A_i A_j) )
+//!   I^c_ij = (1/A_T) ∫∫ F log2(A_T F) dy dx ≥ I_ij
 //! ```
 //!
 //! by Jensen's inequality. The loss `I^c_ij − I_ij` is the most that the pair can gain by

@@ -5,10 +5,11 @@
 //! the total N of an open chain can be put in afterwards:
 //!
 //! ```text
-//!   q_ij = A_i A_j / A_T:   Σ_j J_ij ln(J_ij N/(A_i A_j)) = Σ_j q_ij φ(J_ij/q_ij − 1) + (r_i − A_i) + r_i ln(N/A_T)
+//!   q_ij = A_i A_j / A_T
+//!   Σ_j J_ij ln(J_ij N/(A_i A_j)) = Σ_j q_ij φ(J_ij/q_ij − 1) + (r_i − A_i) + r_i ln(N/A_T)
 //! ```
 //!
-//! where `r_i = Σ_j J_ij`. For a closed scene the last two vanish and what is left is a sum of
+//! where `r_i = Σ_j J_ij`. For a closed scene the last two vanish and the rest is a sum of
 //! terms ≥ 0; pairs left out by the plan give `Σ q_ij`, plane by plane.
 //!
 //! **Errors** `f(J) = J log2(J/q) − (J − q)/ln 2` is convex with slope `log2(J/q)`. If J is known
@@ -22,7 +23,7 @@
 //! open scene the errors also move the escaping parts and N; their first-order effect is added, and
 //! the result is an *estimate*.
 //!
-//! **Not covered**: what is below 1e-308 of the total.
+//! **Not covered**: terms below 1e-308 of the total.
 
 use super::measures::{Unit, pair_divergence};
 use crate::chain::ChainError;
@@ -31,7 +32,7 @@ use crate::numeric::{compensated_sum, tolerance, x_log2_x};
 use crate::scene::{Account, Closure, ScenePairs};
 use std::f64::consts::LN_2;
 
-/// What becomes of power that meets no patch.
+/// The treatment of power that meets no patch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Surroundings {
     /// There must be none: an open scene is refused.
@@ -40,7 +41,7 @@ pub enum Surroundings {
     Outside,
 }
 
-/// How well the error of an answer is known.
+/// The grade of evidence for the error of an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorGrade {
     /// To first order.
@@ -71,12 +72,12 @@ pub struct SceneInformation {
     pub mutual_information: f64,
     /// The error of the mutual information.
     pub error: f64,
-    /// What the error is.
+    /// The grade of the error.
     pub error_grade: ErrorGrade,
     /// The terms of eq. (3) by patch, or by the row that several are summed into,
     /// `w_i Σ_j P_ij log2(P_ij/w_j)`.
     pub contributions: Vec<f64>,
-    /// The same of the state `outside`, if there is one.
+    /// The term of the state `outside`, if there is one.
     pub outside_contribution: Option<f64>,
     /// Stationary probabilities of the patches: areas, or generalised areas, over their sum.
     pub weights: Vec<f64>,
@@ -241,7 +242,7 @@ impl Outside {
         }
     }
 
-    /// `J ln(J N/(A_i w_out))` for what escapes from i, in nats.
+    /// The term `J ln(J N/(A_i w_out))` of the power that escapes from i, in nats.
     fn term(&self, i: usize, area: f64) -> f64 {
         let escaping = self.escaping[i];
         if escaping > 0.0 {
@@ -251,8 +252,8 @@ impl Outside {
         }
     }
 
-    /// To first order, in bits times the total: what the rows' bounds do to the escaping parts and
-    /// to N.
+    /// The first-order effect of the rows' bounds on the escaping parts and on N, in bits times the
+    /// total.
     fn error(&self, area: f64, areas: &[f64], bounds: impl Iterator<Item = f64>, bits: f64) -> f64 {
         let growth = (self.total / area).log2();
         let rows = areas.iter().zip(&self.escaping).zip(bounds);
