@@ -1,4 +1,5 @@
-//! The chains of radiosity (§3.4) and of importance (§3.5): both weigh what patches exchange with a brightness on either side.
+//! The chains of radiosity (§3.4) and of importance (§3.5): exchange areas, weighted with a
+//! brightness on either side.
 //!
 //! ```text
 //!   J_ij = β_i A_i F_ij β_j,    w_i = A_i β_i Σ_j F_ij β_j,    P_ij = F_ij β_j / Σ_k F_ik β_k
@@ -8,23 +9,28 @@
 //!   β = R I   importance:  w = A R I (I−V),    P_ij = R_j F_ij I_j/(I_i−V_i)
 //! ```
 //!
-//! The paper calls w the generalised area. Here it comes from what arrives, `H_i = Σ_j F_ij B_j`, which is `(B_i−E_i)/R_i` and
-//! exists for a light that reflects nothing, too. Light that escapes meets no patch again and has no state.
+//! The paper calls w the generalised area. Here it is computed from the irradiance
+//! `H_i = Σ_j F_ij B_j`, which is `(B_i−E_i)/R_i`, and exists for a light that reflects nothing,
+//! too. Light that escapes meets no patch again and has no state.
 //!
 //! **Not covered**: a brightness that varies over a patch.
 
-use super::{ChainError, ReversibleChain};
+use super::error::ChainError;
+use super::reversible::ReversibleChain;
 use crate::numeric::Scaled;
 use crate::scene::ExchangeAreas;
 use nalgebra::DMatrix;
 
-/// The chain with this brightness per patch: radiosities, or importances times reflectances.
+/// The chain of a scene under one brightness per patch: radiosities, or importances times
+/// reflectances.
 ///
-/// The joint matrix is in units of the largest brightness squared; products below 1e-308 of that are lost.
+/// The joint matrix is in units of the largest brightness squared; products below 1e-308 of that
+/// are lost.
 ///
 /// # Errors
-/// [`ChainError::WrongShape`] unless there is one for each patch; [`ChainError::InvalidWeight`] if one is negative or not finite;
-/// [`ChainError::NoMass`] if no light goes from one patch to another.
+/// [`ChainError::WrongShape`] unless there is one for each patch; [`ChainError::InvalidWeight`] if
+/// one is negative or not finite; [`ChainError::NoMass`] if no light goes from one patch to
+/// another.
 ///
 /// # Examples
 /// ```
@@ -58,13 +64,14 @@ pub fn brightness_chain(
     }
     let largest = brightness.iter().copied().fold(0.0, f64::max);
     let power = -Scaled::new(largest).exponent;
-    let brightness: Vec<f64> = brightness
+    let scaled: Vec<f64> = brightness
         .iter()
         .map(|value| Scaled::new(*value).times_power(power))
         .collect();
     ReversibleChain::try_new(DMatrix::from_fn(n, n, |i, j| {
-        // in one order for both ways, as the product of three rounds differently in another
+        // one order of factors for (i, j) and (j, i): a product of three rounds differently in
+        // another
         let (i, j) = (i.min(j), i.max(j));
-        brightness[i] * brightness[j] * exchange.get(i, j).exchange.value
+        scaled[i] * scaled[j] * exchange.get(i, j).exchange.value
     }))
 }

@@ -1,50 +1,54 @@
-//! Chains of patches over which brightness varies (§3.4, §3.5, in their integral form).
+//! The chain of a scene under a brightness that varies over its patches (§3.4, §3.5, as integrals).
 //!
 //! ```text
 //!   J_ij = ∫_{S_i} ∫_{S_j} β(x) F(x, y) β(y) dy dx = w_i P_ij,     β = B, or R I
 //! ```
 //!
-//! The patches are [quartered](crate::geometry::quartered()), again and again. Between small cells the exchange areas are exact and β is
-//! taken at the middle, so that the kernel's peaks at common edges do no harm: what is left is of second order in the size of
-//! the cells, and two successive values are extrapolated.
+//! The patches are [quartered](crate::geometry::quartered()), again and again. Between small cells
+//! the exchange areas are exact and β is taken at the middle, so that the kernel's peaks at common
+//! edges do no harm: the error is of second order in the size of the cells, and two successive
+//! values are extrapolated.
 //!
-//! The paper's weight `∫ B (B − E)/R` is the row sum if B solves the radiosity equation; [`patch_integrals`] computes it as it
-//! is printed, to be compared.
+//! The paper's weight `∫ B (B − E)/R` is the row sum if B solves the radiosity equation;
+//! [`patch_integrals`] computes it as printed, for comparison.
 //!
 //! **Not covered**: jumps of β inside a patch, which leave an error of first order: cut the patch
 //! there; occlusion.
 
-use super::{ChainError, ReversibleChain};
+use super::error::ChainError;
+use super::reversible::ReversibleChain;
 use crate::form_factor::DEFAULT_TOLERANCE;
-use crate::geometry::Patch;
+use crate::geometry::centroid;
 use crate::numeric::compensated_sum;
 use crate::scene::{Congruence, NamedPatch, Occlusion, Scene, SceneError, ScenePairs};
 use glam::DVec3;
 use nalgebra::DMatrix;
 
-/// A chain by quadrature.
+/// The chain of a varying brightness, found by quadrature.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContinuousChain {
     /// The chain, one state for each patch.
     pub chain: ReversibleChain,
-    /// The largest error of an entry `w_i P_ij`, relative to the sum of all: an *estimate*, from the last two extrapolations.
+    /// The largest error of an entry `w_i P_ij`, relative to the sum of all: an *estimate*, from
+    /// the last two extrapolations.
     pub error: f64,
-    /// Cells of the finest division.
+    /// The number of cells of the finest division.
     pub cells: usize,
 }
 
-/// Most cells that are tried.
+/// The largest number of cells that is tried: the exchange areas of all pairs are held.
 const MOST_CELLS: usize = 8_000;
 
 /// The chain of a scene under a brightness that varies over its patches.
 ///
-/// **Arguments** `brightness`: of a patch at a point of it, ≥ 0; `tolerance`: the error asked for, as that of
-/// [`ContinuousChain::error`]; the division ends there, or before it has more than 8,000 cells.
+/// **Arguments** `brightness`: the brightness of a patch at a point of it, ≥ 0; `tolerance`: the
+/// largest [`ContinuousChain::error`] wanted; the division ends there, or before it has more than
+/// 8,000 cells.
 ///
 /// # Errors
-/// [`ChainError::InvalidWeight`] if the brightness is negative or not finite somewhere; [`ChainError::NoMass`];
-/// [`ChainError::Scene`], [`ChainError::Exchange`], also if patches overlap or something may
-/// stand between two of them.
+/// [`ChainError::InvalidWeight`] if the brightness is negative or not finite somewhere;
+/// [`ChainError::NoMass`]; [`ChainError::Scene`], [`ChainError::Exchange`], also if patches overlap
+/// or something may stand between two of them.
 ///
 /// # Examples
 /// ```
@@ -52,7 +56,8 @@ const MOST_CELLS: usize = 8_000;
 /// use infoscene::scene::Scene;
 /// // B = 1 on one square, 1 + x on the other: more light from where it is brighter
 /// let squares = Scene::built_in("two-squares")?;
-/// let chain = continuous_chain(&squares, |patch, x| if patch == 0 { 1.0 } else { 1.0 + x.y }, 1e-6)?;
+/// let brightness = |patch, x: glam::DVec3| if patch == 0 { 1.0 } else { 1.0 + x.y };
+/// let chain = continuous_chain(&squares, brightness, 1e-6)?;
 /// assert_eq!(chain.chain.transition_probability(0, 1), 1.0);
 /// // by symmetry y is ½ in the mean, and F is 0.2000437760754
 /// assert!((chain.chain.joint()[(0, 1)] - 1.5 * 0.200_043_776_075_4).abs() < 1e-6);
@@ -63,6 +68,7 @@ pub fn continuous_chain(
     brightness: impl Fn(usize, DVec3) -> f64 + Sync,
     tolerance: f64,
 ) -> Result<ContinuousChain, ChainError> {
+    debug_assert!(tolerance >= 0.0, "{tolerance}");
     // cells hide no more of each other than their patches do
     Occlusion::Refuse.check(scene)?;
     let mut last = joint(scene, &brightness, 0)?;
@@ -91,10 +97,14 @@ pub fn continuous_chain(
     }
 }
 
-/// The integral of a function over each patch, by the same cells.
+/// The integral of a function over each patch, by the cells of [`continuous_chain`].
 ///
-/// **Arguments** `times`: how often the patches are quartered for the finer of two values, at least once.
-/// **Returns** for each patch the extrapolated integral; of second order before, of fourth after for smooth functions.
+/// Only tests use it, to compare the paper's weights with row sums.
+///
+/// **Arguments** `times`: how many times the patches are quartered for the finer of two values; 0
+/// counts as 1.
+/// **Returns** for each patch the extrapolated integral; its error is of fourth order in the size
+/// of the cells for smooth functions.
 ///
 /// # Errors
 /// [`ChainError::Scene`] if a patch cannot be cut; [`ChainError::Exchange`] if a pair is refused.
@@ -129,7 +139,7 @@ fn joint(
 ) -> Result<(DMatrix<f64>, usize), ChainError> {
     let (fine, parents) = scene.subdivided(times)?;
     let cells = fine.patches().iter().zip(&parents);
-    let values = cells.map(|(cell, parent): (&NamedPatch, &usize)| {
+    let checked = cells.map(|(cell, parent): (&NamedPatch, &usize)| {
         let value = brightness(*parent, centroid(cell.shape()));
         if value.is_finite() && value >= 0.0 {
             Ok(value)
@@ -138,7 +148,7 @@ fn joint(
             Err(ChainError::InvalidWeight { state, value })
         }
     });
-    let values: Vec<f64> = values.collect::<Result<_, _>>()?;
+    let values: Vec<f64> = checked.collect::<Result<_, _>>()?;
     if let Some(index) = (0..parents.len()).find(|cell| fine.group_of(*cell) != *cell) {
         let (index, what) = (parents[index], "is summed with others");
         return Err(SceneError::NotAPatchOfItsOwn { index, what }.into());
@@ -156,24 +166,9 @@ fn joint(
             }
         }
     }
-    // both ways the same terms, in another order
+    // entries (i, j) and (j, i) sum equal terms in another order: one of them counts for both
     Ok((
         DMatrix::from_fn(n, n, |i, j| joint[(i.min(j), i.max(j))]),
         parents.len(),
     ))
-}
-
-/// The centroid of a convex polygon, or of the fan over any other.
-fn centroid(cell: &Patch) -> DVec3 {
-    let corners = cell.corners();
-    let origin = corners[0];
-    let mut sum = DVec3::ZERO;
-    let mut weight = 0.0;
-    for edge in corners[1..].windows(2) {
-        let (a, b) = (edge[0] - origin, edge[1] - origin);
-        let area = a.cross(b).dot(cell.normal());
-        sum += area * (a + b) / 3.0;
-        weight += area;
-    }
-    origin + sum / weight
 }

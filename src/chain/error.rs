@@ -1,4 +1,4 @@
-//! What is not a reversible chain, or not a refinement of one.
+//! The error of this room: input that is not a reversible chain, or not a refinement of one.
 
 use crate::scene::{ExchangeError, SceneError};
 
@@ -24,7 +24,7 @@ pub enum ChainError {
         row: usize,
         /// Column, from 0.
         column: usize,
-        /// As given.
+        /// The value given.
         value: f64,
     },
     /// A weight is NaN, infinite or negative.
@@ -32,12 +32,13 @@ pub enum ChainError {
     InvalidWeight {
         /// The state, from 0.
         state: usize,
-        /// As given.
+        /// The value given.
         value: f64,
     },
     /// A product of a weight and a transition probability is too small.
     #[error(
-        "weight {row} times the probability of going to {column} leaves f64's normal range: scale the weights up"
+        "weight {row} times the probability of going to {column} leaves f64's normal range: \
+         scale the weights up"
     )]
     Underflow {
         /// The state left.
@@ -73,20 +74,20 @@ pub enum ChainError {
     RowSumNotOne {
         /// Row, from 0.
         row: usize,
-        /// What it sums to.
+        /// The sum of the row.
         sum: f64,
-        /// What is accepted.
+        /// The deviation from one that is accepted.
         tolerance: f64,
     },
     /// A state index is out of range.
     #[error("there is no state {state}: the chain has states 0 to {last}")]
     NoSuchState {
-        /// As given.
+        /// The value given.
         state: usize,
         /// Largest index.
         last: usize,
     },
-    /// Nothing was counted.
+    /// The list of counts is empty.
     #[error("no pair of states was counted: an estimate needs samples")]
     NoSamples,
     /// A pair was counted that has no probability.
@@ -106,7 +107,7 @@ pub enum ChainError {
     /// Matrices of a refinement have the wrong shape.
     #[error("{what} has {found} entries, {expected} are needed")]
     WrongShape {
-        /// Which matrix.
+        /// The name of the matrix.
         what: &'static str,
         /// Entries found.
         found: usize,

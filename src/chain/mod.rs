@@ -4,8 +4,9 @@
 //! `w_i P_ij = w_j P_ji` holds by construction, the stationary distribution is the row sum. A
 //! [`Refinement`] carries both chains and which state is a part of which.
 //!
-//! Others can fuzz their own code with `chain::strategies` (feature `proptest`): random chains and refinements,
-//! valid by construction, two thirds of them at the hard spots of floating point.
+//! The module `strategies` (feature `proptest`) lets other programs fuzz their own code: random
+//! chains and refinements, valid by construction, two thirds of them at the hard spots of floating
+//! point.
 //!
 //! **Not here**: form-factor formulas; information measures.
 

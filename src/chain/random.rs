@@ -1,7 +1,8 @@
 //! Random refinements from a seed, the same on every machine.
 
-use super::recipe::{ChainFamily, DivisionFamily, Recipe};
-use super::{ChainError, Refinement};
+use super::error::ChainError;
+use super::recipe::{ChainFamily, DivisionFamily, RefinementDraw};
+use super::refinement::Refinement;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -23,19 +24,19 @@ impl RandomChains {
     /// A chain of 2 to `most` states whose first state is divided into 2 to 4 parts.
     ///
     /// # Errors
-    /// None that is known: see [`Recipe::refinement`].
+    /// No case is known: see [`RefinementDraw::refinement`].
     pub fn refinement(&mut self, most: usize) -> Result<Refinement, ChainError> {
         let chain = if self.source.random() {
             ChainFamily::Dense
         } else {
             ChainFamily::Sparse
         };
-        Recipe {
+        RefinementDraw {
             chain,
             division: DivisionFamily::Free,
             states: self.source.random_range(2..=most.max(2)),
             parts: vec![self.source.random_range(2..=4)],
-            codes: (0..160).map(|_| self.source.random()).collect(),
+            bytes: (0..160).map(|_| self.source.random()).collect(),
         }
         .refinement()
     }
@@ -57,8 +58,9 @@ impl RandomChains {
         numbers
     }
 
-    /// A whole number between two, both included.
+    /// A whole number from `least` to `most`, both included.
     pub fn count(&mut self, least: usize, most: usize) -> usize {
+        debug_assert!(least <= most, "{least} to {most}");
         self.source.random_range(least..=most.max(least))
     }
 }

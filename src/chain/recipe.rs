@@ -1,22 +1,24 @@
 //! Random refinements, valid by construction and aimed at the hard spots of floating point.
 //!
-//! A [`Recipe`] is a family of chains, a family of divisions, and a list of small codes; it is turned into a
-//! [`Refinement`] by the formula
+//! A [`RefinementDraw`] is a family of chains, a family of divisions, and a list of bytes; it is
+//! turned into a [`Refinement`] by the formula
 //!
 //! ```text
 //!   J′_kl = J_ij s_k s_l (1 + δ_kl),     k a part of i, l of j,  δ symmetric, ≥ −1
 //! ```
 //!
-//! and the coarse chain is what the parts add up to. Small codes mean simple numbers, so that shrinking the
-//! codes leads to readable chains. Where the codes come from is left open: a random source
-//! ([`RandomChains`](super::random::RandomChains)) or a proptest strategy.
+//! and the coarse chain is the sum of the parts. Small bytes mean simple numbers, so that shrinking
+//! the bytes leads to readable chains. The bytes may come from a random source
+//! ([`RandomChains`](super::random::RandomChains)) or from a proptest strategy.
 
-use super::{ChainError, Refinement, ReversibleChain};
+use super::error::ChainError;
+use super::refinement::Refinement;
+use super::reversible::ReversibleChain;
 use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::scene::{Congruence, Scene, ScenePairs};
 use nalgebra::DMatrix;
 
-/// What the coarse chain looks like.
+/// A family of coarse chains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ChainFamily {
@@ -24,8 +26,8 @@ pub enum ChainFamily {
     Dense,
     /// About five entries in eight are zero.
     Sparse,
-    /// Two blocks coupled by entries of 1e-18 and less: before a division that empties a block, a second
-    /// eigenvalue within 1e-12 of 1.
+    /// Two blocks coupled by entries of 1e-18 and less: before a division that empties a block, a
+    /// second eigenvalue within 1e-12 of 1.
     Decomposable,
     /// Weights spread from 1 to 1e-300.
     Spread,
@@ -44,11 +46,11 @@ impl ChainFamily {
     ];
 }
 
-/// How states are divided.
+/// A family of divisions of states.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum DivisionFamily {
-    /// Shares and deviations at will.
+    /// Arbitrary shares and deviations.
     Free,
     /// Equal shares.
     Equal,
@@ -74,9 +76,9 @@ impl DivisionFamily {
     ];
 }
 
-/// What a random refinement is made from.
+/// A draw from which one random refinement is made.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Recipe {
+pub struct RefinementDraw {
     /// The coarse chain's family.
     pub chain: ChainFamily,
     /// The division's family.
@@ -85,36 +87,37 @@ pub struct Recipe {
     pub states: usize,
     /// Parts of each divided state, each ≥ 2; states are divided from the first on.
     pub parts: Vec<usize>,
-    /// The codes; a missing one counts as 0.
-    pub codes: Vec<u8>,
+    /// The bytes; a missing one counts as 0.
+    pub bytes: Vec<u8>,
 }
 
-/// Reads codes one after the other.
-struct Codes<'r> {
-    codes: std::slice::Iter<'r, u8>,
+/// A reader of bytes, one after the other.
+struct Bytes<'r> {
+    bytes: std::slice::Iter<'r, u8>,
 }
 
-impl Codes<'_> {
+impl Bytes<'_> {
     fn next(&mut self) -> u8 {
-        self.codes.next().copied().unwrap_or(0)
+        self.bytes.next().copied().unwrap_or(0)
     }
 
-    /// A number in `(0, 1]`; code 0 is 1.
+    /// A number in `(0, 1]`; byte 0 is 1.
     fn positive(&mut self) -> f64 {
         1.0 - f64::from(self.next()) / 256.0
     }
 
-    /// 0 for five codes in eight; the largest codes are near 1.
+    /// 0 for five bytes in eight; the largest bytes are near 1.
     fn sparse(&mut self) -> f64 {
         f64::from(self.next().saturating_sub(159)) / 96.0
     }
 }
 
-impl Recipe {
-    /// The refinement.
+impl RefinementDraw {
+    /// Makes the refinement.
     ///
     /// # Errors
-    /// [`ChainError::WrongShape`] for a state of no parts; none within the ranges stated at the fields.
+    /// [`ChainError::WrongShape`] for a state of no parts; none within the ranges stated at the
+    /// fields.
     pub fn refinement(&self) -> Result<Refinement, ChainError> {
         if self.parts.contains(&0) {
             let (what, found, expected) = ("the list of parts of a state", 0, 1);
@@ -124,16 +127,16 @@ impl Recipe {
                 expected,
             });
         }
-        let mut codes = Codes {
-            codes: self.codes.iter(),
+        let mut bytes = Bytes {
+            bytes: self.bytes.iter(),
         };
-        let base = self.base(&mut codes)?;
+        let base = self.base(&mut bytes)?;
         let n = base.nrows();
         // part k belongs to parents[k] and takes shares[k] of it
         let mut parents: Vec<usize> = (0..n).collect();
         let mut shares = vec![1.0; n];
         for (state, parts) in self.parts.iter().take(n).enumerate() {
-            let division = self.shares(*parts, &mut codes);
+            let division = self.shares(*parts, &mut bytes);
             shares[state] = division[0];
             shares.extend(&division[1..]);
             parents.extend(std::iter::repeat_n(state, parts - 1));
@@ -148,7 +151,7 @@ impl Recipe {
                 let deviation = if is_whole {
                     0.0
                 } else {
-                    self.deviation(&mut codes)
+                    self.deviation(&mut bytes)
                 };
                 let entry = base[(i, j)] * shares[k] * shares[l] * (1.0 + deviation);
                 joint[(k, l)] = entry;
@@ -156,12 +159,12 @@ impl Recipe {
             }
         }
         if joint.iter().all(|entry: &f64| *entry <= 0.0) {
-            joint[(0, 0)] = 1.0; // the codes left nothing
+            joint[(0, 0)] = 1.0; // the bytes left nothing
         }
         Refinement::coarsening(ReversibleChain::try_new(joint)?, parents)
     }
 
-    fn base(&self, codes: &mut Codes<'_>) -> Result<DMatrix<f64>, ChainError> {
+    fn base(&self, bytes: &mut Bytes<'_>) -> Result<DMatrix<f64>, ChainError> {
         let n = self.states.max(2);
         let symmetric = |entry: &mut dyn FnMut(usize, usize) -> f64| {
             let mut matrix = DMatrix::zeros(n, n);
@@ -175,62 +178,62 @@ impl Recipe {
             matrix
         };
         Ok(match self.chain {
-            ChainFamily::Dense => symmetric(&mut |_, _| codes.positive()),
+            ChainFamily::Dense => symmetric(&mut |_, _| bytes.positive()),
             ChainFamily::Sparse => {
                 // never empty
                 symmetric(&mut |i, j| {
                     if (i, j) == (1, 0) {
                         1.0
                     } else {
-                        codes.sparse()
+                        bytes.sparse()
                     }
                 })
             }
             ChainFamily::Decomposable => symmetric(&mut |i, j| {
                 let coupling = if (i % 2) == (j % 2) { 1.0 } else { 1e-18 };
-                coupling * codes.positive()
+                coupling * bytes.positive()
             }),
             ChainFamily::Spread => {
                 let sizes: Vec<f64> = (0..n)
-                    .map(|_| 10f64.powf(-300.0 * (1.0 - codes.positive())))
+                    .map(|_| 10f64.powf(-300.0 * (1.0 - bytes.positive())))
                     .collect();
-                symmetric(&mut |i, j| sizes[i].min(sizes[j]) * codes.positive())
+                symmetric(&mut |i, j| sizes[i].min(sizes[j]) * bytes.positive())
             }
-            ChainFamily::Room => room(n, codes)?,
+            ChainFamily::Room => room(n, bytes)?,
         })
     }
 
-    fn shares(&self, parts: usize, codes: &mut Codes<'_>) -> Vec<f64> {
+    fn shares(&self, parts: usize, bytes: &mut Bytes<'_>) -> Vec<f64> {
         (0..parts)
             .map(|k| match self.division {
                 #[allow(clippy::cast_precision_loss, reason = "a handful of parts")]
                 DivisionFamily::Equal => 1.0 / parts as f64,
-                DivisionFamily::Lopsided if k > 0 => 1e-15 * codes.positive(),
+                DivisionFamily::Lopsided if k > 0 => 1e-15 * bytes.positive(),
                 DivisionFamily::WithEmpty if k > 0 && k + 1 == parts => 0.0,
-                DivisionFamily::Proportional => f64::from(-i32::from(codes.next() % 8)).exp2(),
-                _ => codes.positive(),
+                DivisionFamily::Proportional => f64::from(-i32::from(bytes.next() % 8)).exp2(),
+                _ => bytes.positive(),
             })
             .collect()
     }
 
-    fn deviation(&self, codes: &mut Codes<'_>) -> f64 {
+    fn deviation(&self, bytes: &mut Bytes<'_>) -> f64 {
         match self.division {
             DivisionFamily::Proportional => 0.0,
-            DivisionFamily::NearlyProportional => f64::EPSILON * f64::from(codes.next() % 8),
-            _ => f64::from(codes.next()) / 64.0 - 1.0,
+            DivisionFamily::NearlyProportional => f64::EPSILON * f64::from(bytes.next() % 8),
+            _ => f64::from(bytes.next()) / 64.0 - 1.0,
         }
     }
 }
 
 /// Exchange areas of a box with edges between 1/20 and 1, walls cut until there are `n` patches.
-fn room(n: usize, codes: &mut Codes<'_>) -> Result<DMatrix<f64>, ChainError> {
-    let mut edge = || 0.05 + 0.95 * codes.positive();
+fn room(n: usize, bytes: &mut Bytes<'_>) -> Result<DMatrix<f64>, ChainError> {
+    let mut edge = || 0.05 + 0.95 * bytes.positive();
     let (x, y, z) = (edge(), edge(), edge());
     let mut scene = Scene::inside_of_box(x, y, z)?;
     let mut patch = 0;
     while scene.patches().len() < n {
-        let axis = crate::geometry::SplitAxis::ALL[usize::from(codes.next() % 2)];
-        let position = 0.9 - 0.8 * codes.positive() / 2.0;
+        let axis = crate::geometry::SplitAxis::ALL[usize::from(bytes.next() % 2)];
+        let position = 0.9 - 0.8 * bytes.positive() / 2.0;
         scene = scene.with_patch_split(patch, axis, position)?;
         patch += 1;
     }

@@ -1,22 +1,23 @@
 //! States divided into sub-states, with the hypotheses of Theorem 1 checked.
 //!
-//! A refinement is a refined chain and, for each of its states, the coarse state it is a part of. With
-//! `J′` the refined joint matrix the theorem's hypotheses read
+//! A refinement is a refined chain and, for each of its states, the coarse state it is a part of.
+//! With `J′` the refined joint matrix the theorem's hypotheses read
 //!
 //! ```text
 //!   (a)  w_ik P_ik,j = w_j P_j,ik       J′ is symmetric: it is a reversible chain
 //!   (b)  P_ji = Σ_k P_j,ik              Σ_{k ∈ i, l ∈ j} J′_kl = J_ij for all i, j, also for j = i
 //! ```
 //!
-//! That `w_i = Σ_k w_ik` follows. Any number of states may be divided at once, into any number of
-//! sub-states, and refinements can be chained.
+//! From these `w_i = Σ_k w_ik` follows. Any number of states may be divided at once, into any
+//! number of sub-states, and refinements can be chained.
 
-use super::{ChainError, ReversibleChain};
+use super::error::ChainError;
+use super::reversible::ReversibleChain;
 use crate::numeric::{compensated_sum, tolerance};
 use nalgebra::DMatrix;
 use std::fmt;
 
-/// A reversible chain, a refinement of it, and which state is a part of which.
+/// A reversible chain, a refinement of it, and for each refined state the state it is a part of.
 #[derive(Clone, PartialEq)]
 pub struct Refinement {
     coarse: ReversibleChain,
@@ -25,8 +26,8 @@ pub struct Refinement {
 }
 
 impl Refinement {
-    /// Checks that `refined` refines `coarse`, state `k` of the one being a part of state `parents[k]` of
-    /// the other, both in the same scale.
+    /// Checks that `refined` refines `coarse`, state `k` of the first being a part of state
+    /// `parents[k]` of the second, both in the same scale.
     ///
     /// # Errors
     /// [`ChainError::WrongShape`], [`ChainError::NoSuchState`];
@@ -46,7 +47,7 @@ impl Refinement {
                 #[allow(clippy::cast_precision_loss, reason = "no state has 2^53 parts")]
                 let allowed = tolerance::RECIPROCITY * (counts[state] * counts[other]) as f64;
                 if (parts - whole).abs() > allowed * whole {
-                    // the divided one of the two is the one to mend
+                    // the error names the divided one of the two, which is the one to mend
                     let (state, other) = if counts[state] > 1 {
                         (state, other)
                     } else {
@@ -68,22 +69,23 @@ impl Refinement {
         })
     }
 
-    /// The refinement whose coarse chain is `refined` with the parts of each state put together: state `k`
-    /// becomes a part of state `parents[k]`.
+    /// The refinement whose coarse chain is `refined` with the parts of each state put together:
+    /// state `k` becomes a part of state `parents[k]`.
     ///
     /// # Errors
-    /// [`ChainError::WrongShape`] unless there is a parent for every state and a part for every parent from
-    /// 0 up.
+    /// [`ChainError::WrongShape`] unless there is a parent for every state and a part for every
+    /// parent from 0 up.
     ///
     /// # Examples
     /// ```
     /// use infoscene::chain::{Refinement, ReversibleChain};
     /// use infoscene::information::{mutual_information, refinement_gain};
     /// use nalgebra::dmatrix;
-    /// let three = ReversibleChain::try_new(dmatrix![0.0, 1.0, 1.0; 1.0, 0.0, 1.0; 1.0, 1.0, 0.0])?;
+    /// let joint = dmatrix![0.0, 1.0, 1.0; 1.0, 0.0, 1.0; 1.0, 1.0, 0.0];
+    /// let three = ReversibleChain::try_new(joint)?;
     /// let refinement = Refinement::coarsening(three, vec![0, 1, 1])?;
-    /// let difference = mutual_information(refinement.refined()) - mutual_information(refinement.coarse());
-    /// assert!((refinement_gain(&refinement) - difference).abs() < 1e-15);
+    /// let [after, before] = [refinement.refined(), refinement.coarse()].map(mutual_information);
+    /// assert!((refinement_gain(&refinement) - (after - before)).abs() < 1e-15);
     /// # Ok::<(), infoscene::chain::ChainError>(())
     /// ```
     pub fn coarsening(refined: ReversibleChain, parents: Vec<usize>) -> Result<Self, ChainError> {
@@ -106,11 +108,16 @@ impl Refinement {
         })
     }
 
-    /// One state of `chain` divided into as many sub-states as `outward` has rows, as the theorem states
-    /// it; sub-state 0 takes the state's place, the others follow at the end.
+    /// The refinement that divides one state of `chain` into as many sub-states as `outward` has
+    /// rows.
     ///
-    /// **Arguments** `outward`: m × n, entry `(k, j)` is `w_ik P_ik,j`; the column of the state itself is not
-    /// read. `within`: m × m, entry `(k, l)` is `w_ik P_ik,il`. Both in the chain's own scale.
+    /// The input is that of the theorem; sub-state 0 takes the state's place, the others follow at
+    /// the end. Only tests use it, to state the theorem as printed;
+    /// [`coarsening`](Self::coarsening) makes every refinement.
+    ///
+    /// **Arguments** `outward`: m × n, entry `(k, j)` is `w_ik P_ik,j`; the column of the state
+    /// itself is not read. `within`: m × m, entry `(k, l)` is `w_ik P_ik,il`. Both in the chain's
+    /// own scale.
     ///
     /// # Errors
     /// [`ChainError::NoSuchState`], [`ChainError::WrongShape`], [`ChainError::InvalidEntry`];
@@ -160,7 +167,7 @@ impl Refinement {
         Self::try_new(chain.clone(), refined, parents)
     }
 
-    /// This refinement, refined further.
+    /// The refinement of this one by a further refinement of its refined chain.
     ///
     /// # Errors
     /// [`ChainError::WrongShape`] unless `next` refines as many states as this one has made;
@@ -182,13 +189,13 @@ impl Refinement {
         Self::try_new(self.coarse.clone(), next.refined.clone(), parents)
     }
 
-    /// The chain before.
+    /// The chain before the refinement.
     #[must_use]
     pub const fn coarse(&self) -> &ReversibleChain {
         &self.coarse
     }
 
-    /// The chain after.
+    /// The chain after the refinement.
     #[must_use]
     pub const fn refined(&self) -> &ReversibleChain {
         &self.refined
@@ -211,7 +218,8 @@ impl Refinement {
     }
 }
 
-/// The joint matrix of `refined` summed over the parts of each of `n` states, and the numbers of parts.
+/// The joint matrix of `refined` summed over the parts of each of `n` states, and the numbers of
+/// parts.
 fn lumped(
     refined: &ReversibleChain,
     parents: &[usize],
@@ -256,7 +264,7 @@ fn lumped(
     Ok((sums, counts))
 }
 
-/// Rust source that makes the refinement again.
+/// The debug text is Rust source that makes the refinement again.
 impl fmt::Debug for Refinement {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(formatter, "Refinement::coarsening(")?;

@@ -6,7 +6,7 @@
 //!
 //! The total Σ J need not be one; every measure divides by it.
 
-use super::ChainError;
+use super::error::ChainError;
 use crate::numeric::{compensated_sum, tolerance};
 use nalgebra::DMatrix;
 
@@ -80,9 +80,9 @@ impl ReversibleChain {
     /// The chain with stationary weights `w` (in any scale) and transition probabilities `P`.
     ///
     /// # Errors
-    /// As [`try_new`](Self::try_new); [`ChainError::InvalidWeight`]; [`ChainError::RowSumNotOne`] beyond n·16 ε;
-    /// [`ChainError::Underflow`] where a product `w_i P_ij` leaves `f64`'s normal range;
-    /// [`ChainError::NotReciprocal`] where `w_i P_ij` and `w_j P_ji` differ by more than
+    /// As [`try_new`](Self::try_new); [`ChainError::InvalidWeight`]; [`ChainError::RowSumNotOne`]
+    /// beyond n·16 ε; [`ChainError::Underflow`] where a product `w_i P_ij` leaves `f64`'s normal
+    /// range; [`ChainError::NotReciprocal`] where `w_i P_ij` and `w_j P_ji` differ by more than
     /// [`tolerance::RECIPROCITY`] of the larger; their mean is stored otherwise.
     pub fn try_from_transitions(
         weights: &[f64],
@@ -121,26 +121,8 @@ impl ReversibleChain {
                 value: weights[state],
             });
         }
+        check_flows(weights, transitions)?;
         let flow = |row: usize, column: usize| weights[row] * transitions[(row, column)];
-        for row in 0..rows {
-            for column in 0..rows {
-                let (value, mirrored) = (flow(row, column), flow(column, row));
-                let factors = [weights[row], transitions[(row, column)]];
-                if factors.iter().all(|factor| *factor > 0.0) && value < f64::MIN_POSITIVE {
-                    return Err(ChainError::Underflow { row, column });
-                }
-                if (value - mirrored).abs()
-                    > tolerance::RECIPROCITY * value.abs().max(mirrored.abs())
-                {
-                    return Err(ChainError::NotReciprocal {
-                        row,
-                        column,
-                        value,
-                        mirrored,
-                    });
-                }
-            }
-        }
         Self::try_new(DMatrix::from_fn(rows, rows, |row, column| {
             let (value, mirrored) = (
                 flow(row.min(column), row.max(column)),
@@ -150,13 +132,13 @@ impl ReversibleChain {
         }))
     }
 
-    /// Number of states.
+    /// The number of states.
     #[must_use]
     pub fn states(&self) -> usize {
         self.weights.len()
     }
 
-    /// The joint matrix, as given.
+    /// The joint matrix, as it was given.
     #[must_use]
     pub const fn joint(&self) -> &DMatrix<f64> {
         &self.joint
@@ -174,7 +156,7 @@ impl ReversibleChain {
         self.total
     }
 
-    /// `w_i`, summing to one.
+    /// The stationary probability `w_i` of state i; these sum to one.
     ///
     /// # Panics
     /// If there is no state `i`.
@@ -183,7 +165,7 @@ impl ReversibleChain {
         self.weights[i] / self.total
     }
 
-    /// `P_ij`; 0 from a state of no weight.
+    /// The transition probability `P_ij`; 0 from a state of no weight.
     ///
     /// # Panics
     /// If there is no state `i` or `j`.
@@ -195,4 +177,28 @@ impl ReversibleChain {
             0.0
         }
     }
+}
+
+/// Checks that the flows `w_i P_ij` are in range, and equal to `w_j P_ji`.
+fn check_flows(weights: &[f64], transitions: &DMatrix<f64>) -> Result<(), ChainError> {
+    let rows = weights.len();
+    let flow = |row: usize, column: usize| weights[row] * transitions[(row, column)];
+    for row in 0..rows {
+        for column in 0..rows {
+            let (value, mirrored) = (flow(row, column), flow(column, row));
+            let factors = [weights[row], transitions[(row, column)]];
+            if factors.iter().all(|factor| *factor > 0.0) && value < f64::MIN_POSITIVE {
+                return Err(ChainError::Underflow { row, column });
+            }
+            if (value - mirrored).abs() > tolerance::RECIPROCITY * value.abs().max(mirrored.abs()) {
+                return Err(ChainError::NotReciprocal {
+                    row,
+                    column,
+                    value,
+                    mirrored,
+                });
+            }
+        }
+    }
+    Ok(())
 }

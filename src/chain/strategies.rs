@@ -1,9 +1,10 @@
 //! Proptest strategies for reversible chains and their refinements.
 //!
-//! Everything is valid by construction: nothing is rejected, and shrinking leads to few states and simple
-//! numbers. A refinement prints as Rust source that makes it again, to be pasted into a test.
+//! All values are valid by construction: none is rejected, and shrinking leads to few states and
+//! simple numbers. A refinement prints as Rust source that makes it again, to be pasted into a
+//! test.
 //!
-//! | family | weight | what it is hard for |
+//! | family | weight | difficulty |
 //! |---|---|---|
 //! | [`ChainFamily::Dense`] | 3 | nothing |
 //! | [`ChainFamily::Sparse`] | 2 | zeros |
@@ -29,19 +30,21 @@
 //! });
 //! ```
 
-use super::recipe::{ChainFamily, DivisionFamily, Recipe};
-use super::{Refinement, ReversibleChain};
+use super::recipe::{ChainFamily, DivisionFamily, RefinementDraw};
+use super::refinement::Refinement;
+use super::reversible::ReversibleChain;
 use proptest::prelude::*;
 
-/// Codes enough for every entry of `states` states and of what three of them divided by four make of it.
-fn codes(states: usize) -> usize {
+/// The number of bytes for every entry of `states` states and of the refinement that divides three
+/// of them by four.
+fn byte_count(states: usize) -> usize {
     let entries = |states: usize| states * (states + 1) / 2;
     (entries(states) + entries(states + 9) + 4 * states).max(320)
 }
 
-/// Recipes of refinements of at most `most_states` (≥ 2) states; two in five have 8 or more, if that many are
-/// allowed.
-pub fn recipe(most_states: usize) -> impl Strategy<Value = Recipe> {
+/// Draws of refinements of at most `most_states` (≥ 2) states; two in five have 8 or more, if that
+/// many are allowed.
+pub fn refinement_draw(most_states: usize) -> impl Strategy<Value = RefinementDraw> {
     let most = most_states.max(2);
     let states = if most > 8 {
         prop_oneof![3 => 2..8usize, 2 => 8..=most].boxed()
@@ -52,29 +55,29 @@ pub fn recipe(most_states: usize) -> impl Strategy<Value = Recipe> {
         3 => (2..=4usize).prop_map(|parts| vec![parts]),
         1 => proptest::collection::vec(2..=4usize, 2..=3),
     ];
-    let codes = proptest::collection::vec(any::<u8>(), codes(most));
-    (chain_family(most), division_family(), states, parts, codes).prop_map(
-        |(chain, division, states, mut parts, codes)| {
+    let bytes = proptest::collection::vec(any::<u8>(), byte_count(most));
+    (chain_family(most), division_family(), states, parts, bytes).prop_map(
+        |(chain, division, states, mut parts, bytes)| {
             parts.truncate(states);
-            Recipe {
+            RefinementDraw {
                 chain,
                 division,
                 states,
                 parts,
-                codes,
+                bytes,
             }
         },
     )
 }
 
-/// Refinements of chains of at most `most_states` states: one to three states divided, each into two to
-/// four parts.
+/// Refinements of chains of at most `most_states` states: one to three states divided, each into
+/// two to four parts.
 ///
 /// # Panics
-/// While drawing, if a recipe within its stated ranges cannot be built: a defect of this crate, which a test
-/// run must show and not filter away.
+/// While drawing, if a draw within its stated ranges cannot be built: a defect of this crate, which
+/// a test run must show and not filter away.
 pub fn refinement(most_states: usize) -> impl Strategy<Value = Refinement> {
-    recipe(most_states).prop_map(|recipe| built(&recipe))
+    refinement_draw(most_states).prop_map(|draw| built(&draw))
 }
 
 /// Reversible chains of at most `most_states` states.
@@ -85,11 +88,11 @@ pub fn reversible_chain(most_states: usize) -> impl Strategy<Value = ReversibleC
     refinement(most_states).prop_map(|refinement| refinement.coarse().clone())
 }
 
-/// A recipe that cannot be built is a defect of this crate.
-fn built(recipe: &Recipe) -> Refinement {
-    match recipe.refinement() {
+/// The refinement of a draw; one that cannot be built is a defect of this crate.
+fn built(draw: &RefinementDraw) -> Refinement {
+    match draw.refinement() {
         Ok(refinement) => refinement,
-        Err(error) => panic!("{recipe:?} cannot be built: {error}"),
+        Err(error) => panic!("{draw:?} cannot be built: {error}"),
     }
 }
 

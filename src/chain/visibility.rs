@@ -1,12 +1,14 @@
 //! The visibility chain of a scene: `J_ij = A_i F_ij`, `w_i ∝ A_i`, `P_ij = F_ij`.
 //!
-//! What escapes from an open scene goes to one more state, `outside`, and comes back, so that the chain stays reversible:
+//! The power that escapes from an open scene goes to one more state, `outside`, and comes back, so
+//! that the chain stays reversible:
 //!
 //! ```text
 //!   J_i,out = A_i (1 − Σ_j F_ij),   J_out,out = 0,   total N = A_T + Σ_i A_i (1 − Σ_j F_ij)
 //! ```
 
-use super::{ChainError, ReversibleChain};
+use super::error::ChainError;
+use super::reversible::ReversibleChain;
 use crate::scene::{Closure, Scene};
 use nalgebra::DMatrix;
 
@@ -26,8 +28,9 @@ pub fn visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
     ReversibleChain::try_new(exchange.into_values())
 }
 
-/// The visibility chain of an open scene: the last state is `outside`. That of a closed scene has the state, too, without
-/// weight.
+/// The visibility chain of an open scene: the last state is `outside`.
+///
+/// The chain of a closed scene has that state, too, without weight.
 ///
 /// # Errors
 /// [`ChainError::Exchange`] if patches overlap, if something may stand between two of them, or if

@@ -169,6 +169,7 @@ fn orthogonal_cut_gains_little(input: &Inputs) -> Result<Finding, ClaimError> {
 fn orthogonal_middle_gains_nothing(input: &Inputs) -> Result<Finding, ClaimError> {
     let position = input.interval("position")?;
     let gain = two_squares(SplitAxis::V)?
+        .rectangles()?
         .lifted(&position)
         .gain(std::slice::from_ref(&position))?;
     let nothing = position.constant(tolerance::VANISHING_GAIN);
@@ -205,7 +206,7 @@ fn curve_has_one_maximum(input: &Inputs) -> Result<Finding, ClaimError> {
             is_only_stationary_point: Some(true),
         };
     let near = like.constant(2f64.powi(-20));
-    let split_here = split.lifted(like);
+    let split_here = split.rectangles()?.lifted(like);
     let level = like.constant(1e-5);
     let starts_low = split_here.gain(std::slice::from_ref(&near))? < level;
     let ends_low = split_here.gain(&[like.constant(1.0) - &near])? < level;
@@ -236,6 +237,7 @@ fn orthogonal_slope_explains_the_shift(input: &Inputs) -> Result<Finding, ClaimE
     let three = certified_place(&corner(2)?, input)?.position;
     let at = input.interval("fraction")? * &pair;
     let slope = two_squares(SplitAxis::V)?
+        .rectangles()?
         .lifted(&at)
         .gain_derivative(std::slice::from_ref(&at), 0)?;
     let note = format!(

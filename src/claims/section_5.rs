@@ -109,7 +109,8 @@ fn ratio_to_truth(ratio: Interval, total: f64, input: &Inputs) -> Result<Finding
 fn potential_is_far_from_real_gain(input: &Inputs) -> Result<Finding, ClaimError> {
     let scene = Scene::facing_squares(input.number("distance")?)?;
     let far = input.interval("far")?;
-    let split = PatchSplit::try_new(&scene, 0, &[1], SplitAxis::U)?.lifted(&far);
+    let split = PatchSplit::try_new(&scene, 0, &[1], SplitAxis::U)?;
+    let split = split.rectangles()?.lifted(&far);
     let three = far.constant(3.0);
     let thirds = [1.0, 2.0].map(|k| far.constant(k) / &three);
     let share = split.gain(&thirds)? / &split.maximum_gain(3)?;

@@ -6,8 +6,8 @@ use super::scene_pairs::{PairsBar, ScenePairsOptions, outcome};
 use super::{Answer, Outcome};
 use infoscene::chain::ChainError;
 use infoscene::information::{
-    LineKind, LineSample, OpenScene, brightness_information, continuous_information,
-    expected_bias_of_scene, pair_losses, scene_information,
+    LineKind, LineSample, OpenScene, brightness_information, continuous_information, pair_losses,
+    scene_information, scene_information_and_bias,
 };
 use infoscene::report::{measure_report, sample_report};
 use infoscene::scene::{ExchangeError, NamedPatch, Scene, SceneError, ScenePairs};
@@ -130,8 +130,7 @@ impl Measure {
         let sample = LineSample::draw(&scene, self.kind.into(), lines, self.seed)?;
         let bar = self.scene.bar(&scene)?;
         let exact = if let Some(pairs) = self.unblocked_pairs(&scene, &bar)? {
-            let measured = scene_information(&pairs, OpenScene::Refuse)?;
-            let bias = expected_bias_of_scene(&pairs, sample.counts.samples())?;
+            let (measured, bias) = scene_information_and_bias(&pairs, sample.counts.samples())?;
             Some([measured.mutual_information, bias])
         } else {
             None

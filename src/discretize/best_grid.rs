@@ -1,14 +1,16 @@
-//! The best symmetric grid on the inside of a box, and what speaks for it.
+//! The best symmetric grid on the inside of a box, and the evidence for it.
 //!
-//! Newton's method climbs from several starts: the regular grid, grids graded towards the edges or the middle,
-//! `t = ½ (2k/n)^p`, and random ones. Where it comes to rest the Hessian is negative definite: a local maximum, with an *estimate* of how far off
-//! its lines are, `|H⁻¹|` times what is left of the gradient and its rounding. That no other maximum is higher is
-//! not proved: it is what the starts found.
+//! Newton's method climbs from several starts: the regular grid, grids graded towards the edges or
+//! the middle, `t = ½ (2k/n)^p`, and random ones. Where it converges the Hessian is negative
+//! definite: a local maximum, with an *estimate* of the error of its lines, `|H⁻¹|` times the
+//! remaining gradient and its rounding. That no other maximum is higher is not proved: only the
+//! maxima that the starts reach are compared.
 //!
 //! **Not covered**: lines that are not symmetric; edges that are divided differently.
 
 use super::box_grid::{BoxGrid, GridInformation, checked};
-use super::{DiscretizeError, regular_positions};
+use super::division::regular_positions;
+use super::error::DiscretizeError;
 use crate::numeric::{maximum_by_derivatives, parallel_map};
 use nalgebra::{DMatrix, DVector};
 use rand::{Rng, SeedableRng};
@@ -21,52 +23,61 @@ pub struct BestGrid {
     pub grid: BoxGrid,
     /// Its mutual information.
     pub information: GridInformation,
-    /// Largest derivative left there, in bits.
+    /// The largest remaining derivative, in bits.
     pub slope: f64,
     /// Largest eigenvalue of the Hessian, in bits; `None` if no line is free.
     pub curvature: Option<f64>,
-    /// Its error, from differences of gradients along its eigenvector: an estimate.
+    /// The error of the curvature, from differences of gradients along its eigenvector: an
+    /// estimate.
     pub curvature_error: f64,
-    /// How far off the lines are, relative to the edges: an estimate.
+    /// The error of the lines, relative to the edges: an estimate.
     pub line_error: f64,
-    /// How it was searched for.
+    /// The starts of the search and their ends.
     pub search: Search,
 }
 
-/// What became of the starts.
+/// The starts of a search for the best grid, and where they ended.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Search {
-    /// Starts, 1 of them regular.
+    /// The number of starts, 1 of them regular.
     pub starts: usize,
-    /// Those that ended at the best maximum.
+    /// The number of starts that ended at the best maximum.
     pub reached: usize,
-    /// Those that came to rest nowhere.
+    /// The number of starts that did not converge.
     pub lost: usize,
     /// Mutual information of the other maxima found, the highest first.
     pub others: Vec<f64>,
 }
 
-/// Exponents of graded starts: below 1 lines lie nearer to the middle, above it nearer to the edges.
+/// Exponents of graded starts: below 1 lines lie nearer to the middle, above it nearer to the
+/// edges. A choice of starts: it decides which maxima are found, not where they lie.
 const GRADINGS: [f64; 6] = [0.5, 0.75, 1.25, 1.5, 2.0, 3.0];
 
-/// Seed of the random starts.
+/// Seed of the random starts, a choice as [`GRADINGS`] is.
 const SEED: u64 = 1999;
 
-/// Lines farther apart than this belong to different maxima.
-const APART: f64 = 1e-6;
+/// Maxima whose lines all agree to this are one: (a) climbing leaves an error of the lines of
+/// [`CLIMBING`] over the curvature, far below this, and different maxima are a cell's width apart.
+const SAME_MAXIMUM: f64 = 1e-6;
 
-/// Errors of exchange areas while climbing, and at the top.
-const HASTY: f64 = 1e-11;
-const STRICT: f64 = 1e-13;
+/// Errors of exchange areas while climbing: (a) they move the lines by that over the curvature,
+/// which the last step from [`REFINING`] takes back.
+const CLIMBING: f64 = 1e-11;
 
-/// How far lines move for differences, relative to the least gap between them.
-const ASIDE: f64 = 1e-4;
+/// Errors of exchange areas at the top: (b) held by `best_grids_agree_with_20_digits`.
+const REFINING: f64 = 1e-13;
+
+/// The step of differences of gradients, relative to the least gap between lines: (a) the
+/// truncation is the square of it, 1e-8 of the curvature, and the rounding [`CLIMBING`] over it,
+/// 1e-7.
+const DIFFERENCE_STEP: f64 = 1e-4;
 
 impl BestGrid {
     /// The best grid of `cells` cells an edge.
     ///
     /// # Errors
-    /// [`DiscretizeError::OutOfRange`] as [`BoxGrid::regular`]; [`DiscretizeError::Numeric`] if no start comes to rest.
+    /// [`DiscretizeError::OutOfRange`] as [`BoxGrid::regular`]; [`DiscretizeError::Numeric`] if no
+    /// start converges.
     ///
     /// # Examples
     /// ```
@@ -81,62 +92,45 @@ impl BestGrid {
         let regular = BoxGrid::regular(edges, cells)?;
         let starts = starts(checked(cells)?);
         if starts.is_empty() {
-            return Ok(Self {
-                information: regular.information()?,
-                grid: regular,
-                slope: 0.0,
-                curvature: None,
-                curvature_error: 0.0,
-                line_error: 0.0,
-                search: Search {
-                    starts: 1,
-                    reached: 1,
-                    lost: 0,
-                    others: Vec::new(),
-                },
-            });
+            return Self::without_free_lines(regular);
         }
         let grid_of = |half: &[f64]| BoxGrid::mirrored(edges, half, cells, &1.0);
-        let ends = parallel_map(starts.len(), &|start| climb(&grid_of, &starts[start]));
-        let mut maxima: Vec<(BoxGrid, GridInformation, usize)> = Vec::new();
-        let mut refusal = None;
-        let mut lost = 0;
-        for end in ends {
-            let half = match end {
-                Ok(half) => half,
-                Err(error) => {
-                    refusal = Some(error);
-                    lost += 1;
-                    continue;
-                }
-            };
-            let found = grid_of(&half)?;
-            match maxima.iter_mut().find(|(known, ..)| is_same(known, &found)) {
-                Some((.., reached)) => *reached += 1,
-                None => {
-                    let information = found.information()?;
-                    maxima.push((found, information, 1));
-                }
-            }
-        }
-        let information = |found: &(_, GridInformation, _)| found.1.mutual_information;
-        maxima.sort_by(|a, b| information(b).total_cmp(&information(a)));
-        let others = maxima.iter().skip(1).map(information).collect();
-        let Some((grid, _, reached)) = maxima.into_iter().next() else {
-            return Err(refusal.unwrap_or(DiscretizeError::NoMaximum));
-        };
-        // climbing was in haste
-        let near = grid.derivatives(STRICT)?;
-        let step = near.hessian.lu().solve(&near.gradient);
+        let (highest, search) = highest_maximum(&grid_of, &starts)?;
+        Self::refined(&grid_of, &highest, search)
+    }
+
+    /// The grid of which no line is free: one or two cells an edge.
+    fn without_free_lines(grid: BoxGrid) -> Result<Self, DiscretizeError> {
+        Ok(Self {
+            information: grid.information()?,
+            grid,
+            slope: 0.0,
+            curvature: None,
+            curvature_error: 0.0,
+            line_error: 0.0,
+            search: Search {
+                starts: 1,
+                reached: 1,
+                lost: 0,
+                others: Vec::new(),
+            },
+        })
+    }
+
+    /// The maximum next to a grid, by one more Newton step with exchange areas of full accuracy.
+    fn refined(
+        grid_of: &impl Fn(&[f64]) -> Result<BoxGrid, DiscretizeError>,
+        near: &BoxGrid,
+        search: Search,
+    ) -> Result<Self, DiscretizeError> {
+        let derivatives = near.derivatives(REFINING)?;
+        let step = derivatives.hessian.lu().solve(&derivatives.gradient);
         let step = step.ok_or(DiscretizeError::NoMaximum)?;
-        let half: Vec<f64> = half_of(&grid)
-            .iter()
-            .zip(&step)
-            .map(|(t, by)| t - by)
-            .collect();
+        let moved = half_of(near).into_iter().zip(&step).map(|(t, by)| t - by);
+        let half: Vec<f64> = moved.collect();
         let grid = grid_of(&half)?;
         let information = grid.information()?;
-        let derivatives = grid.derivatives(STRICT)?;
+        let derivatives = grid.derivatives(REFINING)?;
         let spectrum = (-derivatives.hessian).symmetric_eigen();
         let left = derivatives.gradient.abs() + &derivatives.gradient_error;
         let inverse = &spectrum.eigenvectors
@@ -144,7 +138,7 @@ impl BestGrid {
             * spectrum.eigenvectors.transpose();
         let (flattest, curvature) = spectrum.eigenvalues.argmin();
         let along = spectrum.eigenvectors.column(flattest).into_owned();
-        let differences = difference(&grid_of, &half, &along)?;
+        let differences = difference(grid_of, &half, &along)?;
         Ok(Self {
             grid,
             information,
@@ -152,17 +146,54 @@ impl BestGrid {
             curvature: Some(-curvature),
             curvature_error: (differences + curvature).abs(),
             line_error: (inverse.abs() * left).amax() + f64::EPSILON,
-            search: Search {
-                starts: starts.len(),
-                reached,
-                lost,
-                others,
-            },
+            search,
         })
     }
 }
 
-/// The lines below 1/2.
+/// The highest of the maxima that climbing from the starts reaches, and the ends of the starts.
+fn highest_maximum(
+    grid_of: &(impl Fn(&[f64]) -> Result<BoxGrid, DiscretizeError> + Sync),
+    starts: &[Vec<f64>],
+) -> Result<(BoxGrid, Search), DiscretizeError> {
+    let ends = parallel_map(starts.len(), &|start| climb(grid_of, &starts[start]));
+    let mut maxima: Vec<(BoxGrid, GridInformation, usize)> = Vec::new();
+    let mut refusal = None;
+    let mut lost = 0;
+    for end in ends {
+        let half = match end {
+            Ok(half) => half,
+            Err(error) => {
+                refusal = Some(error);
+                lost += 1;
+                continue;
+            }
+        };
+        let found = grid_of(&half)?;
+        match maxima.iter_mut().find(|(known, ..)| is_same(known, &found)) {
+            Some((.., reached)) => *reached += 1,
+            None => {
+                let information = found.information()?;
+                maxima.push((found, information, 1));
+            }
+        }
+    }
+    let information = |found: &(_, GridInformation, _)| found.1.mutual_information;
+    maxima.sort_by(|a, b| information(b).total_cmp(&information(a)));
+    let others = maxima.iter().skip(1).map(information).collect();
+    let Some((grid, _, reached)) = maxima.into_iter().next() else {
+        return Err(refusal.unwrap_or(DiscretizeError::NoMaximum));
+    };
+    let search = Search {
+        starts: starts.len(),
+        reached,
+        lost,
+        others,
+    };
+    Ok((grid, search))
+}
+
+/// The lines of a grid below 1/2.
 fn half_of(grid: &BoxGrid) -> Vec<f64> {
     grid.lines()
         .iter()
@@ -179,11 +210,12 @@ fn difference(
 ) -> Result<f64, DiscretizeError> {
     let below = std::iter::once(0.0).chain(half.iter().copied());
     let gaps = half.iter().copied().chain([0.5]).zip(below);
-    let step = ASIDE * gaps.fold(0.5, |least, (line, below)| f64::min(least, line - below));
+    let step =
+        DIFFERENCE_STEP * gaps.fold(0.5, |least, (line, below)| f64::min(least, line - below));
     let slope = |step: f64| -> Result<f64, DiscretizeError> {
         let moved = half.iter().zip(along).map(|(t, by)| t + step * by);
         let gradient = grid(&moved.collect::<Vec<f64>>())?
-            .derivatives(HASTY)?
+            .derivatives(CLIMBING)?
             .gradient;
         Ok(gradient.dot(along))
     };
@@ -207,34 +239,31 @@ fn starts(cells: u32) -> Vec<Vec<f64>> {
     };
     let mut starts = vec![regular.clone()];
     for power in graded {
-        starts.push(
-            regular
-                .iter()
-                .map(|t| 0.5 * (2.0 * t).powf(*power))
-                .collect(),
-        );
+        let lines = regular.iter().map(|t| 0.5 * (2.0 * t).powf(*power));
+        starts.push(lines.collect());
     }
     let mut source = ChaCha8Rng::seed_from_u64(SEED);
     for _ in 0..random {
-        // gaps as of a Poisson process, none of them tiny
-        let gaps: Vec<f64> = (0..=regular.len())
-            .map(|_| 0.2 - source.random::<f64>().max(1e-3).ln())
-            .collect();
-        let whole: f64 = gaps.iter().sum();
-        let mut line = 0.0;
-        starts.push(
-            gaps[..regular.len()]
-                .iter()
-                .map(|gap| {
-                    line += 0.5 * gap / whole;
-                    line
-                })
-                .collect(),
-        );
+        starts.push(random_lines(regular.len(), &mut source));
     }
     starts
 }
 
+/// Lines below 1/2 with the gaps of a Poisson process, none of them tiny.
+fn random_lines(count: usize, source: &mut ChaCha8Rng) -> Vec<f64> {
+    let gaps: Vec<f64> = (0..=count)
+        .map(|_| 0.2 - source.random::<f64>().max(1e-3).ln())
+        .collect();
+    let whole: f64 = gaps.iter().sum();
+    let mut line = 0.0;
+    let lines = gaps[..count].iter().map(|gap| {
+        line += 0.5 * gap / whole;
+        line
+    });
+    lines.collect()
+}
+
+/// The lines below 1/2 at which Newton's method ends from `start`.
 fn climb(
     grid: &impl Fn(&[f64]) -> Result<BoxGrid, DiscretizeError>,
     start: &[f64],
@@ -242,7 +271,7 @@ fn climb(
     let halved = |doubled: &[f64]| doubled.iter().map(|line| 0.5 * line).collect::<Vec<f64>>();
     // a refused grid has no gradient; the optimiser reports where
     let derivatives = |doubled: &[f64]| {
-        let found = grid(&halved(doubled)).and_then(|grid| grid.derivatives(HASTY));
+        let found = grid(&halved(doubled)).and_then(|grid| grid.derivatives(CLIMBING));
         match found {
             Ok(found) => (found.gradient * 0.5, found.hessian * 0.25),
             Err(_) => {
@@ -255,7 +284,8 @@ fn climb(
     Ok(halved(&maximum_by_derivatives(derivatives, doubled)?))
 }
 
+/// Whether two grids are one maximum, reached twice.
 fn is_same(one: &BoxGrid, other: &BoxGrid) -> bool {
     let mut lines = one.lines().iter().zip(other.lines());
-    lines.all(|(a, b)| (a - b).abs() <= APART)
+    lines.all(|(a, b)| (a - b).abs() <= SAME_MAXIMUM)
 }

@@ -1,30 +1,33 @@
-//! Every pair of cells of a grid on a box that exchanges something, congruent ones once.
+//! All pairs of cells of a grid on a box that exchange something, congruent ones once.
 //!
-//! Rows are what is taken together: opposite cells that lie alike along the first axis, adjacent ones at the same depths.
+//! The pairs of a tensor grid are products of relations along the axes, so that n cells an edge
+//! need n³ classes and no comparison of single pairs; a scene of any rectangles counts its congruent
+//! pairs by comparing all n². A row holds the pairs that differ in one relation only: opposite
+//! cells with the same relation along the first axis, adjacent ones at the same depths.
 
-use super::DiscretizeError;
 use super::cell_pair::{CellPair, Faces};
+use super::error::DiscretizeError;
 use super::grid_axis::{Axis, Depth, Relation};
 use crate::numeric::Scalar;
 
-/// How cells of a box lie to each other, along each axis.
+/// The relations and depths of the cells of a box along each axis, and the rows of their products.
 #[derive(Debug, Clone)]
 pub(super) struct Classes<S> {
     edges: [S; 3],
-    /// By axis: the first one that is divided alike.
+    /// For each axis the first one that is divided in the same way.
     kinds: [usize; 3],
     relations: [Vec<Relation<S>>; 3],
     depths: [Vec<Depth<S>>; 3],
     rows: Vec<Row>,
 }
 
-/// Pairs that differ in one relation only.
+/// A row of pairs that differ in one relation only.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Row {
     /// Opposite faces are normal to this axis, adjacent ones have it in common.
     axis: usize,
     index: RowIndex,
-    /// How many pairs of faces, and of orders, it stands for.
+    /// The number of pairs of faces, and of orders, that the row stands for.
     count: f64,
 }
 
@@ -41,8 +44,10 @@ const fn others(axis: usize) -> [usize; 2] {
 }
 
 impl<S: Scalar> Classes<S> {
-    /// Those of axes, of which `kinds` says which is divided like which.
+    /// The classes of a box whose axes are divided in these ways; `kinds` holds for each axis the
+    /// first one that is divided in the same way.
     pub(super) fn try_new(axes: &[Axis<S>; 3], kinds: [usize; 3]) -> Result<Self, DiscretizeError> {
+        debug_assert!((0..3).all(|axis| kinds[kinds[axis]] == kinds[axis] && kinds[axis] <= axis));
         let mut classes = Self {
             edges: axes.each_ref().map(|axis| axis.edge().clone()),
             kinds,

@@ -1,6 +1,6 @@
-//! Two cells on opposite or adjacent faces of a box, and what they exchange.
+//! Two cells on opposite or adjacent faces of a box, and their exchange area.
 
-use super::DiscretizeError;
+use super::error::DiscretizeError;
 use super::grid_axis::{Depth, Relation};
 use crate::form_factor::{EdgeSlopes, ExchangeArea, Layout};
 use crate::numeric::Scalar;
@@ -9,19 +9,19 @@ use crate::numeric::Scalar;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CellPair<'g, S> {
     pub faces: Faces<'g, S>,
-    /// How many ordered pairs there are in the whole box.
+    /// The number of such ordered pairs in the whole box.
     pub count: f64,
 }
 
 /// The faces that two cells lie on.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Faces<'g, S> {
-    /// Two common axes.
+    /// Opposite faces, with two common axes.
     Opposite {
         along: [&'g Relation<S>; 2],
         distance: &'g S,
     },
-    /// A depth each over the plane of the other one, and a common axis.
+    /// Adjacent faces: each cell has a depth over the plane of the other, and one axis is common.
     Adjacent {
         depths: [&'g Depth<S>; 2],
         along: &'g Relation<S>,
@@ -53,7 +53,7 @@ impl<S: Scalar> CellPair<'_, S> {
         }
     }
 
-    /// How the exchange area changes with the places of the edges.
+    /// The derivatives of the exchange area by the places of the edges.
     pub(super) fn slopes(&self) -> EdgeSlopes<S> {
         match &self.faces {
             Faces::Opposite { along, distance } => {
@@ -66,7 +66,7 @@ impl<S: Scalar> CellPair<'_, S> {
         }
     }
 
-    /// How these places move with the free lines.
+    /// The rates at which these places move with the free lines.
     pub(super) fn moves(&self) -> [&[(usize, S)]; 8] {
         let all: [&Vec<(usize, S)>; 8] = match &self.faces {
             Faces::Opposite { along: [u, v], .. } => {
@@ -88,8 +88,11 @@ impl<S: Scalar> CellPair<'_, S> {
 }
 
 impl CellPair<'_, f64> {
-    /// The exchange area by the cheapest rung whose bound is within `allowed` of it and `product`, the value that
-    /// independent cells would exchange; else the one with the least bound.
+    /// The exchange area by the cheapest route whose bound is within `allowed` of it and `product`,
+    /// that of independent cells, else by the one with the least bound.
+    ///
+    /// The routes are rules along the sides of far cells, the closed form, and the closed form in
+    /// double-double.
     pub(super) fn exchange_area(
         &self,
         product: f64,

@@ -1,23 +1,23 @@
 //! The best tensor grid on the inside of a box, with proof.
 //!
-//! With one free line (three cells a side) the maximum is global. Away from it the chain rule of information bounds the
-//! value: states refined from X to X′ satisfy
+//! With one free line (three cells a side) the maximum is global. Away from it the chain rule of
+//! information bounds the value: states refined from X to X′ satisfy
 //!
 //! ```text
 //!   I(X′;Y′) ≤ I(X;Y) + H(X′|X) + H(Y′|Y)
 //! ```
 //!
-//! and a grid whose line t is known to lie between a and b is no finer than one with lines a, t, b, which adds at most one bit
-//! inside the narrow cells of the grid with a and b. With more lines the enclosure is that of a maximum which is
-//! the only stationary point nearby.
+//! and a grid whose line t is known to lie between a and b is no finer than one with lines a, t, b,
+//! which adds at most one bit inside the narrow cells of the grid with a and b. With more lines the
+//! enclosure is that of a maximum which is the only stationary point nearby.
 //!
 //! **Not covered**: the global maximum over several lines.
 
-use super::DiscretizeError;
 use super::best_grid::BestGrid;
 use super::box_grid::BoxGrid;
+use super::error::DiscretizeError;
 use crate::numeric::{
-    Certificate, CertifiedMaximum, Dual, Interval, Objective, Scalar, VectorFunction,
+    Certificate, CertifiedMaximum, Dual, Interval, Maximand, Scalar, VectorFunction,
     certified_maximum, certified_stationary_point,
 };
 
@@ -26,14 +26,14 @@ use crate::numeric::{
 pub struct CertifiedGrid {
     /// The lines below 1/2, increasing.
     pub half: Vec<Interval>,
-    /// Its mutual information, in bits.
+    /// The mutual information of the grid, in bits.
     pub mutual_information: Interval,
-    /// What is proved about it.
+    /// The proof that the grid is the best one, or the reason why there is none.
     pub certificate: Certificate,
 }
 
 impl CertifiedGrid {
-    /// The grid of `cells` equal cells a side.
+    /// The mutual information of the grid of `cells` equal cells a side, enclosed.
     ///
     /// # Errors
     /// [`DiscretizeError::OutOfRange`] for zero cells.
@@ -41,10 +41,12 @@ impl CertifiedGrid {
         BoxGrid::regular_like(edges, cells, &Interval::precise(1.0, bits))?.mutual_information()
     }
 
-    /// The best grid of `cells` cells a side: the global maximum for three, else the maximum near the regular grid.
+    /// The best grid of `cells` cells a side: the global maximum for three, else the maximum near
+    /// the regular grid.
     ///
     /// # Errors
-    /// [`DiscretizeError::Numeric`] if it cannot be isolated; [`DiscretizeError::OutOfRange`] for zero cells.
+    /// [`DiscretizeError::Numeric`] if it cannot be isolated; [`DiscretizeError::OutOfRange`] for
+    /// zero cells.
     pub fn best(edges: [f64; 3], cells: u32, bits: u32) -> Result<Self, DiscretizeError> {
         if cells == 3 {
             let CertifiedMaximum {
@@ -69,8 +71,8 @@ impl CertifiedGrid {
                 },
             });
         }
-        let near = BestGrid::find(edges, cells)?.grid;
-        let near: Vec<f64> = near
+        let found = BestGrid::find(edges, cells)?.grid;
+        let near: Vec<f64> = found
             .lines()
             .iter()
             .copied()
@@ -90,7 +92,7 @@ impl CertifiedGrid {
     }
 }
 
-/// Mutual information as the gradient's function.
+/// The gradient of the mutual information, as a function of the lines below 1/2.
 struct Gradient {
     edges: [f64; 3],
     cells: u32,
@@ -106,7 +108,7 @@ impl VectorFunction for Gradient {
     }
 }
 
-/// Lines at t and 1 − t.
+/// Grids of three cells a side, with lines at t and 1 − t.
 struct ThreeCells {
     edges: [f64; 3],
 }
@@ -117,7 +119,7 @@ impl ThreeCells {
     }
 }
 
-impl Objective for ThreeCells {
+impl Maximand for ThreeCells {
     fn value<S: Scalar>(&self, x: &S) -> Option<S> {
         self.grid(x)?.mutual_information().ok()
     }
@@ -126,8 +128,9 @@ impl Objective for ThreeCells {
         self.grid(x)?.gradient().ok()?.pop()
     }
 
-    /// Each exchange area by its Taylor form about the middle m of the box: `E″(m) + E‴(X)(X − m)` for the
-    /// second derivative, and so down to `E(m) + E′(X)(X − m)`.
+    /// The slope from the Taylor form of each exchange area about the middle m of the box:
+    /// `E″(m) + E‴(X)(X − m)` for the second derivative, then the same for the first, and last
+    /// `E(m) + E′(X)(X − m)`.
     fn slope_on_box(&self, domain: &Interval<f64>) -> Option<Dual<Interval<f64>>> {
         let middle = Interval::point(domain.midpoint());
         let aside = *domain - middle;
@@ -158,8 +161,10 @@ impl Objective for ThreeCells {
         })
     }
 
-    /// X: lines a, b; X′: lines a, t, b. `H(X′|X)` is at most one bit in the two narrow cells of each axis; next to 1/2 two
-    /// lines divide the middle cell in three.
+    /// The bound by the chain rule, with lines a, b for X and a, t, b for X′.
+    ///
+    /// `H(X′|X)` is at most one bit in the two narrow cells of each axis; next to 1/2 two lines
+    /// divide the middle cell in three.
     fn bound_on(&self, domain: &Interval<f64>) -> Option<f64> {
         let (lower, upper) = (*domain.lower(), *domain.upper());
         let one = domain.constant(1.0);
@@ -171,13 +176,10 @@ impl Objective for ThreeCells {
                 domain.constant(3.0).ln() / domain.constant(2.0).ln(),
             )
         };
-        let half: Vec<Interval<f64>> = half
-            .into_iter()
-            .filter(|line| *line > 0.0)
-            .map(Interval::point)
-            .collect();
-        let cells = 2 * u32::try_from(half.len()).ok()? + 1;
-        let grid = BoxGrid::mirrored(self.edges, &half, cells, &one).ok()?;
+        let inner = half.into_iter().filter(|line| *line > 0.0);
+        let lines: Vec<Interval<f64>> = inner.map(Interval::point).collect();
+        let cells = 2 * u32::try_from(lines.len()).ok()? + 1;
+        let grid = BoxGrid::mirrored(self.edges, &lines, cells, &one).ok()?;
         // 2 (b − a) on each of two axes, for X and for Y
         let share = (Interval::point(upper) - Interval::point(lower)) * domain.constant(8.0);
         Some(*(grid.mutual_information().ok()? + share * bits).upper())
@@ -190,13 +192,12 @@ mod tests {
 
     /// The Taylor form and the bound on a box hold at every point of it.
     #[test]
-    fn boxes_contain_what_their_points_say() {
+    fn boxes_contain_the_slopes_at_their_points() {
         let cube = ThreeCells { edges: [1.0; 3] };
         for (lower, width) in [(0.05, 1e-5), (0.2, 1e-3), (0.3, 4e-3), (0.45, 1e-3)] {
             let domain = Interval::try_new(lower, lower + width);
-            let domain = domain.as_ref();
-            let slopes = domain.and_then(|domain| cube.slope_on_box(domain));
-            let bound = domain.and_then(|domain| cube.bound_on(domain));
+            let slopes = domain.as_ref().and_then(|domain| cube.slope_on_box(domain));
+            let bound = domain.as_ref().and_then(|domain| cube.bound_on(domain));
             for share in [0.0, 0.3, 0.5, 1.0] {
                 let at = Interval::precise(f64::min(lower + share * width, lower + width), 128);
                 let exact = cube.slope(&Dual::variable(at.clone()));

@@ -8,12 +8,13 @@
 //! ```
 //!
 //! Appendix B.1: among the cuts `t ≥ d` (one part totally dark) the line itself is best. Appendix
-//! B.2: so it is among the cuts `t ≤ d` where the point-to-point form factor is constant; where it is
-//! not, another cut wins as `d` nears the far edge.
+//! B.2: so it is among the cuts `t ≤ d` where the point-to-point form factor is constant; where it
+//! is not, another cut wins as `d` nears the far edge.
 //!
 //! **Not covered**: penumbrae; shadows whose outline is not parallel to the edge.
 
-use super::{DiscretizeError, stationarity};
+use super::error::DiscretizeError;
+use super::stationarity::stationarity;
 use crate::form_factor::RectanglePair;
 use crate::geometry::SplitAxis;
 use crate::information::{divergence, relative_entropy};
@@ -46,7 +47,8 @@ impl ContactShadow {
         Ok(Self { pair, line })
     }
 
-    /// The gain of a cut at `position`, in bits (A_T = 2); over intervals an enclosure, the line counting as exact.
+    /// The gain of a cut at `position`, in bits (A_T = 2); over intervals an enclosure, the line
+    /// counting as exact.
     ///
     /// # Errors
     /// [`DiscretizeError::OutOfRange`] unless `0 < position < 1`.
@@ -82,7 +84,7 @@ impl ContactShadow {
         Ok(relative_entropy(&flux, &one, &parts))
     }
 
-    /// What the floor and the wall exchange in all, up to the line.
+    /// The exchange area of the floor, up to the line, and the wall.
     ///
     /// # Errors
     /// [`DiscretizeError::FormFactor`] if it leaves `f64`'s range.
@@ -90,12 +92,12 @@ impl ContactShadow {
         self.exchange(0.0, self.line)
     }
 
-    /// What the floor would gain at the line if every lit point saw the wall equally: flux
-    /// proportional to lit area.
+    /// The gain of a cut if every lit point received the same flux: flux proportional to lit area.
     ///
     /// **Arguments** `position` inside `(0, 1)`.
     #[must_use]
     pub fn uniform_gain(&self, position: f64) -> f64 {
+        debug_assert!(position > 0.0 && position < 1.0, "{position}");
         let near = position.min(self.line);
         divergence(&[near, self.line - near], &[position, 1.0 - position])
     }
@@ -122,8 +124,8 @@ impl ContactShadow {
         }
     }
 
-    /// The line beyond which a cut through the lit part gains more than the line itself: the limit of
-    /// appendix B.2 for perpendicular squares.
+    /// The line beyond which a cut through the lit part gains more than the line itself: the limit
+    /// of appendix B.2 for perpendicular squares.
     ///
     /// # Errors
     /// [`DiscretizeError::Numeric`] if the two gains do not cross between 1/2 and 1.

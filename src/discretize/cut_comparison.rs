@@ -1,10 +1,11 @@
-//! The two cuts of §4.2 side by side: what either costs in the other's measure.
+//! The two cuts of §4.2 side by side, each judged by the measure of the other.
 //!
 //! **Not covered**: other profiles than powers; see [`ProfileCut`](super::ProfileCut).
 
-use super::{CertifiedCut, Cut, DiscretizeError, GradientCut};
+use super::error::DiscretizeError;
+use super::gradient_cut::{CertifiedCut, Cut, GradientCut};
 
-/// Both cuts of one patch.
+/// Both cuts of one patch, and their distance and cost.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CutComparison {
     /// The patch.
@@ -17,15 +18,16 @@ pub struct CutComparison {
     pub gain_at_square: f64,
     /// The mean square error of the mutual-information cut, for `B = lⁿ`.
     pub error_at_information: f64,
-    /// Both cuts enclosed, if that was asked for: mutual information, mean square.
+    /// Both cuts enclosed, if enclosures were asked for: mutual information, mean square.
     pub certified: Option<[CertifiedCut; 2]>,
 }
 
 impl CutComparison {
-    /// Both cuts, enclosed to about so many bits if any are given.
+    /// Finds both cuts, and encloses them to about so many bits if any are given.
     ///
     /// # Errors
-    /// [`DiscretizeError::Numeric`] if a root is not found, which the brackets exclude, or cannot be isolated.
+    /// [`DiscretizeError::Numeric`] if a root is not found, which the brackets exclude, or cannot
+    /// be isolated.
     pub fn try_new(patch: GradientCut, bits: Option<u32>) -> Result<Self, DiscretizeError> {
         let (information, square) = (patch.mutual_information_cut()?, patch.mean_square_cut()?);
         let certified = match bits {
@@ -45,7 +47,7 @@ impl CutComparison {
         })
     }
 
-    /// How far the mean-square cut lies beyond the other.
+    /// The distance of the mean-square cut beyond the other one.
     #[must_use]
     pub fn distance(&self) -> f64 {
         self.information.complement - self.square.complement
@@ -57,7 +59,7 @@ impl CutComparison {
         self.gain_at_square / self.information.value
     }
 
-    /// How much larger the square error is than the least if the mutual-information cut is taken, as a share of the least.
+    /// The square error of the mutual-information cut above the least one, as a share of the least.
     #[must_use]
     pub fn error_excess(&self) -> f64 {
         self.error_at_information / self.square.value - 1.0

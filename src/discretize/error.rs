@@ -1,4 +1,4 @@
-//! Why a cut could not be found.
+//! The error of this room: a cut or a grid that could not be found.
 
 use crate::chain::ChainError;
 use crate::form_factor::FormFactorError;
@@ -13,11 +13,11 @@ pub enum DiscretizeError {
     /// A parameter is outside its range.
     #[error("{parameter} is {value}: it must be {condition}")]
     OutOfRange {
-        /// Which parameter.
+        /// The name of the parameter.
         parameter: &'static str,
-        /// As given.
+        /// The value given.
         value: f64,
-        /// What is needed.
+        /// The condition that it must meet.
         condition: &'static str,
     },
     /// The named patches exchange nothing with the one to be cut.
@@ -40,13 +40,13 @@ pub enum DiscretizeError {
         /// The patch.
         patch: usize,
     },
-    /// An enclosure of what has no closed form.
+    /// An enclosure was asked for where there is no closed form.
     #[error(
         "enclosures are for rectangles with edges along three common axes, and here is another pair: \
          name only rectangles that are aligned, or do without an enclosure"
     )]
     NotEnclosed,
-    /// No start came to rest.
+    /// No start of the search converged.
     #[error("no start of the search ends at a maximum")]
     NoMaximum,
     /// An optimiser refused.
@@ -67,4 +67,19 @@ pub enum DiscretizeError {
     /// A chain was refused.
     #[error(transparent)]
     Chain(#[from] ChainError),
+}
+
+impl DiscretizeError {
+    /// The refusal of a parameter outside its range.
+    pub(super) const fn out_of_range(
+        parameter: &'static str,
+        value: f64,
+        condition: &'static str,
+    ) -> Self {
+        Self::OutOfRange {
+            parameter,
+            value,
+            condition,
+        }
+    }
 }

@@ -1,45 +1,51 @@
-//! Where the cuts of §4.2 go as the exponent grows: `n (1 − l)` tends to a number, and misses it by a multiple of 1/n.
+//! The limits of the cuts of §4.2 as the exponent grows: `n (1 − l)` tends to a number, and differs
+//! from it by a multiple of 1/n.
 //!
-//! In x = pτ, p = n + 1, l = e^−τ, the condition on the cut of highest mutual information knows r = m/p alone,
+//! In x = pτ, p = n + 1, l = e^−τ, the condition on the cut of highest mutual information depends
+//! on r = m/p alone,
 //!
 //! ```text
 //!   λ/(1−e^−λ) = 1 + r,     e^λ = (e^((1+r)x) − 1)/(eˣ − 1)
 //! ```
 //!
-//! so that `l = exp(−X(m/p)/p)` for every n and m with one falling function X. As n grows r tends to 0 where m is
-//! fixed, and to 1 where m = n. The mean-square condition is `eʸ = 1 + 2 n (1 − l)` with y = nτ. Hence the limits x and,
-//! by expanding once more, what is left, `n (n (1 − l) − x)`:
+//! so that `l = exp(−X(m/p)/p)` for every n and m with one falling function X. As n grows r tends
+//! to 0 where m is fixed, and to 1 where m = n. The mean-square condition is `eʸ = 1 + 2 n (1 − l)`
+//! with y = nτ. Hence the limits x and, by expanding once more, the rate `n (n (1 − l) − x)`:
 //!
 //! ```text
-//!   m = 1         x = 2 (1 − e^−x)               X′(0) − x − x²/2,    X′(0) = x (4/3 − x) / (2 (x − 1))
-//!   m = n         (1 + eˣ) ln(1 + eˣ) = 2 eˣ    −X′(1) − x − x²/2,    X′(1) = (λ/(2 (λ − 1)) − x/(1 − e^−2x)) (1 + e^−x),
-//!                                                                     λ = ln(1 + eˣ)
+//!   m = 1         x = 2 (1 − e^−x)               X′(0) − x − x²/2,
+//!                                     X′(0) = x (4/3 − x) / (2 (x − 1))
+//!   m = n         (1 + eˣ) ln(1 + eˣ) = 2 eˣ    −X′(1) − x − x²/2,    λ = ln(1 + eˣ),
+//!                                     X′(1) = (λ/(2 (λ − 1)) − x/(1 − e^−2x)) (1 + e^−x)
 //!   mean square   eˣ = 1 + 2x                    eˣ x² / (2 (2 − eˣ))
 //! ```
 //!
-//! The λ of the second row solves `λ = 2 (1 − e^−λ)`: it is the x of the first. That first condition is also the one for two
-//! classes of least square error of a position distributed as e^−x: where the irradiance hardly varies, mutual information
-//! groups *positions*, weighted by flux, and the mean square groups *radiosities*.
+//! The λ of the second row solves `λ = 2 (1 − e^−λ)`: it is the x of the first. That first
+//! condition is also the one for two classes of least square error of a position distributed as
+//! e^−x: where the irradiance hardly varies, mutual information groups *positions*, weighted by
+//! flux, and the mean square groups *radiosities*.
 //!
-//! At the other end, n → 0, radiosity goes as 1 + n ln l: with m = n both cuts tend to e^−x, x the first limit again.
+//! At the other end, n → 0, radiosity goes as 1 + n ln l: with m = n both cuts tend to e^−x, x the
+//! first limit again.
 //!
 //! **Not covered**: higher terms.
 
-use super::DiscretizeError;
-use crate::numeric::{Function, Interval, NumericError, Scalar, certified_roots};
+use super::error::DiscretizeError;
+use crate::numeric::{Interval, IntervalFunction, NumericError, Scalar, certified_roots};
 
-/// A cut of §4.2 as the exponent grows.
+/// A cut of §4.2 in the limit of a large exponent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GradientLimit {
-    /// Of highest mutual information, irradiance ∝ l, as printed; for the limit any fixed power will do.
+    /// The cut of highest mutual information, irradiance ∝ l, as printed; the limit is that of any
+    /// fixed power.
     FixedIrradiance,
-    /// Of highest mutual information, irradiance ∝ lⁿ as the radiosity.
+    /// The cut of highest mutual information, irradiance ∝ lⁿ as the radiosity.
     EqualExponents,
-    /// Of least mean square error.
+    /// The cut of least mean square error.
     MeanSquare,
 }
 
-/// A limit, enclosed, and how it is approached.
+/// A limit and the rate at which it is approached, enclosed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LimitingCut {
     /// The limit x of `n (1 − l)`.
@@ -49,7 +55,7 @@ pub struct LimitingCut {
 }
 
 impl GradientLimit {
-    /// All of them.
+    /// All limits.
     pub const ALL: [Self; 3] = [
         Self::FixedIrradiance,
         Self::EqualExponents,
@@ -71,7 +77,7 @@ impl GradientLimit {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn enclosed(self, bits: u32) -> Result<LimitingCut, DiscretizeError> {
-        let found = certified_roots(&self, RANGE, bits);
+        let found = certified_roots(&self, ROOT_RANGE, bits);
         let [root] = found.roots.as_slice() else {
             return Err(not_isolated());
         };
@@ -86,7 +92,7 @@ impl GradientLimit {
     fn rate<S: Scalar>(self, x: &S) -> S {
         let number = |value: f64| x.constant(value);
         let one = number(1.0);
-        // of x (1 − 1/n)(1 − x/2n)
+        // the term of 1/n in x (1 − 1/n)(1 − x/2n)
         let shrinking = x.clone() + &(x.square() * &number(0.5));
         match self {
             Self::FixedIrradiance => {
@@ -111,15 +117,16 @@ impl GradientLimit {
     }
 }
 
-/// All three conditions are negative at 1 and positive at 2, and have one root between.
-const RANGE: (f64, f64) = (1.0, 2.0);
+/// The range of the roots: (a) all three conditions are negative at 1 and positive at 2, and have
+/// one root between.
+const ROOT_RANGE: (f64, f64) = (1.0, 2.0);
 
 fn not_isolated() -> DiscretizeError {
-    let (lower, upper) = RANGE;
+    let (lower, upper) = ROOT_RANGE;
     NumericError::NotIsolated { lower, upper }.into()
 }
 
-impl Function for GradientLimit {
+impl IntervalFunction for GradientLimit {
     fn value<S: Scalar>(&self, x: &S) -> Option<S> {
         let two = x.constant(2.0);
         Some(match self {

@@ -1,26 +1,26 @@
-//! Lines along one axis of a box, and which pairs of cells between them lie alike.
+//! Lines along one axis of a box, and the classes of congruent pairs of cells between them.
 //!
-//! A form factor is even in the distance along a common axis, so that cells (i, k) are as good as (k, i). What else is
-//! shared depends on the lines:
+//! A form factor is even in the distance along a common axis, so that cells (i, k) count as (k, i).
+//! Further sharing depends on the lines:
 //!
 //! ```text
-//!   regular      (i, k) as (0, |i − k|)                            n relations
-//!   symmetric    (i, k) as the mirror images (n−1−i, n−1−k)        about n²/4; depths over either end alike
-//!   any          nothing more                                      n (n + 1)/2; depths from either end apart
+//!   regular      (i, k) as (0, |i − k|)                       n relations
+//!   symmetric    (i, k) as the mirror images (n−1−i, n−1−k)   about n²/4; one depth for both ends
+//!   any          nothing more                                 n (n + 1)/2; a depth for each end
 //! ```
 
-use super::DiscretizeError;
+use super::error::DiscretizeError;
 use crate::geometry::{Offsets, Span};
 use crate::numeric::Scalar;
 
-/// What the lines of an axis have in common.
+/// The spacing of the lines of an axis, as far as it is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Spacing {
     /// All cells are equally long.
     Regular,
     /// Every line has a mirror image about the middle.
     Symmetric,
-    /// Nothing.
+    /// Lines of which no relation is known.
     Any,
 }
 
@@ -36,24 +36,25 @@ impl Spacing {
     }
 }
 
-/// How something changes with the free lines: by each of these, so much; the free lines counted from the lower end.
+/// The derivatives of a place by the free lines, which are counted from the lower end; lines that
+/// do not move it are left out.
 pub(super) type Moves<S> = Vec<(usize, S)>;
 
-/// Two cells of an axis that stand for all pairs that lie alike.
+/// Two cells of an axis that stand for all congruent pairs.
 #[derive(Debug, Clone)]
 pub(super) struct Relation<S> {
     pub spans: [Span<S>; 2],
     pub offsets: Offsets<S>,
-    /// How the four differences of ends move, the lower ends first.
+    /// The derivatives of the four differences of ends, the lower ends first.
     pub moves: [Moves<S>; 4],
     pub count: f64,
 }
 
-/// A cell seen from an end of its axis, that stands for all alike.
+/// The distance of a cell from an end of its axis, for all cells at the same one.
 #[derive(Debug, Clone)]
 pub(super) struct Depth<S> {
     pub span: Span<S>,
-    /// How its lower and upper end move.
+    /// The derivatives of the lower and the upper end.
     pub moves: [Moves<S>; 2],
     pub count: f64,
 }
@@ -67,7 +68,7 @@ pub(super) struct Axis<S> {
 }
 
 impl<S: Scalar> Axis<S> {
-    /// Lines known to be spaced so, the ends included.
+    /// An axis with lines of this spacing, the ends included.
     ///
     /// # Errors
     /// [`DiscretizeError::Geometry`] unless they increase.
@@ -76,6 +77,7 @@ impl<S: Scalar> Axis<S> {
         lines: Vec<S>,
         spacing: Spacing,
     ) -> Result<Self, DiscretizeError> {
+        debug_assert!(lines.len() >= 2, "the ends are among the lines");
         let axis = Self {
             edge,
             lines,
@@ -104,7 +106,8 @@ impl<S: Scalar> Axis<S> {
         self.spacing
     }
 
-    /// Lines that may move: each with its mirror image; the middle one and the ends stay.
+    /// The number of lines that may move, each with its mirror image; the middle one and the ends
+    /// stay.
     pub(super) fn free(&self) -> usize {
         (self.cells() - 1) / 2
     }
@@ -140,7 +143,7 @@ impl<S: Scalar> Axis<S> {
         }
     }
 
-    /// How a line moves as a free one does, its mirror image against it.
+    /// The derivative of a line by a free one, whose mirror image moves the other way.
     fn moves(&self, line: usize) -> Option<(usize, S)> {
         let free = self.free();
         let mirrored = self.cells() - line;
@@ -153,14 +156,13 @@ impl<S: Scalar> Axis<S> {
         }
     }
 
-    /// How the difference of two lines moves.
+    /// The derivatives of the difference of two lines.
     pub(super) fn offset_moves(&self, a: usize, b: usize) -> Moves<S> {
         if a == b {
             return Vec::new();
         }
-        let (first, second) = (self.moves(a), self.moves(b));
-        let second = second.map(|(line, by)| (line, -by));
-        match (first, second) {
+        let subtracted = self.moves(b).map(|(line, by)| (line, -by));
+        match (self.moves(a), subtracted) {
             (Some((one, by)), Some((other, more))) if one == other => {
                 vec![(one, by + &more)]
             }
@@ -181,7 +183,7 @@ impl<S: Scalar> Axis<S> {
         })
     }
 
-    /// Pairs of cells that lie differently.
+    /// One pair of cells of each class.
     pub(super) fn relations(&self) -> Result<Vec<Relation<S>>, DiscretizeError> {
         let n = self.cells();
         let mut relations = Vec::new();
@@ -203,7 +205,7 @@ impl<S: Scalar> Axis<S> {
         Ok(relations)
     }
 
-    /// Cells seen from either end that lie differently.
+    /// One depth of each class, from either end.
     pub(super) fn depths(&self) -> Result<Vec<Depth<S>>, DiscretizeError> {
         let n = self.cells();
         let is_symmetric = self.spacing != Spacing::Any;

@@ -1,22 +1,25 @@
-//! How the mutual information of a symmetric grid changes as its lines move, all derivatives in one pass over the pairs.
+//! The derivatives of the mutual information of a symmetric grid by its lines, all in one pass over
+//! the pairs.
 //!
-//! With `E = J ln(J/q)`, `q = A_i A_j/A_T`, and because the rows of J sum to the areas, whose sum does not change,
+//! With `E = J ln(J/q)`, `q = A_i A_j/A_T`, and because the rows of J sum to the areas, whose sum
+//! does not change,
 //!
 //! ```text
 //!   A_T ∂_a I  = Σ ∂_a J ln(J/q)
 //!   A_T ∂_ab I = Σ [ ∂_ab J ln(J/q) + ∂_a J ∂_b J/J ] − 2 Σ_i ∂_a A_i ∂_b A_i/A_i
 //! ```
 //!
-//! in nats, over ordered pairs. A line moves on every face at once, and its mirror image against it. The derivatives of J are closed
-//! forms ([`EdgeSlopes`](crate::form_factor)); a pair knows at most eight edges, whatever the number of lines.
+//! in nats, over ordered pairs. A line moves on every face at once, and its mirror image the other
+//! way. The derivatives of J are closed forms ([`EdgeSlopes`](crate::form_factor)); a pair has at
+//! most eight edges, whatever the number of lines.
 //!
 //! **Not covered**: grids whose lines are not symmetric.
 
 use super::box_grid::BoxGrid;
 use super::cell_classes::{Classes, Row};
 use super::cell_pair::CellPair;
+use super::error::DiscretizeError;
 use super::grid_axis::{Axis, Moves, Spacing};
-use super::{DiscretizeError, box_grid};
 use crate::numeric::{Scalar, try_parallel_map};
 use nalgebra::{DMatrix, DVector};
 use smallvec::SmallVec;
@@ -26,16 +29,18 @@ use std::f64::consts::LN_2;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct GridDerivatives {
     pub gradient: DVector<f64>,
-    /// What rounding may have done to it: an estimate, as if roundings were random.
+    /// The rounding of the gradient: an estimate, as if roundings were random.
     pub gradient_error: DVector<f64>,
     pub hessian: DMatrix<f64>,
 }
 
-/// Rows that are summed together, so that the order of sums does not depend on threads.
-const ROWS: usize = 32;
+/// Rows that are summed together, so that the order of sums does not depend on threads; a chunk
+/// takes some milliseconds at 64 cells.
+const ROWS_PER_CHUNK: usize = 32;
 
 impl BoxGrid {
-    /// Gradient and Hessian, from exchange areas within `allowed` of themselves or of what independent cells would exchange.
+    /// Gradient and Hessian, from exchange areas within `allowed` of themselves or of those of
+    /// independent cells.
     ///
     /// # Errors
     /// [`DiscretizeError::FormFactor`] if a pair is refused.
@@ -43,7 +48,7 @@ impl BoxGrid {
         let grid = self.with_free_lines()?;
         let (classes, free) = (grid.classes()?, grid.axes()[0].free());
         let (total, _) = grid.faces();
-        let rows: Vec<&[Row]> = classes.rows().chunks(ROWS).collect();
+        let rows: Vec<&[Row]> = classes.rows().chunks(ROWS_PER_CHUNK).collect();
         let chunks = try_parallel_map(rows.len(), &|chunk| {
             let mut sums = Sums::new(free, &total, true);
             for pair in rows[chunk].iter().flat_map(|row| classes.row(row)) {
@@ -68,8 +73,8 @@ impl BoxGrid {
         })
     }
 
-    /// `−2 Σ_i ∂_a A_i ∂_b A_i/A_i` over the total area, in bits: with l the lengths of cells relative to an edge,
-    /// `−4 Σ ∂_a l ∂_b l/l`.
+    /// Adds `−2 Σ_i ∂_a A_i ∂_b A_i/A_i` over the total area, in bits: with l the lengths of cells
+    /// relative to an edge, `−4 Σ ∂_a l ∂_b l/l`.
     fn add_areas(&self, hessian: &mut DMatrix<f64>) {
         for (length, moves) in self.axes()[0].lengths() {
             for (a, by) in &moves {
@@ -82,11 +87,12 @@ impl BoxGrid {
 }
 
 impl<S: Scalar> BoxGrid<S> {
-    /// The derivative of the mutual information by the position of each line below 1/2, as that line moves on every
-    /// face at once and its mirror image against it, in bits.
+    /// The derivative of the mutual information by the position of each line below 1/2, as that
+    /// line moves on every face at once and its mirror image the other way, in bits.
     ///
     /// # Errors
-    /// [`DiscretizeError::FormFactor`] if a pair is refused; [`DiscretizeError::OutOfRange`] if lines are not symmetric.
+    /// [`DiscretizeError::FormFactor`] if a pair is refused; [`DiscretizeError::OutOfRange`] if
+    /// lines are not symmetric.
     pub fn gradient(&self) -> Result<Vec<S>, DiscretizeError> {
         let grid = self.with_free_lines()?;
         let classes: Classes<S> = grid.classes()?;
@@ -100,12 +106,12 @@ impl<S: Scalar> BoxGrid<S> {
         Ok(sums.gradient.into_iter().map(|sum| sum / &unit).collect())
     }
 
-    /// The same lines, but not known to be equally spaced.
+    /// The grid with its lines free to move, not known to be equally spaced.
     fn with_free_lines(&self) -> Result<Self, DiscretizeError> {
         match self.spacing() {
             Spacing::Symmetric => Ok(self.clone()),
             Spacing::Regular => self.respaced(Spacing::Symmetric),
-            Spacing::Any => Err(box_grid::refused(
+            Spacing::Any => Err(DiscretizeError::out_of_range(
                 "the number of lines without a mirror image",
                 f64::from(u32::try_from(self.lines().len()).unwrap_or(u32::MAX)),
                 "0 where lines move in pairs",
@@ -118,7 +124,7 @@ impl<S: Scalar> BoxGrid<S> {
 #[derive(Debug, Clone)]
 struct Sums<S> {
     gradient: Vec<S>,
-    /// Squares of what rounding may have done.
+    /// Squares of the roundings.
     squares: Vec<f64>,
     /// Row by row; empty if not wanted.
     hessian: Vec<S>,
@@ -146,7 +152,8 @@ impl<S: Scalar> Sums<S> {
         }
     }
 
-    /// Adds a class with what its pairs exchange, the relative error of that, and what they would if they were independent.
+    /// Adds a class of pairs: its exchange area, that of independent cells, and the relative error
+    /// of the first.
     fn add(&mut self, pair: &CellPair<'_, S>, exchange: &S, product: &S, error: f64) {
         let (slopes, moves) = (pair.slopes(), pair.moves());
         let count = exchange.constant(pair.count);
@@ -205,12 +212,14 @@ impl<S: Scalar> Sums<S> {
 }
 
 impl Axis<f64> {
-    /// The relative length of each cell, and how it moves.
+    /// The relative length of each cell, and its derivatives.
     fn lengths(&self) -> impl Iterator<Item = (f64, Moves<f64>)> {
         let lines = self.lines();
         (0..self.cells()).map(move |cell| {
-            let moves = self.offset_moves(cell + 1, cell).into_iter();
-            let relative = moves.map(|(line, by)| (line, by / self.edge()));
+            let relative = self
+                .offset_moves(cell + 1, cell)
+                .into_iter()
+                .map(|(line, by)| (line, by / self.edge()));
             (lines[cell + 1] - lines[cell], relative.collect())
         })
     }

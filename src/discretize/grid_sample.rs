@@ -1,20 +1,23 @@
-//! A grid on a box, sampled by lines, and what is expected of that.
+//! A grid on a box sampled by random lines, and the expected bias and deviation of that.
 //!
-//! The bias and the deviation of the plug-in estimate are sums over pairs of cells; pairs that exchange the same are taken once. A
-//! line finds its cells by bisection.
+//! The bias and the deviation of the plug-in estimate are sums over pairs of cells; congruent pairs
+//! are taken once. A line finds its cells by bisection.
 //!
-//! **Not covered**: other ways to draw lines than from points of the faces; in a convex room global lines have the same chords.
+//! **Not covered**: other ways to draw lines than from points of the faces; in a convex room global
+//! lines have the same chords.
 
-use super::{BoxGrid, DiscretizeError};
+use super::box_grid::BoxGrid;
+use super::error::DiscretizeError;
 use crate::information::{LineSample, expected_bias, expected_deviation};
 use crate::numeric::{compensated_sum, try_parallel_map};
 use crate::scene::GridLines;
 
-/// Error of an exchange area beside itself and what independent cells would exchange: no bias is known better than to 1e-11.
-const ALLOWED: f64 = 1e-11;
+/// Error of an exchange area relative to itself plus that of independent cells: (a) a bias is known
+/// to 1e-11 of itself, and no better from exact probabilities.
+const PROBABILITY_ERROR: f64 = 1e-11;
 
 impl BoxGrid {
-    /// How far the plug-in estimate from so many lines lies above the mutual information on average, in bits.
+    /// The expected bias of the plug-in estimate from so many lines, in bits.
     ///
     /// # Errors
     /// [`DiscretizeError::FormFactor`] if a pair is refused.
@@ -37,7 +40,8 @@ impl BoxGrid {
         Ok(compensated_sum(parts))
     }
 
-    /// The standard deviation of that estimate, in bits, to second order in 1/N.
+    /// The standard deviation of the plug-in estimate from so many lines, in bits, to second order
+    /// in 1/N.
     ///
     /// # Errors
     /// [`DiscretizeError::FormFactor`] if a pair is refused.
@@ -46,19 +50,19 @@ impl BoxGrid {
         Ok(expected_deviation(cells.into_iter().flatten(), samples))
     }
 
-    /// What local lines say of the grid; for one seed and box the same lines for all grids.
+    /// Samples the grid by local lines; for one seed and box the same lines for all grids.
     ///
     /// **Arguments** `lines`: at least 2; fewer count as 2.
     ///
     /// # Errors
-    /// Those of [`LineSample::draw_in_grid`].
+    /// As [`LineSample::draw_in_grid`].
     pub fn sample(&self, lines: u32, seed: u64) -> Result<LineSample, DiscretizeError> {
         let grid = GridLines::try_new(self.edges(), self.lines())?;
         Ok(LineSample::draw_in_grid(&grid, lines, seed)?)
     }
 
-    /// Something of the classes of each row: of the probabilities of a pair of cells, and if they were independent, with the
-    /// number of pairs.
+    /// Applies a function to the classes of each row: the probability of a pair of cells, that of
+    /// independent cells, and the number of such pairs.
     fn probabilities<T: Send + Sync>(
         &self,
         of_row: impl Fn(&[([f64; 2], f64)]) -> T + Sync,
@@ -69,7 +73,7 @@ impl BoxGrid {
         try_parallel_map(rows.len(), &|row| {
             let cells = classes.row(&rows[row]).map(|pair| {
                 let product = pair.areas() / total;
-                let exchange = pair.exchange_area(product, ALLOWED)?;
+                let exchange = pair.exchange_area(product, PROBABILITY_ERROR)?;
                 // a chord has no direction: both ordered pairs are one cell
                 let both = [exchange.value, product].map(|ordered| 2.0 * ordered / total);
                 Ok((both, 0.5 * pair.count))

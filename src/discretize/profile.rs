@@ -1,19 +1,22 @@
-//! How radiosity varies along a patch: shapes whose flux and square flux over any part are at hand.
+//! Profiles of radiosity along a patch, with closed forms of their flux and square flux over any
+//! part.
 //!
 //! ```text
 //!   power l^n          ∫ = (b^(n+1) − a^(n+1))/(n+1)                  the square: power 2n
 //!   exponential e^kl   ∫ = e^ka (e^(k(b−a)) − 1)/k                    the square: rate 2k
-//!   ramp o + l         ∫ = (b−a)(u+v)/2,  ∫ of the square = (b−a)(u² + uv + v²)/3,   u = o+a, v = o+b
+//!   ramp o + l         ∫ = (b−a)(u+v)/2,                          u = o+a,  v = o+b
+//!                      ∫ of the square = (b−a)(u² + uv + v²)/3
 //!   step               ∫ = length before × one level + length after × the other
 //!   bump e^(−x²/2), x = (l−c)/σ                                       the square: width σ/√2
 //! ```
 //!
-//! All terms are ≥ 0 and nothing cancels, so that each part is known to its own relative precision. The bump's integral is not
-//! elementary: Gauss–Legendre, 16 points on each piece of at most 2 σ.
+//! All terms are ≥ 0 and nothing cancels, so that each part is known to its own relative precision.
+//! The integral of the bump is not elementary: Gauss–Legendre, 16 points on each piece of at most 2
+//! σ.
 //!
 //! **Not covered**: radiosity that varies along two axes.
 
-use super::DiscretizeError;
+use super::error::DiscretizeError;
 use crate::numeric::GaussLegendre;
 
 /// Radiosity along a patch of length 1, in any unit.
@@ -21,12 +24,12 @@ use crate::numeric::GaussLegendre;
 pub enum Profile {
     /// `lⁿ`, n from 1e-3 to 60; beyond, see [`GradientCut`](super::GradientCut).
     Power {
-        /// n.
+        /// The exponent n.
         exponent: f64,
     },
     /// `e^(kl)`, |k| from 0.01 to 100.
     Exponential {
-        /// k.
+        /// The rate k.
         rate: f64,
     },
     /// `offset + l`, offset from 0 to 100.
@@ -36,7 +39,7 @@ pub enum Profile {
     },
     /// One level, then another, each from 1e-3 to 1e3.
     Step {
-        /// Where it changes, between 0 and 1.
+        /// The place of the step, between 0 and 1.
         at: f64,
         /// The level before.
         before: f64,
@@ -45,21 +48,34 @@ pub enum Profile {
     },
     /// `e^(−(l−c)²/(2σ²))`, c from 0 to 1 and σ from 0.05 to 2.
     Bump {
-        /// c.
+        /// The centre c.
         centre: f64,
-        /// σ.
+        /// The width σ.
         width: f64,
     },
 }
 
 impl Profile {
-    /// The same, if its parameters lie in their ranges.
+    /// Checks that the parameters lie in their ranges.
     ///
     /// # Errors
     /// [`DiscretizeError::OutOfRange`].
     pub fn checked(self) -> Result<Self, DiscretizeError> {
+        let mut checks = self.checks().into_iter();
+        match checks.find(|(_, _, is_right, _)| !is_right) {
+            Some((parameter, value, _, condition)) => Err(DiscretizeError::OutOfRange {
+                parameter,
+                value,
+                condition,
+            }),
+            None => Ok(self),
+        }
+    }
+
+    /// The checks of the parameters: name, value, whether it lies in its range, and the range.
+    fn checks(self) -> Vec<(&'static str, f64, bool, &'static str)> {
         let levels = 1e-3..=1e3;
-        let checks = match self {
+        match self {
             Self::Power { exponent } => {
                 let is_right = (1e-3..=60.0).contains(&exponent);
                 vec![("the exponent", exponent, is_right, "from 1e-3 to 60")]
@@ -110,14 +126,6 @@ impl Profile {
                     "from 0.05 to 2",
                 ),
             ],
-        };
-        match checks.into_iter().find(|(_, _, is_right, _)| !is_right) {
-            Some((parameter, value, _, condition)) => Err(DiscretizeError::OutOfRange {
-                parameter,
-                value,
-                condition,
-            }),
-            None => Ok(self),
         }
     }
 
@@ -145,7 +153,7 @@ impl Profile {
         self.radiosity(0.0).min(self.radiosity(1.0))
     }
 
-    /// Where the radiosity jumps.
+    /// The place where the radiosity jumps, if there is one.
     #[must_use]
     pub const fn jump(&self) -> Option<f64> {
         match self {
@@ -154,17 +162,19 @@ impl Profile {
         }
     }
 
-    /// Is the patch turned round the same patch?
+    /// Whether the profile is its own mirror image.
     #[must_use]
     pub fn is_symmetric(&self) -> bool {
         matches!(self, Self::Bump { centre, .. } if (centre - 0.5).abs() <= 0.0)
     }
 
-    /// `∫ B` from `from` to `to`, `0 ≤ from ≤ to ≤ 1`.
+    /// The flux `∫ B` from `from` to `to`, `0 ≤ from ≤ to ≤ 1`.
     ///
-    /// **Accuracy** a few ε relative to the integral; of the bump 1e-14, measured by `parts_of_profiles_agree_with_quadrature`.
+    /// **Accuracy** a few ε relative to the integral; of the bump 1e-14, measured by
+    /// `parts_of_profiles_agree_with_quadrature`.
     #[must_use]
     pub fn flux(&self, from: f64, to: f64) -> f64 {
+        check_part(from, to);
         match *self {
             Self::Power { exponent } => power_integral(exponent, from, to),
             Self::Exponential { rate } => exponential_integral(rate, from, to),
@@ -174,9 +184,11 @@ impl Profile {
         }
     }
 
-    /// `∫ B²` from `from` to `to`, as [`flux`](Self::flux).
+    /// The square flux `∫ B²` from `from` to `to`, with the arguments and accuracy of
+    /// [`flux`](Self::flux).
     #[must_use]
     pub fn square_flux(&self, from: f64, to: f64) -> f64 {
+        check_part(from, to);
         match *self {
             Self::Power { exponent } => power_integral(2.0 * exponent, from, to),
             Self::Exponential { rate } => exponential_integral(2.0 * rate, from, to),
@@ -194,7 +206,16 @@ impl Profile {
     }
 }
 
-/// `e^(−x²/2)`.
+/// Asserts the precondition of all integrals.
+fn check_part(from: f64, to: f64) {
+    debug_assert!(0.0 <= from && from <= to && to <= 1.0, "{from} to {to}");
+}
+
+/// The points of the Gauss rule on each piece of a bump: (b) measured by
+/// `parts_of_profiles_agree_with_quadrature`.
+const BUMP_POINTS: usize = 16;
+
+/// The bell `e^(−x²/2)`.
 fn bell(x: f64) -> f64 {
     (-0.5 * x * x).exp()
 }
@@ -219,7 +240,7 @@ fn step_integral(at: f64, [before, after]: [f64; 2], from: f64, to: f64) -> f64 
 }
 
 fn bump_integral(centre: f64, width: f64, from: f64, to: f64) -> f64 {
-    let rule = GaussLegendre::with(16);
+    let rule = GaussLegendre::with(BUMP_POINTS);
     let length = (to - from) / width;
     let pieces = (0.5 * length).ceil().max(1.0);
     let half = 0.5 * (to - from) / pieces;

@@ -1,23 +1,28 @@
 //! Straight cuts of the unit square in any direction, where radiosity grows along one axis (§4.2).
 //!
-//! The square carries `B ∝ lⁿ` and irradiance `∝ lᵐ`, both constant across the other axis, t. Left of the line
-//! `l cos θ + t sin θ = c` lies the share `s(l)` of each strip, which falls from s₀ at l = 0 to s₁ at l = 1, linearly from a to b,
-//! where the line leaves the square, and not elsewhere. By parts, flux and weight are closed forms:
+//! The square carries `B ∝ lⁿ` and irradiance `∝ lᵐ`, both constant across the other axis, t. Left
+//! of the line `l cos θ + t sin θ = c` lies the share `s(l)` of each strip, which falls from s₀ at
+//! l = 0 to s₁ at l = 1, linearly from a to b, where the line leaves the square, and not elsewhere.
+//! By parts, flux and weight are closed forms:
 //!
 //! ```text
-//!   M_k = k ∫ l^(k−1) s(l) dl = s₁ + (s₀ − s₁) · mean of l^k over [a, b],     G = M_(n+1),  W = M_(n+m+1)
+//!   M_k = k ∫ l^(k−1) s(l) dl = s₁ + (s₀ − s₁) · mean of l^k over [a, b]
+//!   G = M_(n+1),  W = M_(n+m+1)
 //!   s(l) = (c − l cos θ)/sin θ, not below 0 nor above 1
-//!   dM_k/dc ∝ mean of k l^(k−1) over [a, b]                                   the same factor for G and W
+//!   dM_k/dc ∝ mean of k l^(k−1) over [a, b]                     the same factor for G and W
 //! ```
 //!
-//! No line gains more than the best perpendicular to the gradient, and that needs no order of B and irradiance,
-//! only that both vary along l alone: s falls, so it is a mixture of steps, `s = ∫ 1[l < c] dμ(c)`; the pair (G, W) is the
-//! same mixture of those of perpendicular cuts; and the gain is a convex function of the pair. For divisions of *any* shape
-//! the order counts (`strip_beats_every_straight_cut` in `proofs/`).
+//! No line gains more than the best perpendicular to the gradient, and that needs no order of B and
+//! irradiance, only that both vary along l alone: s falls, so it is a mixture of steps,
+//! `s = ∫ 1[l < c] dμ(c)`; the pair (G, W) is the same mixture of those of perpendicular cuts; and
+//! the gain is a convex function of the pair. For divisions of *any* shape the order counts
+//! (`strip_beats_every_straight_cut` in `proofs/`).
 //!
 //! **Not covered**: curved cuts. Values are estimates: closed forms in `f64`.
 
-use super::{DiscretizeError, GradientCut, stationarity};
+use super::error::DiscretizeError;
+use super::gradient_cut::GradientCut;
+use super::stationarity::stationarity;
 use crate::information::divergence;
 use crate::numeric::maximum;
 
@@ -40,23 +45,27 @@ pub struct BestStraightCut {
 impl StraightCut {
     /// The cut that leans by an angle from the perpendicular to the gradient.
     ///
-    /// **Arguments** `degrees`: 0 cuts across the gradient, 90 along it (leaning to the other side is the mirror image);
-    /// `offset`: how far the line is moved from the corner where l = t = 0 towards the opposite one, between 0 and 1; across the
-    /// gradient that is the l, along it the t, of the line.
+    /// **Arguments** `degrees`: 0 cuts across the gradient, 90 along it (leaning to the other side
+    /// is the mirror image); `offset`: the place of the line between the corner where l = t = 0 and
+    /// the opposite one, between 0 and 1; across the gradient that is the l, along it the t, of the
+    /// line.
     ///
     /// # Errors
     /// [`DiscretizeError::OutOfRange`] unless `0 ≤ degrees ≤ 90` and `0 < offset < 1`.
     pub fn try_new(degrees: f64, offset: f64) -> Result<Self, DiscretizeError> {
-        let out_of_range = |parameter, value, condition| DiscretizeError::OutOfRange {
-            parameter,
-            value,
-            condition,
-        };
         if !(0.0..=90.0).contains(&degrees) {
-            return Err(out_of_range("the angle", degrees, "from 0 to 90 degrees"));
+            return Err(DiscretizeError::out_of_range(
+                "the angle",
+                degrees,
+                "from 0 to 90 degrees",
+            ));
         }
         if !(offset > 0.0 && offset < 1.0) {
-            return Err(out_of_range("the offset", offset, "between 0 and 1"));
+            return Err(DiscretizeError::out_of_range(
+                "the offset",
+                offset,
+                "between 0 and 1",
+            ));
         }
         Ok(Self { degrees, offset })
     }
@@ -75,7 +84,8 @@ impl StraightCut {
 
     /// The gain of this cut in bits per unit of flux.
     ///
-    /// **Accuracy** a few ε absolute, measured by `straight_cuts_agree_with_quadrature_the_other_way` and
+    /// **Accuracy** a few ε absolute, measured by
+    /// `straight_cuts_agree_with_quadrature_the_other_way` and
     /// `straight_cuts_agree_with_the_closed_form`.
     #[must_use]
     pub fn gain(&self, patch: &GradientCut) -> f64 {
@@ -87,10 +97,12 @@ impl StraightCut {
     ///
     /// Along the gradient every cut gains 0, and the one in the middle is returned.
     ///
-    /// **Accuracy** a local maximum, found by a scan of the derivative in the offset: an estimate of the highest.
+    /// **Accuracy** a local maximum, found by a scan of the derivative in the offset: an estimate
+    /// of the highest.
     ///
     /// # Errors
-    /// [`DiscretizeError::OutOfRange`] unless `0 ≤ degrees ≤ 90`; [`DiscretizeError::Numeric`] if nothing is found.
+    /// [`DiscretizeError::OutOfRange`] unless `0 ≤ degrees ≤ 90`; [`DiscretizeError::Numeric`] if
+    /// no maximum is found.
     pub fn best(degrees: f64, patch: &GradientCut) -> Result<BestStraightCut, DiscretizeError> {
         let middle = Self::try_new(degrees, 0.5)?;
         if degrees >= 90.0 {
@@ -102,7 +114,7 @@ impl StraightCut {
             |offset| at(offset).gain(patch),
             |offset| at(offset).slope(patch),
             (0.0, 1.0),
-            SCANNED,
+            SCANNED_OFFSETS,
         )?;
         Ok(BestStraightCut {
             cut: at(found.position),
@@ -110,7 +122,7 @@ impl StraightCut {
         })
     }
 
-    /// Flux and weight before the line.
+    /// The flux and the weight before the line.
     fn near(&self, patch: &GradientCut) -> [f64; 2] {
         let section = self.section();
         let p = patch.exponent() + 1.0;
@@ -120,7 +132,8 @@ impl StraightCut {
         })
     }
 
-    /// The derivative of the gain in the offset, over a factor > 0 that does not depend on flux and weight.
+    /// The derivative of the gain in the offset, over a factor > 0 that does not depend on flux and
+    /// weight.
     fn slope(&self, patch: &GradientCut) -> f64 {
         let section = self.section();
         let p = patch.exponent() + 1.0;
@@ -134,7 +147,7 @@ impl StraightCut {
         stationarity(&rates[0], &rates[1], &(flux / weight), &far)
     }
 
-    /// Where the line crosses the square.
+    /// The section of the square that the line crosses.
     fn section(&self) -> Section {
         let (sine, cosine) = if self.degrees < 90.0 {
             self.degrees.to_radians().sin_cos()
@@ -161,8 +174,9 @@ impl StraightCut {
     }
 }
 
-/// Offsets at which the derivative is looked at.
-const SCANNED: u32 = 64;
+/// Offsets at which the derivative is scanned: (b) `no_straight_cut_beats_the_perpendicular` misses
+/// no higher maximum with so many.
+const SCANNED_OFFSETS: u32 = 64;
 
 /// The part of a strip before a line: it falls by `drop` between `from` and `to`, down to `end`.
 struct Section {
@@ -173,7 +187,8 @@ struct Section {
 }
 
 impl Section {
-    /// The mean of `l^k` between the crossings: with ρ = 1 − a/b it is `b^k (1 − (1−ρ)^(k+1)) / ((k+1) ρ)`.
+    /// The mean of `l^k` between the crossings a, b: `b^k (1 − (1−ρ)^(k+1)) / ((k+1) ρ)`, ρ = 1 −
+    /// a/b.
     fn mean(&self, k: f64) -> f64 {
         let height = self.to.powf(k);
         let narrowing = (self.to - self.from) / self.to;

@@ -7,6 +7,7 @@
 //! **Not here**: anything radiometric.
 
 mod aligned_rectangle;
+mod centroid;
 mod clip;
 mod containment;
 mod convex_pieces;
@@ -27,6 +28,7 @@ mod uniform_line;
 mod vector;
 
 pub use aligned_rectangle::{AlignedRectangle, FlatBox};
+pub use centroid::centroid;
 pub(crate) use clip::{ClippedCorner, clip, clipped};
 pub(crate) use containment::{NotContained, check_contained, distance_from_plane};
 pub use convexity::convex_hull;

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! δ the bounds of the exchange areas, η those of the brightnesses relative to themselves. The
-//! answer's error is an *estimate*.
+//! error of the answer is an *estimate*.
 
 use super::measures::{pair_divergence, positional_entropy};
 use super::scene::divergence_error;
@@ -18,8 +18,7 @@ use crate::scene::{Closure, ExchangeAreas};
 use crate::transport::RadiositySolution;
 use std::f64::consts::LN_2;
 
-/// The information of the chain that this brightness makes of a scene; light that escapes has no
-/// state in it.
+/// The information of a scene's chain under a brightness; light that escapes has no state in it.
 ///
 /// # Errors
 /// As [`brightness_chain`].
@@ -66,7 +65,7 @@ pub fn brightness_information(
         }
         let lit = || (0..n).filter(|i| weights[*i] > 0.0);
         let terms = lit().map(|i| pair_divergence(column[i], weights[i], probability));
-        let bounds = lit().map(|i| {
+        let bounded = lit().map(|i| {
             let known = exchange.get(i, j).exchange;
             let share = if known.value > 0.0 {
                 known.error_bound / known.value
@@ -77,7 +76,7 @@ pub fn brightness_information(
             let moved = divergence_error(column[i], bound, weights[i] * probability);
             [bound, moved]
         });
-        let bounds: Vec<[f64; 2]> = bounds.collect();
+        let bounds: Vec<[f64; 2]> = bounded.collect();
         [
             compensated_sum(terms),
             bounds.iter().map(|[bound, _]| bound).sum(),

@@ -1,19 +1,24 @@
 //! Continuous mutual information (4) of a closed room that is convex inside.
 //!
 //! ```text
-//!   I^c = (1/A_T) ∫∫ F log2(A_T F) dy dx = Σ_ij I^c_ij,    I^c_ij = (1/A_T) [∫∫ F ln(A_T F)]_ij / ln 2
+//!   I^c = (1/A_T) ∫∫ F log2(A_T F) dy dx = Σ_ij I^c_ij
+//!   I^c_ij = (1/A_T) [∫∫ F ln(A_T F)]_ij / ln 2
 //! ```
 //!
-//! over pairs of faces; the parts of a pair are [`Logarithms`], so nothing singular is integrated. The result does not depend on how the
-//! faces are divided into patches. Both end angles of a chord of a closed room are cosine-distributed, `E[ln cos θ] = −½`:
+//! over pairs of faces; the parts of a pair are [`Logarithms`], so nothing singular is integrated.
+//! The result does not depend on the division of the faces into patches. Both end angles of a chord
+//! of a closed room are cosine-distributed, `E[ln cos θ] = −½`:
 //!
 //! ```text
-//!   Σ_j C_ij = −A_i/2 for every face i,     so   I^c = log2(A_T/(π e)) − 2 E[log2 r],   E[ln r] = (1/A_T) Σ_ij R_ij
+//!   Σ_j C_ij = −A_i/2 for every face i,     so
+//!   I^c = log2(A_T/(π e)) − 2 E[log2 r],     E[ln r] = (1/A_T) Σ_ij R_ij
 //! ```
 //!
-//! and what is left of `Σ_j C_ij + A_i/2` is part of the error. A sphere has `F = 1/A_T` everywhere and `I^c = 0`.
+//! and the deviation of `Σ_j C_ij + A_i/2` from 0 is part of the error. A sphere has `F = 1/A_T`
+//! everywhere and `I^c = 0`.
 //!
-//! **Not covered**: rooms that are open or not convex inside by this road; [`chord_information`] samples them.
+//! **Not covered**: rooms that are open or not convex inside;
+//! [`chord_information`](super::chord_information) samples closed ones.
 
 use super::ErrorGrade;
 use crate::chain::ChainError;
@@ -23,31 +28,32 @@ use crate::numeric::{CompensatedSum, compensated_sum, tolerance, try_parallel_ma
 use crate::scene::{ExchangeError, Occlusion, Scene};
 use std::f64::consts::LN_2;
 
-/// What a pair of faces contributes to the continuous mutual information, in both directions together.
+/// The contribution of a pair of faces to the continuous mutual information, in both directions
+/// together.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FacePair {
     /// Index of one face.
     pub first: usize,
     /// Index of the other, larger.
     pub second: usize,
-    /// Its part of (4), in bits; may be negative.
+    /// The part of the pair in (4), in bits; may be negative.
     pub mutual_information: f64,
-    /// The part of all transitions that go between the two.
+    /// The probability of a transition between the two.
     pub probability: f64,
 }
 
-/// Continuous mutual information (4).
+/// The continuous mutual information (4) of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContinuousInformation {
-    /// In bits, ≥ 0 but for rounding.
+    /// The information in bits, ≥ 0 but for rounding.
     pub mutual_information: f64,
     /// Estimated absolute error.
     pub error: f64,
-    /// What the error is: an estimate.
+    /// The grade of the error: an estimate.
     pub error_grade: ErrorGrade,
     /// Number of faces.
     pub faces: usize,
-    /// For each patch its face.
+    /// The face of each patch.
     pub face_of: Vec<usize>,
     /// All pairs of faces, in order.
     pub pairs: Vec<FacePair>,
@@ -55,8 +61,9 @@ pub struct ContinuousInformation {
 
 /// Continuous mutual information (4) of a closed scene that is convex inside.
 ///
-/// **Accuracy** 1e-12 relative for the regular solids, held by `solids_agree_with_their_cross_sections`; 1e-10 for boxes from 1e-9 to
-/// 1e8 times as high as wide, held by `boxes_agree_with_a_formula_of_their_own`; the error returned is an estimate.
+/// **Accuracy** 1e-12 relative for the regular solids, held by
+/// `solids_agree_with_their_cross_sections`; 1e-10 for boxes from 1e-9 to 1e8 times as high as
+/// wide, held by `boxes_agree_with_a_formula_of_their_own`; the error returned is an estimate.
 ///
 /// # Errors
 /// [`ChainError::Scene`] if the room is not convex inside, an obstruction stands in it (leave it
@@ -98,24 +105,11 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
             bound.add(pair.exchange.error_bound);
         }
     }
-    let mut unclosed = 0.0;
-    for (face, (row, patch)) in rows.iter().zip(&faces).enumerate() {
-        let [received, cosines, bound] = row.each_ref().map(CompensatedSum::total);
-        let allowed = bound / patch.area() + tolerance::COVERED;
-        let sum = received / patch.area();
-        if (sum - 1.0).abs() > allowed {
-            let row = first_patch(face);
-            return Err(ExchangeError::OpenScene {
-                row,
-                name: scene.patches()[row].name().to_owned(),
-                sum,
-                tolerance: allowed,
-            }
-            .into());
-        }
-        unclosed += (cosines + 0.5 * patch.area()).abs();
-    }
-    let pairs = places
+    let unclosed = deviation_from_closure(&rows, &faces, |face| {
+        let row = first_patch(face);
+        (row, scene.patches()[row].name())
+    })?;
+    let contributions = places
         .iter()
         .zip(&measured)
         .map(|([first, second], pair)| FacePair {
@@ -124,7 +118,7 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
             mutual_information: 2.0 * pair.kernel(total_area) / (total_area * LN_2),
             probability: 2.0 * pair.exchange.value / total_area,
         });
-    let mut pairs: Vec<FacePair> = pairs.collect();
+    let mut pairs: Vec<FacePair> = contributions.collect();
     pairs.sort_by_key(|pair| (pair.first, pair.second));
     let mutual_information = compensated_sum(pairs.iter().map(|pair| pair.mutual_information));
     let estimates = compensated_sum(measured.iter().map(|pair| pair.error_estimate));
@@ -139,8 +133,36 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
     })
 }
 
-/// Polygons in units of a power of two near the root of their area, so that logarithms are of moderate numbers; or which one is too
-/// small.
+/// The sum `Σ_i |Σ_j C_ij + A_i/2|` over the faces, each of which must receive all that it sends.
+///
+/// **Arguments** `rows`: for each face its exchange areas, its C and the bounds of the first,
+/// summed; `first_patch`: the index and the name of a face's first patch.
+fn deviation_from_closure<'s>(
+    rows: &[[CompensatedSum; 3]],
+    faces: &[Patch],
+    first_patch: impl Fn(usize) -> (usize, &'s str),
+) -> Result<f64, ExchangeError> {
+    let mut unclosed = 0.0;
+    for (face, (row, patch)) in rows.iter().zip(faces).enumerate() {
+        let [received, cosines, bound] = row.each_ref().map(CompensatedSum::total);
+        let allowed = bound / patch.area() + tolerance::COVERED;
+        let sum = received / patch.area();
+        if (sum - 1.0).abs() > allowed {
+            let (row, name) = first_patch(face);
+            return Err(ExchangeError::OpenScene {
+                row,
+                name: name.to_owned(),
+                sum,
+                tolerance: allowed,
+            });
+        }
+        unclosed += (cosines + 0.5 * patch.area()).abs();
+    }
+    Ok(unclosed)
+}
+
+/// Polygons in units of a power of two near the root of their area, so that logarithms are of
+/// moderate numbers; or the index of one that is too small, with the reason.
 pub(super) fn in_own_unit<'p>(
     polygons: impl Iterator<Item = &'p Patch> + Clone,
 ) -> Result<Vec<Patch>, (usize, GeometryError)> {

@@ -6,33 +6,34 @@
 //!   p_kl = J_kl/J,  a, b: shares of the weights,  x = p/(a b) − 1,  φ(x) = (1+x) ln(1+x) − x ≥ 0
 //! ```
 //!
-//! over the pairs of states of which one at least is divided; the pair of a divided state with itself is
-//! the self-term of the theorem's proof, eq. (11). Each term is ≥ 0, so ΔI ≥ 0 in floating point too, and it
-//! is never the difference of two mutual informations. Where p and ab nearly agree,
-//! `x = (J_kl A B − J a_k b_l)/(J a_k b_l)` is taken from exact sums and products, so the gain keeps its
-//! relative precision however small it is.
+//! over the pairs of states of which one at least is divided; the pair of a divided state with
+//! itself is the self-term of the theorem's proof, eq. (11). Each term is ≥ 0, so ΔI ≥ 0 in
+//! floating point too, and it is never the difference of two mutual informations. Where p and ab
+//! nearly agree, `x = (J_kl A B − J a_k b_l)/(J a_k b_l)` is taken from exact sums and products, so
+//! the gain keeps its relative precision however small it is.
 //!
-//! **Not covered**: relative precision where an entry is below 1e-290 of the largest; an absolute error of
-//! [`tolerance::TINY_GAIN`](crate::numeric::tolerance::TINY_GAIN) bits remains.
+//! **Not covered**: relative precision where an entry is below 1e-290 of the largest; an absolute
+//! error of [`tolerance::TINY_GAIN`](crate::numeric::tolerance::TINY_GAIN) bits remains.
 
-use super::FAR_ABOVE;
+use super::measures::LOGARITHMIC_FROM;
 use crate::chain::Refinement;
 use crate::numeric::{Expansion, Scalar, Scaled, common_scale, compensated_sum, divergence_kernel};
 use std::cell::OnceCell;
 use std::f64::consts::LN_2;
 
-/// `D(J ‖ w)`: what a pair gains in one direction when its flux `ΣJ_k` is told apart by sub-states.
+/// The divergence `D(J ‖ w)`: the gain of a pair in one direction when its flux `ΣJ_k` is divided
+/// among sub-states.
 ///
 /// Half of eq. (5), before division by Σw: for fluxes `J_k = w_k P_kj` it is
 /// `Σ_k J_k log2 P_kj − J log2 P_ij`.
 ///
-/// **Arguments** as many fluxes as weights (the shorter list counts), all finite and ≥ 0; where a weight
-/// is 0 so is the flux.
+/// **Arguments** as many fluxes as weights (the shorter list counts), all finite and ≥ 0; where a
+/// weight is 0 so is the flux.
 /// **Returns** bits times the unit of flux, ≥ 0; 0 exactly if the fluxes are proportional to the
 /// weights.
-/// **Accuracy** within [`GAIN`](crate::numeric::tolerance::GAIN) of the value for the given numbers, taken
-/// as exact, as long as they are 0 or ≥ 1e-290 of the largest: measured against 256 bits by
-/// `divergence_is_non_negative_and_accurate`.
+/// **Accuracy** within [`GAIN`](crate::numeric::tolerance::GAIN) of the value for the given
+/// numbers, taken as exact, as long as they are 0 or ≥ 1e-290 of the largest: measured against 256
+/// bits by `divergence_is_non_negative_and_accurate`.
 ///
 /// # Examples
 /// ```
@@ -44,17 +45,18 @@ use std::f64::consts::LN_2;
 pub fn divergence(fluxes: &[f64], weights: &[f64]) -> f64 {
     let exact = |k: usize| Expansion::from(weights[k]);
     let count = fluxes.len().min(weights.len());
-    let rows = Side::new(&weights[..count], &exact);
-    let (value, unit) = block_divergence(&|k, _| fluxes[k], &rows, &Side::whole());
+    let rows = PartWeights::new(&weights[..count], &exact);
+    let (value, unit) = block_divergence(&|k, _| fluxes[k], &rows, &PartWeights::whole());
     Scaled::new(value).times_power(unit)
 }
 
-/// The same `D(J ‖ w)` in any number type, over intervals an enclosure.
+/// The divergence `D(J ‖ w)` in any number type, over intervals an enclosure.
 ///
-/// [`divergence`] takes doubles as exact, and keeps its digits where known fluxes are nearly proportional;
-/// this one is for fluxes that were themselves computed.
+/// [`divergence`] takes doubles as exact, and keeps its digits where known fluxes are nearly
+/// proportional; this function is for fluxes that were themselves computed.
 ///
-/// **Arguments** `flux` and `weight`: the sums over the parts; `parts`: flux and weight of each, weights > 0.
+/// **Arguments** `flux` and `weight`: the sums over the parts; `parts`: flux and weight of each,
+/// weights > 0.
 /// **Returns** bits times the unit of flux.
 #[must_use]
 pub fn relative_entropy<S: Scalar>(flux: &S, weight: &S, parts: &[[S; 2]]) -> S {
@@ -69,8 +71,8 @@ pub fn relative_entropy<S: Scalar>(flux: &S, weight: &S, parts: &[[S; 2]]) -> S 
 /// The gain `ΔI = I′ − I` of a refinement, eqs. (5), (7) and (11).
 ///
 /// **Returns** bits, ≥ 0 by construction (Theorem 1); 0 exactly if every division is proportional.
-/// **Accuracy** within [`GAIN`](crate::numeric::tolerance::GAIN) of the value for the refined joint entries,
-/// taken as exact, wherever the smallest positive one is ≥ 1e-290 of their sum.
+/// **Accuracy** within [`GAIN`](crate::numeric::tolerance::GAIN) of the value for the refined joint
+/// entries, taken as exact, wherever the smallest positive one is ≥ 1e-290 of their sum.
 #[must_use]
 pub fn refinement_gain(refinement: &Refinement) -> f64 {
     let refined = refinement.refined();
@@ -86,14 +88,14 @@ pub fn refinement_gain(refinement: &Refinement) -> f64 {
         .iter()
         .map(|parts| |k: usize| exact_weight(parts[k]))
         .collect();
-    let sides: Vec<Side<'_>> = parts
+    let sides: Vec<PartWeights<'_>> = parts
         .iter()
         .zip(&exact)
         .map(|(parts, exact)| match parts.as_slice() {
-            [_] => Side::whole(),
+            [_] => PartWeights::whole(),
             parts => {
                 let weights: Vec<f64> = parts.iter().map(|k| refined.weights()[*k]).collect();
-                Side::new(&weights, exact)
+                PartWeights::new(&weights, exact)
             }
         })
         .collect();
@@ -113,8 +115,8 @@ pub fn refinement_gain(refinement: &Refinement) -> f64 {
     compensated_sum(terms) / total.significand
 }
 
-/// The weights of a state's parts.
-struct Side<'w> {
+/// The weights of the parts of one state of a pair.
+struct PartWeights<'w> {
     scaled: Vec<Scaled>,
     /// In units of a power of two near the largest.
     values: Vec<f64>,
@@ -124,7 +126,7 @@ struct Side<'w> {
     exact_sum: OnceCell<Expansion>,
 }
 
-impl<'w> Side<'w> {
+impl<'w> PartWeights<'w> {
     fn new(weights: &[f64], exact: &'w dyn Fn(usize) -> Expansion) -> Self {
         let scaled: Vec<Scaled> = weights.iter().map(|weight| Scaled::new(*weight)).collect();
         let (values, unit) = common_scale(&scaled);
@@ -139,7 +141,7 @@ impl<'w> Side<'w> {
         }
     }
 
-    /// A state that is not divided.
+    /// The side of a state that is not divided.
     fn whole() -> Self {
         Self::new(&[1.0], &|_| Expansion::from(1.0))
     }
@@ -168,14 +170,15 @@ impl<'w> Side<'w> {
     }
 }
 
-/// Below this |x| the quotient's own rounding would be seen in φ: exact products take over.
+/// The |x| below which exact products are used: (a) there the rounding of the quotient, some ε, is
+/// more than 8 ε of x, and twice that of φ.
 const NEARLY_PROPORTIONAL: f64 = 0.125;
 
 /// `J Σ_kl a_k b_l φ(x_kl)/ln 2` for the parts of two states, as a number and a power of two.
 fn block_divergence(
     joint: &dyn Fn(usize, usize) -> f64,
-    rows: &Side<'_>,
-    columns: &Side<'_>,
+    rows: &PartWeights<'_>,
+    columns: &PartWeights<'_>,
 ) -> (f64, i32) {
     let (m, n) = (rows.values.len(), columns.values.len());
     let entries: Vec<Scaled> = (0..m * n)
@@ -196,7 +199,7 @@ fn block_divergence(
         let [own_row, own_column] = [rows.scaled[k].significand, columns.scaled[l].significand];
         let independent = flux * own_row * own_column;
         let quick = own_flux * rows.sum * columns.sum / independent - 1.0;
-        let x = if quick >= FAR_ABOVE {
+        let x = if quick >= LOGARITHMIC_FROM {
             let p = fluxes[kl] / flux;
             let log_ratio = if quick.is_finite() {
                 quick.ln_1p()
@@ -207,7 +210,7 @@ fn block_divergence(
                     + sums
                     + f64::from(exponents) * LN_2
             };
-            // p is 0 where the flux is below all that f64 can tell from the block's
+            // p is 0 where the flux is too small to change that of the block
             return p * (log_ratio - 1.0) + a * b;
         } else if quick.abs() >= NEARLY_PROPORTIONAL {
             quick

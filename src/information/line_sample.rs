@@ -1,14 +1,16 @@
-//! Random lines through a closed scene, and what they say about its information.
+//! Random lines through a closed scene, and the estimates of its information from them.
 //!
-//! Each chord of a line is a sample of the joint distribution `J_ij = A_i F_ij / A_T`, with occlusion; the pair {i, j} is
-//! counted ([`PairCounts`]), and its summand of the continuous mutual information added up ([`ChordInformation`]). A local line
-//! has one chord, a global one has several where a room is concave or holds something: these are counted as they are and
-//! kept together for the standard error.
+//! Each chord of a line is a sample of the joint distribution `J_ij = A_i F_ij / A_T`, with
+//! occlusion; the pair {i, j} is counted ([`PairCounts`]), and its summand of the continuous mutual
+//! information added up ([`ChordInformation`]). A local line has one chord, a global one has
+//! several where a room is concave or holds something: these are all counted, and kept together for
+//! the standard error.
 //!
-//! Lines are drawn in chunks. Each has its own stream of the generator, numbered from 0, so that the sample depends on the seed alone
-//! and not on the number of threads.
+//! Lines are drawn in chunks. Each has its own stream of the generator, numbered from 0, so that
+//! the sample depends on the seed alone and not on the number of threads.
 //!
-//! **Memory** by the cells that are met and the lines with several chords: bounded by the number of lines.
+//! **Memory** for the cells that are met and the lines with several chords: bounded by the number
+//! of lines.
 //!
 //! **Not covered**: open scenes, which are refused: a chord has two ends.
 
@@ -21,12 +23,13 @@ use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use std::collections::HashMap;
 
-/// How lines are drawn.
+/// A way to draw lines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LineKind {
-    /// From uniform points of all patches, directions by cosine, to what is met first.
+    /// Lines from uniform points of all patches, directions by cosine, to the first front they
+    /// meet.
     Local,
-    /// Uniform among the lines that meet the scene, with all their chords.
+    /// Lines uniform among those that meet the scene, with all their chords.
     Global,
 }
 
@@ -41,12 +44,12 @@ impl LineKind {
     }
 }
 
-/// What random lines met.
+/// A sample of random lines through a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LineSample {
-    /// How they were drawn.
+    /// The way the lines were drawn.
     pub kind: LineKind,
-    /// Lines that met a front.
+    /// The number of lines that met a front.
     pub lines: u32,
     /// The pairs of rows at the ends of their chords.
     pub counts: PairCounts,
@@ -54,16 +57,18 @@ pub struct LineSample {
     pub chords: ChordInformation,
 }
 
-/// Lines of a chunk.
-const CHUNK: u32 = 1 << 12;
+/// Lines of a chunk: (a) enough that a stream of its own costs little; a power of two.
+const LINES_PER_CHUNK: u32 = 1 << 12;
 
-/// Global lines through the sphere around a scene that are drawn, at most, for each that is to meet it.
-const MOST_MISSES: u64 = 10_000;
+/// The largest number of global lines through the sphere around a scene that are drawn for each
+/// line wanted: a scene that fewer than one in so many meet is refused.
+const MOST_DRAWS_PER_LINE: u64 = 10_000;
 
 impl LineSample {
     /// Draws lines through a closed scene, which may be concave and occluded.
     ///
-    /// **Arguments** `lines`: how many that meet a front, at least 2; fewer count as 2. `seed`: the same one gives the same sample.
+    /// **Arguments** `lines`: the number of lines that meet a front, at least 2; fewer count as 2.
+    /// `seed`: one seed always gives the same sample.
     ///
     /// # Errors
     /// [`ChainError::Scene`] with [`SceneError::Overlap`] if patches lie on each other;
@@ -94,12 +99,14 @@ impl LineSample {
         )
     }
 
-    /// Draws local lines through the inside of a box whose faces all have the same grid. A line finds its cells by bisection.
+    /// Draws local lines through the inside of a box whose faces all have the same grid.
     ///
-    /// **Arguments** as of [`draw`](Self::draw).
+    /// A line finds its cells by bisection.
+    ///
+    /// **Arguments** as those of [`draw`](Self::draw).
     ///
     /// # Errors
-    /// None but for rounding: what [`draw`](Self::draw) refuses does not happen in a box.
+    /// None but for rounding: no line escapes from a box or misses it.
     pub fn draw_in_grid(grid: &GridLines, lines: u32, seed: u64) -> Result<Self, ChainError> {
         Self::of(
             LineKind::Local,
@@ -118,16 +125,16 @@ impl LineSample {
         line: impl Fn(&mut ChaCha8Rng, &mut Vec<Chord>) -> Passage + Sync,
     ) -> Result<Self, ChainError> {
         let lines = lines.max(2);
-        let tallies = (0..lines.div_ceil(CHUNK)).into_par_iter();
-        let tallies = tallies.fold(Tally::default, |mut tally, chunk| {
+        let chunks = (0..lines.div_ceil(LINES_PER_CHUNK)).into_par_iter();
+        let met = chunks.fold(LinesMet::default, |mut met, chunk| {
             let mut random = ChaCha8Rng::seed_from_u64(seed);
             random.set_stream(chunk.into());
-            let quota = CHUNK.min(lines - chunk * CHUNK);
-            tally.draw(chunk, quota, |chords| line(&mut random, chords));
-            tally
+            let quota = LINES_PER_CHUNK.min(lines - chunk * LINES_PER_CHUNK);
+            met.draw(chunk, quota, |chords| line(&mut random, chords));
+            met
         });
-        let mut tally = tallies.reduce(Tally::default, Tally::merged);
-        let Tally { lost, missing, .. } = tally;
+        let mut all = met.reduce(LinesMet::default, LinesMet::merged);
+        let LinesMet { lost, missing, .. } = all;
         if lost > lines / 1_000_000 {
             return Err(ExchangeError::LinesEscape { lost, lines }.into());
         }
@@ -135,23 +142,48 @@ impl LineSample {
             let met = lines - missing;
             return Err(ExchangeError::LinesMiss { met, lines }.into());
         }
-        // whichever thread was first
-        tally.chords.sort_unstable_by_key(|(chunk, _)| *chunk);
-        tally.bundles.sort_unstable();
+        // in an order that does not depend on threads
+        all.chords.sort_unstable_by_key(|(chunk, _)| *chunk);
+        all.bundles.sort_unstable();
         let mut sums = ChordSums::default();
-        for (_, chunk) in &tally.chords {
+        for (_, chunk) in &all.chords {
             sums.merge(chunk);
         }
         Ok(Self {
             kind,
             lines,
-            counts: PairCounts::of_lines(areas, tally.cells, &tally.bundles)?,
+            counts: PairCounts::of_lines(areas, all.cells, &all.bundles)?,
             chords: sums.mean(lines),
         })
     }
 }
 
-/// What a local line comes upon.
+/// Estimates the continuous mutual information of a closed scene by random chords.
+///
+/// The scene may be concave and occluded.
+///
+/// **Arguments** `lines`: the number of lines, at least 2; fewer count as 2. `seed`: one seed
+/// always gives the same estimate.
+///
+/// # Errors
+/// As [`LineSample::draw`].
+///
+/// # Examples
+/// ```
+/// use infoscene::{information::chord_information, scene::Scene};
+/// let cube = chord_information(&Scene::built_in("cube:1")?, 10_000, 1)?;
+/// assert!((cube.mutual_information - 1.610_473_346_468_78).abs() < 5.0 * cube.standard_error);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn chord_information(
+    scene: &Scene,
+    lines: u32,
+    seed: u64,
+) -> Result<ChordInformation, ChainError> {
+    Ok(LineSample::draw(scene, LineKind::Local, lines, seed)?.chords)
+}
+
+/// The passage of a local line, and its chord.
 fn met(chord: Option<Chord>, chords: &mut Vec<Chord>) -> Passage {
     chords.extend(chord);
     if chord.is_some() {
@@ -161,23 +193,23 @@ fn met(chord: Option<Chord>, chords: &mut Vec<Chord>) -> Passage {
     }
 }
 
-/// What some chunks met.
+/// The cells and chords that the lines of some chunks met.
 #[derive(Debug, Default)]
-struct Tally {
+struct LinesMet {
     cells: HashMap<[usize; 2], u64>,
     bundles: Vec<Vec<[usize; 2]>>,
     chords: Vec<(u32, ChordSums)>,
-    /// Lines that escaped.
+    /// The number of lines that escaped.
     lost: u32,
-    /// Lines that were not found.
+    /// The number of lines that were wanted and not found.
     missing: u32,
 }
 
-impl Tally {
+impl LinesMet {
     fn draw(&mut self, chunk: u32, quota: u32, mut line: impl FnMut(&mut Vec<Chord>) -> Passage) {
         let (mut chords, mut sums) = (Vec::new(), ChordSums::default());
         let (mut found, mut drawn) = (0, 0);
-        while found < quota && drawn < MOST_MISSES * u64::from(quota) {
+        while found < quota && drawn < MOST_DRAWS_PER_LINE * u64::from(quota) {
             drawn += 1;
             chords.clear();
             match line(&mut chords) {

@@ -6,10 +6,13 @@
 //!   x_ij = J_ij/(w_i w_j) − 1        (total mass 1)
 //! ```
 
-use super::FAR_ABOVE;
 use crate::chain::ReversibleChain;
 use crate::numeric::{Scaled, compensated_sum, divergence_kernel, x_log2_ratio, x_log2_x};
 use std::f64::consts::LN_2;
+
+/// The x from which on `a φ(x) = p (ln(p/a) − 1) + a` is used, whose factors cannot overflow: (a)
+/// for x ≥ e − 1 both terms are ≥ 0, and nothing cancels.
+pub(super) const LOGARITHMIC_FROM: f64 = 4.0;
 
 /// Positional entropy `H_p` of the stationary distribution, eq. (1).
 ///
@@ -40,8 +43,8 @@ pub fn entropy_rate(chain: &ReversibleChain) -> f64 {
 /// Mutual information `I = H_p − H_s` between two successive states, eq. (3).
 ///
 /// **Returns** bits, ≥ 0 by construction, at most `H_p`.
-/// **Accuracy** each term is non-negative and computed to a few ε of itself plus 2 ε of `w_i w_j`; what is below
-/// 1e-308 of the total may be lost.
+/// **Accuracy** each term is non-negative and computed to a few ε of itself plus 2 ε of `w_i w_j`;
+/// terms below 1e-308 of the total may be lost.
 ///
 /// # Examples
 /// ```
@@ -71,13 +74,15 @@ pub fn mutual_information(chain: &ReversibleChain) -> f64 {
     compensated_sum(sum) / (total * LN_2)
 }
 
-/// `w_i p_j φ(x)` with `x = J_ij/(w_i p_j) − 1`: one term of eq. (3), in nats and in the scale of J and w.
+/// One term of eq. (3), `w_i p_j φ(x)` with `x = J_ij/(w_i p_j) − 1`, in nats and in the scale of J
+/// and w.
 ///
 /// **Arguments** the joint entry, the weight of one state > 0, the probability of the other > 0.
 pub(crate) fn pair_divergence(joint: f64, weight: f64, probability: f64) -> f64 {
+    debug_assert!(weight > 0.0 && probability > 0.0, "{weight}, {probability}");
     let transition = joint / weight;
     let x = transition / probability - 1.0;
-    if x < FAR_ABOVE {
+    if x < LOGARITHMIC_FROM {
         weight * probability * divergence_kernel(x)
     } else {
         // w_i w_j φ(x) without the product and the quotient, which may leave the range
@@ -94,12 +99,13 @@ impl Unit {
         Self::of_total(chain.total())
     }
 
+    /// The unit of a chain with this total.
     pub(super) fn of_total(total: f64) -> Self {
         let power = -Scaled::new(total).exponent;
         Self([power / 2, power - power / 2].map(|power| 2f64.powi(power)))
     }
 
-    /// Exact, but for what is below 1e-308 of the total.
+    /// The value in this unit; exact, but for values below 1e-308 of the total.
     pub(super) fn times(self, value: f64) -> f64 {
         value * self.0[0] * self.0[1]
     }

@@ -1,9 +1,17 @@
-//! Entropies, mutual information, and what a refinement gains, in bits.
+//! Entropies, mutual information, and the gain of a refinement, in bits.
 //!
 //! Equations (1)–(7) of the paper. Information is never a difference of two large
 //! numbers here: mutual information and its gain are sums of non-negative terms.
-//! [`PairCounts`] estimates it from counted pairs, which [`LineSample`] draws from a scene; [`expected_bias`] says how far such
-//! estimates lie above.
+//!
+//! | question | call |
+//! |---|---|
+//! | information of a chain | [`mutual_information`], [`entropy_rate`], [`positional_entropy`] |
+//! | of a scene, with an error | [`scene_information`] |
+//! | of a scene under a brightness | [`brightness_information`] |
+//! | of a scene, in the continuous limit | [`continuous_information`], [`pair_losses`] |
+//! | gain of a refinement | [`refinement_gain`] |
+//! | estimates from random lines | [`LineSample`], [`PairCounts`], [`chord_information`] |
+//! | their expected bias | [`expected_bias`], [`scene_information_and_bias`] |
 
 mod brightness;
 mod chords;
@@ -17,17 +25,16 @@ mod pair_losses;
 mod scene;
 
 pub use brightness::brightness_information;
-pub use chords::{ChordInformation, chord_information};
+pub use chords::ChordInformation;
 pub use continuous::{ContinuousInformation, FacePair, continuous_information};
-pub use expected_bias::{expected_bias, expected_bias_of_scene, expected_deviation};
+pub use expected_bias::{
+    expected_bias, expected_bias_of_scene, expected_deviation, scene_information_and_bias,
+};
 pub use gain::{divergence, refinement_gain, relative_entropy, subdivision_bound};
-pub use line_sample::{LineKind, LineSample};
+pub use line_sample::{LineKind, LineSample, chord_information};
 pub(crate) use measures::pair_divergence;
 pub use measures::{entropy_rate, mutual_information, positional_entropy};
 pub use pair_counts::PairCounts;
 pub use pair_losses::{PairLoss, pair_losses};
 pub(crate) use scene::divergence_error;
 pub use scene::{ErrorGrade, OpenScene, SceneInformation, scene_information};
-
-/// From this x on `a φ(x) = p (ln(p/a) − 1) + a` is used, whose factors cannot overflow.
-const FAR_ABOVE: f64 = 4.0;

@@ -1,13 +1,14 @@
-//! The contributions of each pair of patches to the discrete and to the continuous mutual
-//! information, and their difference.
+//! The contribution of each pair of patches to the discrete and to the continuous mutual
+//! information, and the loss between the two.
 //!
 //! ```text
-//!   I_ij = (J_ij/A_T) log2( J_ij A_T/(A_i A_j) ),     I^c_ij = (1/A_T) ∫∫ F log2(A_T F) dy dx ≥ I_ij
+//!   I_ij = (J_ij/A_T) log2( J_ij A_T/(A_i A_j) )
+//!   I^c_ij = (1/A_T) ∫∫ F log2(A_T F) dy dx ≥ I_ij
 //! ```
 //!
 //! by Jensen's inequality. The loss `I^c_ij − I_ij` is the most that the pair can gain by
 //! subdividing both patches, however finely; the losses of all pairs sum to `I^c − I`. So a row of
-//! losses says of a patch what eq. (6) only bounds for one subdivision.
+//! losses holds the value for a patch that eq. (6) only bounds for one subdivision.
 //!
 //! **Not covered**: rooms that are not convex inside.
 
@@ -27,15 +28,15 @@ pub struct PairLoss {
     pub first: usize,
     /// Index of the other, larger.
     pub second: usize,
-    /// The part of all transitions that go between the two.
+    /// The probability of a transition between the two.
     pub probability: f64,
-    /// Its part of (3); may be negative.
+    /// The part of the pair in (3); may be negative.
     pub mutual_information: f64,
-    /// Its part of (4); may be negative.
+    /// The part of the pair in (4); may be negative.
     pub continuous_mutual_information: f64,
-    /// The difference of (4) and (3), ≥ 0 but for the error.
+    /// The part in (4) less that in (3), ≥ 0 but for the error.
     pub loss: f64,
-    /// Estimated absolute error of each of the three.
+    /// The estimated absolute error of each of the three.
     pub error: f64,
 }
 
@@ -74,8 +75,8 @@ pub fn pair_losses(scene: &Scene, progress: &dyn Progress) -> Result<Vec<PairLos
             return Err(SceneError::NotAPatchOfItsOwn { index, what }.into());
         }
     }
-    let shapes = scene.patches().iter().map(NamedPatch::shape);
-    let shapes = in_own_unit(shapes).map_err(|(index, source)| scene.refused(index, source))?;
+    let given = scene.patches().iter().map(NamedPatch::shape);
+    let shapes = in_own_unit(given).map_err(|(index, source)| scene.refused(index, source))?;
     let total = compensated_sum(shapes.iter().map(Patch::area));
     let pairs: Vec<[usize; 2]> = (0..n)
         .flat_map(|first| (first + 1..n).map(move |second| [first, second]))
@@ -93,6 +94,7 @@ pub fn pair_losses(scene: &Scene, progress: &dyn Progress) -> Result<Vec<PairLos
     Ok(losses.into_iter().flatten().collect())
 }
 
+/// The loss of a pair of patches with this total area; `None` if they exchange nothing.
 fn of_pair(
     shapes: &[Patch],
     [first, second]: [usize; 2],

@@ -5,11 +5,11 @@
 //! the total N of an open chain can be put in afterwards:
 //!
 //! ```text
-//!   q_ij = A_i A_j / A_T:
+//!   q_ij = A_i A_j / A_T
 //!   Σ_j J_ij ln(J_ij N/(A_i A_j)) = Σ_j q_ij φ(J_ij/q_ij − 1) + (r_i − A_i) + r_i ln(N/A_T)
 //! ```
 //!
-//! where `r_i = Σ_j J_ij`. For a closed scene the last two vanish and what is left is a sum of
+//! where `r_i = Σ_j J_ij`. For a closed scene the last two vanish and the rest is a sum of
 //! terms ≥ 0; pairs left out by the plan give `Σ q_ij`, plane by plane.
 //!
 //! **Errors** `f(J) = J log2(J/q) − (J − q)/ln 2` is convex with slope `log2(J/q)`. If J is known
@@ -23,15 +23,16 @@
 //! open scene the errors also move the escaping parts and N; their first-order effect is added, and
 //! the result is an *estimate*.
 //!
-//! **Not covered**: what is below 1e-308 of the total.
+//! **Not covered**: terms below 1e-308 of the total.
 
 use super::measures::{Unit, pair_divergence};
 use crate::chain::ChainError;
+use crate::form_factor::ExchangeArea;
 use crate::numeric::{compensated_sum, tolerance, x_log2_x};
 use crate::scene::{Closure, PassSummary, ScenePairs};
 use std::f64::consts::LN_2;
 
-/// The treatment of an open scene, in which some power meets no patch.
+/// The treatment of power that meets no patch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OpenScene {
     /// It is refused.
@@ -40,7 +41,7 @@ pub enum OpenScene {
     AddOutsideState,
 }
 
-/// The grade of an answer's error.
+/// The grade of evidence for the error of an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorGrade {
     /// To first order.
@@ -73,8 +74,8 @@ pub struct SceneInformation {
     pub error: f64,
     /// The grade of the error.
     pub error_grade: ErrorGrade,
-    /// The terms of eq. (3) by patch, or by the row that several are summed into, `w_i Σ_j P_ij
-    /// log2(P_ij/w_j)`.
+    /// The terms of eq. (3) by patch, or by the row that several are summed into,
+    /// `w_i Σ_j P_ij log2(P_ij/w_j)`.
     pub contributions: Vec<f64>,
     /// The term of the state `outside`, if there is one.
     pub outside_contribution: Option<f64>,
@@ -115,7 +116,23 @@ pub fn scene_information(
     pairs: &ScenePairs<'_>,
     open_scene: OpenScene,
 ) -> Result<SceneInformation, ChainError> {
-    let scene = RowSums::of(pairs)?;
+    let (information, _) = information_with_sums(pairs, open_scene, |_, _, terms| terms)?;
+    Ok(information)
+}
+
+/// The terms of a pair in the sums of a row: value, bound, divergence, error of the divergence.
+pub(super) type PairTerms = [f64; 4];
+
+/// The information of [`scene_information`], and sums over rows that were taken in the same pass.
+///
+/// **Arguments** `terms`: the terms of a pair of rows, from its exchange area and the terms of the
+/// information, which come first and unchanged.
+pub(super) fn information_with_sums<const N: usize>(
+    pairs: &ScenePairs<'_>,
+    open_scene: OpenScene,
+    terms: impl Fn([usize; 2], &ExchangeArea, PairTerms) -> [f64; N] + Sync,
+) -> Result<(SceneInformation, Vec<[f64; N]>), ChainError> {
+    let scene = RowSums::of(pairs, terms)?;
     match open_scene {
         OpenScene::Refuse => scene.closure.require_closed()?,
         OpenScene::AddOutsideState => scene.closure.require_at_most_one()?,
@@ -134,7 +151,7 @@ pub fn scene_information(
         0.0 - compensated_sum(weights.map(|weight| x_log2_x(weight / outside.total)));
     let rounding = tolerance::INFORMATION * (2.0 + mutual_information);
     let error = scene.error(&outside, is_closed, mutual_information);
-    Ok(SceneInformation {
+    let information = SceneInformation {
         positional_entropy,
         // a difference below rounding may come out on the other side of 0
         entropy_rate: (positional_entropy - mutual_information).max(0.0),
@@ -155,24 +172,28 @@ pub fn scene_information(
         total_area: scene.total_area,
         closure: scene.closure,
         summary: scene.summary,
-    })
+    };
+    Ok((information, scene.sums))
 }
 
 /// The sums over the rows of a scene, in units of [`Unit`].
-struct RowSums {
+struct RowSums<const N: usize> {
     /// In the unit of the scene.
     total_area: f64,
     area: f64,
     areas: Vec<f64>,
     area_bounds: Vec<f64>,
-    sums: Vec<[f64; 4]>,
+    sums: Vec<[f64; N]>,
     closure: Closure,
     summary: PassSummary,
 }
 
-impl RowSums {
+impl<const N: usize> RowSums<N> {
     /// One pass over all pairs.
-    fn of(pairs: &ScenePairs<'_>) -> Result<Self, ChainError> {
+    fn of(
+        pairs: &ScenePairs<'_>,
+        terms: impl Fn([usize; 2], &ExchangeArea, PairTerms) -> [f64; N] + Sync,
+    ) -> Result<Self, ChainError> {
         let total_area = compensated_sum(pairs.areas().iter().copied());
         let unit = Unit::of_total(total_area);
         let in_unit = |numbers: &[f64]| -> Vec<f64> {
@@ -185,7 +206,7 @@ impl RowSums {
             let probability = areas[j] / area;
             let divergence = pair_divergence(value, areas[i], probability);
             let error = divergence_error(value, bound, areas[i] * probability);
-            [value, bound, divergence, error]
+            terms([i, j], exchange, [value, bound, divergence, error])
         })?;
         let closure = Closure::new(
             pairs.shared_names(),
@@ -262,7 +283,7 @@ impl RowSums {
     }
 }
 
-/// The state that takes what escapes.
+/// The state that takes the escaping power.
 struct Outside {
     escaping: Vec<f64>,
     weight: f64,
@@ -279,7 +300,7 @@ impl Outside {
         }
     }
 
-    /// `J ln(J N/(A_i w_out))` for what escapes from i, in nats.
+    /// The term `J ln(J N/(A_i w_out))` of the power that escapes from i, in nats.
     fn term(&self, i: usize, area: f64) -> f64 {
         let escaping = self.escaping[i];
         if escaping > 0.0 {
@@ -289,8 +310,8 @@ impl Outside {
         }
     }
 
-    /// To first order, in bits times the total: what the rows' bounds do to the escaping parts and
-    /// to N.
+    /// The first-order effect of the rows' bounds on the escaping parts and on N, in bits times the
+    /// total.
     fn error(&self, area: f64, areas: &[f64], bounds: impl Iterator<Item = f64>, bits: f64) -> f64 {
         let growth = (self.total / area).log2();
         let rows = areas.iter().zip(&self.escaping).zip(bounds);
@@ -305,7 +326,7 @@ impl Outside {
     }
 }
 
-/// A bound on the change of `J ln(J/q) − J + q`, in nats, by an error of the exchange area J.
+/// A bound on the change of `J ln(J/q) − J + q` by an error of the exchange area J, in nats.
 pub(crate) fn divergence_error(value: f64, bound: f64, product: f64) -> f64 {
     if bound <= 0.0 {
         return 0.0;

@@ -33,8 +33,8 @@ mod vectorised;
 pub mod wide;
 
 pub use certified::{
-    Certificate, CertifiedMaximum, CertifiedRoot, CertifiedRoots, End, Function, Objective,
-    VectorFunction, certified_maximum, certified_roots, certified_stationary_point,
+    Certificate, CertifiedMaximum, CertifiedRoot, CertifiedRoots, EndPoint, IntervalFunction,
+    Maximand, VectorFunction, certified_maximum, certified_roots, certified_stationary_point,
 };
 pub use compensated_sum::{CompensatedSum, compensated_sum};
 pub use digamma::digamma;

@@ -35,7 +35,11 @@ pub(super) struct Plan {
 
 impl Plan {
     /// The plan for polygons in these planes.
-    pub(super) fn of(patches: &[NamedPatch], facings: FacingPlanes, congruence: Congruence) -> Self {
+    pub(super) fn of(
+        patches: &[NamedPatch],
+        facings: FacingPlanes,
+        congruence: Congruence,
+    ) -> Self {
         let lattice = match congruence {
             Congruence::Shared => Lattice::of(patches),
             Congruence::Ignored => None,

@@ -1,6 +1,6 @@
 //! Theorem 1 under fire: random refinements until one breaks a promise.
 //!
-//! Each case is a random refinement ([`strategies::recipe`]); it must be buildable, gain `≥ 0`, and its gain must
+//! Each case is a random refinement ([`strategies::refinement_draw`]); it must be buildable, gain `≥ 0`, and its gain must
 //! be the difference of the two mutual informations to [`tolerance::IDENTITY`]. A sample is recomputed at 256
 //! bits: there the gain must be right to [`tolerance::GAIN`] of itself, or, where an entry is below 1e-290 of
 //! the sum, to [`tolerance::TINY_GAIN`] bit. What fails is shrunk to few states and simple numbers.
@@ -8,7 +8,7 @@
 //! The cases depend on the seed alone, not on the number of threads.
 
 use super::exact_gain::exact_gain;
-use crate::chain::recipe::{ChainFamily, DivisionFamily, Recipe};
+use crate::chain::recipe::{ChainFamily, DivisionFamily, RefinementDraw};
 use crate::chain::{Refinement, ReversibleChain, strategies};
 use crate::information::{mutual_information, refinement_gain};
 use crate::numeric::{Scalar, tolerance, x_log2_ratio};
@@ -140,8 +140,8 @@ fn run_block(campaign: Campaign, block: u32, cases: u32) -> Findings {
     let findings = RefCell::new(Findings::default());
     let has_failed = Cell::new(false);
     let outcome = TestRunner::new_with_rng(config, source).run(
-        &strategies::recipe(campaign.states),
-        |recipe| {
+        &strategies::refinement_draw(campaign.states),
+        |draw| {
             let mut findings = findings.borrow_mut();
             // what follows a failure is shrinking: it does not count, and leaves nothing unchecked
             let mut shrinking = Findings::default();
@@ -150,7 +150,7 @@ fn run_block(campaign: Campaign, block: u32, cases: u32) -> Findings {
             } else {
                 (&mut *findings, SAMPLED)
             };
-            examine(&recipe, campaign.sabotage, sampling, own).map_err(|reason| {
+            examine(&draw, campaign.sabotage, sampling, own).map_err(|reason| {
                 has_failed.set(true);
                 TestCaseError::fail(reason)
             })
@@ -159,10 +159,10 @@ fn run_block(campaign: Campaign, block: u32, cases: u32) -> Findings {
     let mut findings = findings.into_inner();
     match outcome {
         Ok(()) => {}
-        Err(TestError::Fail(reason, recipe)) => {
+        Err(TestError::Fail(reason, draw)) => {
             findings.counterexamples.push(Counterexample::new(
                 reason.to_string(),
-                &recipe,
+                &draw,
                 campaign.sabotage,
             ));
         }
@@ -179,12 +179,12 @@ fn run_block(campaign: Campaign, block: u32, cases: u32) -> Findings {
 
 /// One case: what it breaks, if anything; one in `sampling` is recomputed at 256 bits.
 fn examine(
-    recipe: &Recipe,
+    draw: &RefinementDraw,
     sabotage: Option<Sabotage>,
     sampling: u64,
     findings: &mut Findings,
 ) -> Result<(), String> {
-    let refinement = recipe
+    let refinement = draw
         .refinement()
         .map_err(|error| format!("not a refinement: {error}"))?;
     let spoiled = if sabotage == Some(Sabotage::Gain) {
@@ -193,7 +193,7 @@ fn examine(
         1.0
     };
     let gain = spoiled * refinement_gain(&refinement);
-    findings.count(recipe, &refinement, gain);
+    findings.count(draw, &refinement, gain);
     let coarse = mutual_information(refinement.coarse());
     let flow = broken_flow(&refinement, sabotage);
     let refined = match &flow {
@@ -289,11 +289,11 @@ impl Counterexample {
         }
     }
 
-    fn new(reason: String, recipe: &Recipe, sabotage: Option<Sabotage>) -> Self {
-        let Ok(refinement) = recipe.refinement() else {
+    fn new(reason: String, draw: &RefinementDraw, sabotage: Option<Sabotage>) -> Self {
+        let Ok(refinement) = draw.refinement() else {
             return Self {
                 reason,
-                source: format!("{recipe:?}"),
+                source: format!("{draw:?}"),
                 ..Self::none()
             };
         };
@@ -331,7 +331,7 @@ fn rows(chain: &ReversibleChain) -> Vec<Vec<f64>> {
 }
 
 impl Findings {
-    fn count(&mut self, recipe: &Recipe, refinement: &Refinement, gain: f64) {
+    fn count(&mut self, draw: &RefinementDraw, refinement: &Refinement, gain: f64) {
         self.cases += 1;
         self.minimum_gain = least(self.minimum_gain, Some(gain));
         let positive = Some(gain).filter(|gain| *gain > 0.0);
@@ -344,10 +344,10 @@ impl Findings {
         increment(&mut histograms.gain_decades, decade(gain));
         let chain = ChainFamily::ALL
             .iter()
-            .position(|family| *family == recipe.chain);
+            .position(|family| *family == draw.chain);
         let division = DivisionFamily::ALL
             .iter()
-            .position(|family| *family == recipe.division);
+            .position(|family| *family == draw.division);
         increment(&mut histograms.chain_families, chain.unwrap_or(0));
         increment(&mut histograms.division_families, division.unwrap_or(0));
     }

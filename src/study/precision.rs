@@ -6,7 +6,9 @@
 //! named, proof of the global maximum included.
 
 use super::Row;
-use crate::discretize::{BoxGrid, DiscretizeError, GradientCut, PatchSplit, UNIT_CUBE};
+use crate::discretize::{
+    BoxGrid, DiscretizeError, GradientCut, PatchSplit, RectangleSplit, UNIT_CUBE,
+};
 use crate::form_factor::RectanglePair;
 use crate::geometry::SplitAxis;
 use crate::numeric::{Interval, Scalar};
@@ -34,7 +36,7 @@ impl Quantity for SquaresExchange {
 }
 
 /// The gain of two squares cut in the middle.
-struct MiddleGain(PatchSplit);
+struct MiddleGain(RectangleSplit);
 
 impl Quantity for MiddleGain {
     fn at<S: Scalar>(&self, like: &S) -> Result<S, DiscretizeError> {
@@ -75,7 +77,7 @@ pub fn work_precision(is_quick: bool) -> Result<Vec<Row>, DiscretizeError> {
     value_rows(
         &mut rows,
         "gain in the middle, fig. 2",
-        &MiddleGain(split.clone()),
+        &MiddleGain(split.rectangles()?.clone()),
         least,
     )?;
     value_rows(

@@ -6,14 +6,14 @@
 //!
 //! **Not covered**: several variables; maxima at the ends themselves.
 
-use super::roots::{Function, certified_roots, sign_on};
+use super::roots::{IntervalFunction, certified_roots, sign_on};
 use crate::numeric::{Dual, Interval, NumericError, Scalar, maximum};
 use std::cmp::Ordering;
 use std::fmt::{self, Display, Formatter};
 
 /// One of the ends of the interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum End {
+pub enum EndPoint {
     /// The lower one.
     Lower,
     /// The upper one.
@@ -21,7 +21,7 @@ pub enum End {
 }
 
 /// A function to be maximised, written once for every number type.
-pub trait Objective {
+pub trait Maximand {
     /// The value at `x`; `None` where there is none.
     fn value<S: Scalar>(&self, x: &S) -> Option<S>;
     /// The derivative at `x`.
@@ -31,7 +31,7 @@ pub trait Objective {
         self.slope(&Dual::variable(*domain))
     }
     /// The derivative at `distance` from an end, in a form that holds down to distance 0.
-    fn slope_near<S: Scalar>(&self, _end: End, _distance: &S) -> Option<S> {
+    fn slope_near<S: Scalar>(&self, _end: EndPoint, _distance: &S) -> Option<S> {
         None
     }
     /// An upper bound on the values at all points of a box; `None` if there is no better way than to evaluate.
@@ -91,7 +91,7 @@ pub struct CertifiedMaximum {
 
 struct Slope<'o, O>(&'o O);
 
-impl<O: Objective> Function for Slope<'_, O> {
+impl<O: Maximand> IntervalFunction for Slope<'_, O> {
     fn value<S: Scalar>(&self, x: &S) -> Option<S> {
         self.0.slope(x)
     }
@@ -101,9 +101,9 @@ impl<O: Objective> Function for Slope<'_, O> {
     }
 }
 
-struct SlopeNear<'o, O>(&'o O, End);
+struct SlopeNear<'o, O>(&'o O, EndPoint);
 
-impl<O: Objective> Function for SlopeNear<'_, O> {
+impl<O: Maximand> IntervalFunction for SlopeNear<'_, O> {
     fn value<S: Scalar>(&self, x: &S) -> Option<S> {
         self.0.slope_near(self.1, x)
     }
@@ -115,7 +115,7 @@ impl<O: Objective> Function for SlopeNear<'_, O> {
 /// [`NumericError::EmptyInterval`]; [`NumericError::NoInteriorMaximum`] if the derivative has no root at which it
 /// falls, [`NumericError::NotIsolated`] if none is found and something is undecided.
 pub fn certified_maximum(
-    objective: &impl Objective,
+    objective: &impl Maximand,
     (lower, upper): (f64, f64),
     bits: u32,
 ) -> Result<CertifiedMaximum, NumericError> {
@@ -208,18 +208,18 @@ const NARROWEST_BOUNDED: f64 = 1.0 / 512.0;
 const PIECES: u32 = 32;
 
 impl Region {
-    fn of(objective: &impl Objective, lower: f64, upper: f64) -> Self {
+    fn of(objective: &impl Maximand, lower: f64, upper: f64) -> Self {
         let length = upper - lower;
-        let end_box = |end: End| {
+        let end_box = |end: EndPoint| {
             END_POWERS
                 .map(|power| length * 2f64.powi(-power))
                 .find(|distance| {
                     let rises = Interval::try_new(0.0, *distance)
                         .and_then(|domain| sign_on(&SlopeNear(objective, end), &domain));
-                    rises == Some(end == End::Lower)
+                    rises == Some(end == EndPoint::Lower)
                 })
         };
-        if let Some((before, after)) = end_box(End::Lower).zip(end_box(End::Upper)) {
+        if let Some((before, after)) = end_box(EndPoint::Lower).zip(end_box(EndPoint::Upper)) {
             // no gap to the end boxes
             return Self {
                 from: (lower + before).next_down(),
@@ -238,7 +238,7 @@ impl Region {
     }
 
     /// What is left when boxes are dropped whose bound is lower than the value at some maximum.
-    fn bounded(objective: &impl Objective, lower: f64, upper: f64) -> Option<Self> {
+    fn bounded(objective: &impl Maximand, lower: f64, upper: f64) -> Option<Self> {
         let slope = |x: f64| objective.slope(&x).unwrap_or(f64::NAN);
         let value = |x: f64| objective.value(&x).unwrap_or(f64::NAN);
         let piece = (upper - lower) / f64::from(PIECES);

@@ -15,6 +15,6 @@ mod maximum;
 mod roots;
 mod stationary_point;
 
-pub use maximum::{Certificate, CertifiedMaximum, End, Objective, certified_maximum};
-pub use roots::{CertifiedRoot, CertifiedRoots, Function, certified_roots};
+pub use maximum::{Certificate, CertifiedMaximum, EndPoint, Maximand, certified_maximum};
+pub use roots::{CertifiedRoot, CertifiedRoots, IntervalFunction, certified_roots};
 pub use stationary_point::{VectorFunction, certified_stationary_point};

@@ -16,7 +16,7 @@
 use crate::numeric::{Dual, Interval, Scalar};
 
 /// A function of one real variable, written once for every number type.
-pub trait Function {
+pub trait IntervalFunction {
     /// The value at `x`, over intervals an enclosure of all values; `None` where there is none.
     fn value<S: Scalar>(&self, x: &S) -> Option<S>;
 
@@ -57,9 +57,9 @@ const TIGHTENINGS: u32 = 64;
 ///
 /// # Examples
 /// ```
-/// use infoscene::numeric::{Function, Scalar, certified_roots};
+/// use infoscene::numeric::{IntervalFunction, Scalar, certified_roots};
 /// struct SquareLessTwo;
-/// impl Function for SquareLessTwo {
+/// impl IntervalFunction for SquareLessTwo {
 ///     fn value<S: Scalar>(&self, x: &S) -> Option<S> {
 ///         Some(x.square() - &x.constant(2.0))
 ///     }
@@ -70,7 +70,7 @@ const TIGHTENINGS: u32 = 64;
 /// assert!(bounds.lower.starts_with("1.41421356237309504880168872420"));
 /// ```
 pub fn certified_roots(
-    function: &impl Function,
+    function: &impl IntervalFunction,
     (lower, upper): (f64, f64),
     bits: u32,
 ) -> CertifiedRoots {
@@ -132,7 +132,7 @@ enum Outcome {
     Open,
 }
 
-impl<F: Function> Search<'_, F> {
+impl<F: IntervalFunction> Search<'_, F> {
     fn run(&mut self) {
         let (lower, upper) = self.range;
         let Some(whole) = Interval::try_new(lower, upper) else {
@@ -223,7 +223,7 @@ impl<F: Function> Search<'_, F> {
         }
     }
 
-    /// The enclosure in doubles: on a wide box [`Function::on_box`] may know the slope where plain evaluation does not.
+    /// The enclosure in doubles: on a wide box [`IntervalFunction::on_box`] may know the slope where plain evaluation does not.
     fn tightened_on_boxes(&mut self, enclosure: Interval<f64>) -> Interval<f64> {
         let mut domain = enclosure;
         for _ in 0..TIGHTENINGS {
@@ -264,7 +264,7 @@ impl<F: Function> Search<'_, F> {
 }
 
 /// Does the function keep one sign on the whole interval? `Some(true)` if it is positive.
-pub(super) fn sign_on(function: &impl Function, domain: &Interval<f64>) -> Option<bool> {
+pub(super) fn sign_on(function: &impl IntervalFunction, domain: &Interval<f64>) -> Option<bool> {
     let value = function.value(domain)?;
     let zero = value.zero();
     if value > zero {

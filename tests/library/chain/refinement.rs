@@ -61,22 +61,22 @@ fn refinements_are_checked() {
     shape(same.then(&Refinement::coarsening(one.coarse().clone(), vec![0]).unwrap()));
 }
 
-/// A recipe outside its ranges is refused.
+/// A draw outside its ranges is refused.
 #[test]
 fn a_recipe_with_a_state_of_no_parts_is_refused() {
-    use infoscene::chain::recipe::{ChainFamily, DivisionFamily, Recipe};
-    let recipe = |parts| Recipe {
+    use infoscene::chain::recipe::{ChainFamily, DivisionFamily, RefinementDraw};
+    let draw = |parts| RefinementDraw {
         chain: ChainFamily::Dense,
         division: DivisionFamily::Free,
         states: 2,
         parts,
-        codes: Vec::new(),
+        bytes: Vec::new(),
     };
     assert!(matches!(
-        recipe(vec![2, 0]).refinement(),
+        draw(vec![2, 0]).refinement(),
         Err(ChainError::WrongShape { .. })
     ));
-    assert!(recipe(vec![2, 1, 9]).refinement().is_ok());
+    assert!(draw(vec![2, 1, 9]).refinement().is_ok());
 }
 
 /// A refinement prints as Rust source that makes it again.

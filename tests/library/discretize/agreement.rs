@@ -100,7 +100,7 @@ fn gains_agree_with_their_enclosures() {
         } = &example;
         for axis in SplitAxis::ALL {
             let split = PatchSplit::try_new(scene, 0, against, axis).unwrap();
-            let lifted = split.lifted(&like);
+            let lifted = split.rectangles().unwrap().lifted(&like);
             for cuts in [vec![0.3], vec![1e-6], vec![0.999], vec![0.25, 0.5]] {
                 let wide: Vec<Interval> = cuts.iter().map(|t| like.constant(*t)).collect();
                 let what = format!("{name} {axis:?} {cuts:?}");
@@ -283,13 +283,15 @@ fn cuts_across_a_plane_are_never_certified_wrongly() {
         assert!(!is_certified, "{share}");
         // a ten-thousandth to either side of the plane
         let domain = Interval::try_new(share - 1e-4, share + 1e-4).unwrap();
-        let lifted = split.lifted(&domain);
+        let lifted = split.rectangles().unwrap().lifted(&domain);
         assert!(lifted.gain(&[domain]).is_err() && lifted.gain_derivative(&[domain], 0).is_err());
         for aside in [-1e-3, 1e-3] {
             let domain = Interval::try_new(share + aside - 1e-4, share + aside + 1e-4).unwrap();
             let gain = split.gain(&[share + aside]).unwrap();
             assert!(
                 split
+                    .rectangles()
+                    .unwrap()
                     .lifted(&domain)
                     .gain(&[domain])
                     .unwrap()

@@ -141,9 +141,8 @@ fn curves_are_enclosed_to_28_digits() {
         (&squares, vec![1], SplitAxis::V, "curve_perp_orth_t"),
         (&corner, vec![1, 2], SplitAxis::U, "curve_three_t"),
     ] {
-        let split = PatchSplit::try_new(scene, 0, &against, axis)
-            .unwrap()
-            .lifted(&like);
+        let split = PatchSplit::try_new(scene, 0, &against, axis).unwrap();
+        let split = split.rectangles().unwrap().lifted(&like);
         for row in rows("splits.csv") {
             let Some(tenths) = row.id.strip_prefix(id) else {
                 continue;

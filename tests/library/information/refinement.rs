@@ -1,7 +1,7 @@
 //! Theorem 1 under fire: refinement never lowers mutual information.
 
 use infoscene::chain::recipe::DivisionFamily;
-use infoscene::chain::strategies::{recipe, refinement, reversible_chain};
+use infoscene::chain::strategies::{refinement, refinement_draw, reversible_chain};
 use infoscene::chain::{Refinement, ReversibleChain};
 use infoscene::information::{
     divergence, entropy_rate, mutual_information, positional_entropy, refinement_gain,
@@ -153,9 +153,9 @@ proptest! {
     /// Equality case: a division in exact proportion gains exactly 0, and moving one entry by a
     /// unit in the last place gains something.
     #[test]
-    fn proportional_division_gains_nothing_and_only_that(recipe in recipe(8)) {
-        let recipe = infoscene::chain::recipe::Recipe { division: DivisionFamily::Proportional, ..recipe };
-        let refinement = recipe.refinement().unwrap();
+    fn proportional_division_gains_nothing_and_only_that(draw in refinement_draw(8)) {
+        let draw = infoscene::chain::recipe::RefinementDraw { division: DivisionFamily::Proportional, ..draw };
+        let refinement = draw.refinement().unwrap();
         if smallest_entry(refinement.refined()) < 1e-290 {
             return Ok(()); // powers of two of such entries are no longer exact
         }
@@ -199,11 +199,11 @@ proptest! {
     /// entries are ≥ 1e-290 of the sum the gain is right to 1e-13 of itself or a few of the
     /// smallest doubles.
     #[test]
-    fn the_smallest_gains_keep_their_digits(recipe in recipe(2)) {
+    fn the_smallest_gains_keep_their_digits(draw in refinement_draw(2)) {
         // weights down to 1e-300 make gains as small
         let chain = infoscene::chain::recipe::ChainFamily::Spread;
-        let recipe = infoscene::chain::recipe::Recipe { chain, ..recipe };
-        let refinement = recipe.refinement().unwrap();
+        let draw = infoscene::chain::recipe::RefinementDraw { chain, ..draw };
+        let refinement = draw.refinement().unwrap();
         if smallest_entry(refinement.refined()) < 1e-290 {
             return Ok(());
         }
@@ -215,13 +215,13 @@ proptest! {
     /// "Nearly decomposable" is what it says: a second eigenvalue within 1e-12 of 1. That of
     /// `D^−½ J D^−½`, by a symmetric solver, whose error is some ε.
     #[test]
-    fn decomposable_chains_have_a_second_eigenvalue_near_one(recipe in recipe(8)) {
-        let recipe = infoscene::chain::recipe::Recipe {
+    fn decomposable_chains_have_a_second_eigenvalue_near_one(draw in refinement_draw(8)) {
+        let draw = infoscene::chain::recipe::RefinementDraw {
             chain: infoscene::chain::recipe::ChainFamily::Decomposable,
             division: DivisionFamily::Proportional,
-            ..recipe
+            ..draw
         };
-        let refinement = recipe.refinement().unwrap();
+        let refinement = draw.refinement().unwrap();
         let chain = refinement.coarse();
         let n = chain.states();
         let scaled = DMatrix::from_fn(n, n, |i, j| {

@@ -3,7 +3,7 @@
 use infoscene::discretize::PatchSplit;
 use infoscene::geometry::SplitAxis;
 use infoscene::numeric::{
-    Certificate, Dual, End, Interval, NumericError, Objective, Scalar, certified_maximum,
+    Certificate, Dual, EndPoint, Interval, Maximand, NumericError, Scalar, certified_maximum,
 };
 use infoscene::scene::Scene;
 use proptest::prelude::*;
@@ -16,7 +16,7 @@ const WIDTH: f64 = 1e-33;
 /// `a ln x + b ln(1 − x)`, largest at `a/(a + b)`.
 struct Shares(f64, f64);
 
-impl Objective for Shares {
+impl Maximand for Shares {
     fn value<S: Scalar>(&self, x: &S) -> Option<S> {
         let rest = x.constant(1.0) - x;
         Some(x.ln() * &x.constant(self.0) + &(rest.ln() * &x.constant(self.1)))
@@ -25,13 +25,13 @@ impl Objective for Shares {
         let rest = x.constant(1.0) - x;
         Some(x.constant(self.0) / x - &(x.constant(self.1) / &rest))
     }
-    fn slope_near<S: Scalar>(&self, end: End, distance: &S) -> Option<S> {
+    fn slope_near<S: Scalar>(&self, end: EndPoint, distance: &S) -> Option<S> {
         let rest = distance.constant(1.0) - distance;
         match end {
-            End::Lower => {
+            EndPoint::Lower => {
                 Some(distance.constant(self.0) / distance - &(distance.constant(self.1) / &rest))
             }
-            End::Upper => {
+            EndPoint::Upper => {
                 Some(distance.constant(self.0) / &rest - &(distance.constant(self.1) / distance))
             }
         }
@@ -64,7 +64,7 @@ impl TwoHills {
     }
 }
 
-impl Objective for TwoHills {
+impl Maximand for TwoHills {
     fn value<S: Scalar>(&self, x: &S) -> Option<S> {
         let [left, right] = Self::sides(x);
         Some(x.constant(self.0) * x - &(left * &right).square())
@@ -74,10 +74,10 @@ impl Objective for TwoHills {
         let sum = left.clone() + &right;
         Some(x.constant(self.0) - &(left * &right * &sum * &x.constant(2.0)))
     }
-    fn slope_near<S: Scalar>(&self, end: End, distance: &S) -> Option<S> {
+    fn slope_near<S: Scalar>(&self, end: EndPoint, distance: &S) -> Option<S> {
         match end {
-            End::Lower => self.slope(distance),
-            End::Upper => self.slope(&(distance.constant(1.0) - distance)),
+            EndPoint::Lower => self.slope(distance),
+            EndPoint::Upper => self.slope(&(distance.constant(1.0) - distance)),
         }
     }
 }
@@ -123,7 +123,7 @@ struct Peak {
     ends: Ends,
 }
 
-impl Objective for Peak {
+impl Maximand for Peak {
     fn value<S: Scalar>(&self, x: &S) -> Option<S> {
         let number = |value: f64| x.constant(value);
         let squared = number(self.width).square();
@@ -139,10 +139,10 @@ impl Objective for Peak {
         let peak = squared * &aside / &below * &number(-2.0 * self.height);
         Some(number(1.0) - x - x + &peak)
     }
-    fn slope_near<S: Scalar>(&self, end: End, distance: &S) -> Option<S> {
+    fn slope_near<S: Scalar>(&self, end: EndPoint, distance: &S) -> Option<S> {
         let position = match end {
-            End::Lower => distance.clone(),
-            End::Upper => distance.constant(1.0) - distance,
+            EndPoint::Lower => distance.clone(),
+            EndPoint::Upper => distance.constant(1.0) - distance,
         };
         (self.ends == Ends::BySlope).then(|| self.slope(&position))?
     }
@@ -198,7 +198,7 @@ fn uncovered_ends_are_unknown() {
 
     /// `x (x − ½)²·4 …`: a maximum inside, and a higher value at the upper end.
     struct HigherAtTheEnd(Ends);
-    impl Objective for HigherAtTheEnd {
+    impl Maximand for HigherAtTheEnd {
         fn value<S: Scalar>(&self, x: &S) -> Option<S> {
             Some((x.clone() - &x.constant(0.5)).square() * x)
         }
@@ -206,10 +206,10 @@ fn uncovered_ends_are_unknown() {
             let aside = x.clone() - &x.constant(0.5);
             Some(aside.square() + &(aside * x * &x.constant(2.0)))
         }
-        fn slope_near<S: Scalar>(&self, end: End, distance: &S) -> Option<S> {
+        fn slope_near<S: Scalar>(&self, end: EndPoint, distance: &S) -> Option<S> {
             let position = match end {
-                End::Lower => distance.clone(),
-                End::Upper => distance.constant(1.0) - distance,
+                EndPoint::Lower => distance.clone(),
+                EndPoint::Upper => distance.constant(1.0) - distance,
             };
             (self.0 == Ends::BySlope).then(|| self.slope(&position))?
         }
@@ -239,14 +239,14 @@ fn uncovered_ends_are_unknown() {
 #[test]
 fn a_stationary_point_without_a_value_is_not_passed_over() {
     struct HalfKnown;
-    impl Objective for HalfKnown {
+    impl Maximand for HalfKnown {
         fn value<S: Scalar>(&self, x: &S) -> Option<S> {
             (*x < x.constant(0.5)).then(|| TwoHills(1e-3).value(x))?
         }
         fn slope<S: Scalar>(&self, x: &S) -> Option<S> {
             TwoHills(1e-3).slope(x)
         }
-        fn slope_near<S: Scalar>(&self, end: End, distance: &S) -> Option<S> {
+        fn slope_near<S: Scalar>(&self, end: EndPoint, distance: &S) -> Option<S> {
             TwoHills(1e-3).slope_near(end, distance)
         }
     }
@@ -261,7 +261,7 @@ fn a_stationary_point_without_a_value_is_not_passed_over() {
 #[test]
 fn what_has_no_maximum_is_refused() {
     struct Rising;
-    impl Objective for Rising {
+    impl Maximand for Rising {
         fn value<S: Scalar>(&self, x: &S) -> Option<S> {
             Some(x.clone())
         }
@@ -274,7 +274,7 @@ fn what_has_no_maximum_is_refused() {
 
     /// `−(x − ½)⁴`: its slope has a triple root.
     struct Flat;
-    impl Objective for Flat {
+    impl Maximand for Flat {
         fn value<S: Scalar>(&self, x: &S) -> Option<S> {
             Some(-(x.clone() - &x.constant(0.5)).square().square())
         }
@@ -309,6 +309,7 @@ fn slopes_on_boxes_contain_the_slopes_in_them() {
         let against: Vec<usize> = (1..=neighbours).collect();
         for axis in SplitAxis::ALL {
             let split = PatchSplit::try_new(scene.as_ref().unwrap(), 0, &against, axis).unwrap();
+            let split = split.rectangles().unwrap();
             for (lower, width) in [
                 (0.03, 1e-3),
                 (0.1, 0.05),

@@ -1,6 +1,6 @@
 //! Certified roots against functions whose roots are known beforehand.
 
-use infoscene::numeric::{Function, Interval, Scalar, certified_roots};
+use infoscene::numeric::{Interval, IntervalFunction, Scalar, certified_roots};
 use proptest::prelude::*;
 
 /// Precision of the enclosures.
@@ -20,7 +20,7 @@ impl Polynomial {
     }
 }
 
-impl Function for Polynomial {
+impl IntervalFunction for Polynomial {
     fn value<S: Scalar>(&self, x: &S) -> Option<S> {
         let factors = self.0.iter().flat_map(|((p, q), power)| {
             let factor = x.constant((*q).into()) * x - &x.constant((*p).into());
@@ -96,7 +96,7 @@ proptest! {
 #[test]
 fn roots_next_to_the_ends_are_found() {
     struct NearEnds(f64);
-    impl Function for NearEnds {
+    impl IntervalFunction for NearEnds {
         fn value<S: Scalar>(&self, x: &S) -> Option<S> {
             let distance = x.constant(self.0);
             let one = x.constant(1.0);
@@ -129,7 +129,7 @@ fn roots_next_to_the_ends_are_found() {
 #[test]
 fn near_misses_are_no_roots() {
     struct Parabola(f64);
-    impl Function for Parabola {
+    impl IntervalFunction for Parabola {
         fn value<S: Scalar>(&self, x: &S) -> Option<S> {
             let third = x.constant(3.0) * x - &x.constant(1.0);
             Some(third.square() + &x.constant(self.0))
@@ -152,7 +152,7 @@ fn near_misses_are_no_roots() {
 #[test]
 fn roots_of_exponentials_and_waves_are_found() {
     struct Exponential;
-    impl Function for Exponential {
+    impl IntervalFunction for Exponential {
         fn value<S: Scalar>(&self, x: &S) -> Option<S> {
             Some(x.exp() - &x.constant(2.0))
         }
@@ -167,7 +167,7 @@ fn roots_of_exponentials_and_waves_are_found() {
     assert!(root.enclosure.width() <= WIDTH);
 
     struct Wave(u32);
-    impl Function for Wave {
+    impl IntervalFunction for Wave {
         fn value<S: Scalar>(&self, x: &S) -> Option<S> {
             let (mut before, mut wave) = (x.constant(1.0), x.clone());
             for _ in 1..self.0 {
@@ -195,7 +195,7 @@ fn roots_of_exponentials_and_waves_are_found() {
 #[test]
 fn what_is_not_known_is_undecided() {
     struct HalfKnown;
-    impl Function for HalfKnown {
+    impl IntervalFunction for HalfKnown {
         fn value<S: Scalar>(&self, x: &S) -> Option<S> {
             (*x < x.constant(0.5)).then(|| x.clone() - &x.constant(0.25))
         }
@@ -213,7 +213,7 @@ fn what_is_not_known_is_undecided() {
         "{found:?}"
     );
     struct Nothing;
-    impl Function for Nothing {
+    impl IntervalFunction for Nothing {
         fn value<S: Scalar>(&self, x: &S) -> Option<S> {
             Some(x.zero())
         }

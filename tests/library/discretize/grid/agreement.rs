@@ -96,6 +96,14 @@ fn regular_grids_agree_with_quartered_boxes() {
     }
 }
 
+/// The two engines that count congruent pairs agree: `measure cube:6` looks each pair of the 216
+/// patches up (n²), `grid --box 1,1,1 --cells 6` multiplies relations along the axes (n³ classes).
+#[test]
+fn the_grid_of_six_cells_is_the_scene_cube_6() {
+    let grid = BoxGrid::regular(UNIT_CUBE, 6).unwrap();
+    assert_agree(&grid, &Scene::built_in("cube:6").unwrap(), "cube:6");
+}
+
 /// Every row of cube_grids.csv that is a value: 13 to 29 digits.
 #[test]
 fn cubes_agree_with_their_references() {

@@ -2,8 +2,12 @@
 
 use super::{exact, pairs, scene};
 use approx::assert_relative_eq;
-use infoscene::information::{PairCounts, expected_bias, expected_bias_of_scene};
+use infoscene::information::{
+    OpenScene, PairCounts, expected_bias, expected_bias_of_scene, scene_information,
+    scene_information_and_bias,
+};
 use infoscene::numeric::divergence_kernel;
+use infoscene::scene::{Congruence, Scene, ScenePairs};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::LN_2;
@@ -154,4 +158,23 @@ fn one_sample_knows_its_cell() {
     let expected = (36.0f64 / 2.0).log2() - exact(&cube);
     let found = expected_bias_of_scene(&pairs, 1).unwrap();
     assert_relative_eq!(found, expected, epsilon = 1e-12);
+}
+
+/// One pass over the pairs gives, to the last bit, the two numbers of one pass each; an open scene is
+/// refused.
+#[test]
+fn one_pass_gives_the_information_and_its_bias() {
+    let cube = Scene::built_in("cube:3").unwrap();
+    let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared).unwrap();
+    let (information, bias) = scene_information_and_bias(&pairs, 1000).unwrap();
+    assert_eq!(
+        information,
+        scene_information(&pairs, OpenScene::Refuse).unwrap()
+    );
+    let alone = expected_bias_of_scene(&pairs, 1000).unwrap();
+    assert_eq!(bias.to_bits(), alone.to_bits());
+    assert!(bias > 0.0);
+    let open = Scene::built_in("two-squares").unwrap();
+    let open = ScenePairs::try_new(&open, 1e-12, Congruence::Shared).unwrap();
+    assert!(scene_information_and_bias(&open, 1000).is_err());
 }
