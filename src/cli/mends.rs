@@ -30,7 +30,7 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
         return is_bent.then_some("; --triangulate does");
     }
     if let Some(DiscretizeError::NotEnclosed) = error.downcast_ref() {
-        return Some("; leave out --precision for values without an enclosure");
+        return Some("; leave out --precision");
     }
     if let Some(ClaimError::UnknownClaim { .. }) = error.downcast_ref() {
         return Some("; `infoscene reproduce` shows all ids");
