@@ -1,7 +1,8 @@
 //! The part of a polygon on one side of a plane or line.
 //!
 //! ```text
-//!   corner i stays if h_i ≥ 0;   an edge with ends on both sides is cut at x_i + (x_j − x_i) h_i/(h_i − h_j)
+//!   corner i stays if h_i ≥ 0
+//!   an edge with ends on both sides is cut at x_i + (x_j − x_i) h_i/(h_i − h_j)
 //! ```
 //!
 //! Heights may be signed distances over a plane, positions along a line, or anything that is linear
