@@ -1,8 +1,8 @@
 //! Maps over indices on all threads.
 //!
 //! The answers stand in the order of the indices, whichever thread gave them. The code that shares
-//! out the work is compiled once, for all who use it: adaptors of `rayon` would be compiled again for
-//! each closure, and were a tenth of the time that this library takes to compile.
+//! out the work is compiled once, for all who use it: adaptors of `rayon` would be compiled again
+//! for each closure, and were a tenth of the time that this library takes to compile.
 //!
 //! **Not here**: sums (their order is their caller's); searches for a first answer.
 
@@ -22,8 +22,8 @@ pub(crate) fn parallel_map<T: Send + Sync>(
     slots.into_iter().filter_map(OnceLock::into_inner).collect()
 }
 
-/// Computes an answer for each index below `count`, or gives the error of the first index that has one;
-/// what comes after an error is left out as far as no thread has begun it.
+/// Computes an answer for each index below `count`, or gives the error of the first index that has
+/// one; what comes after an error is left out as far as no thread has begun it.
 pub(crate) fn try_parallel_map<T: Send + Sync, E: Send + Sync>(
     count: usize,
     answer: &(dyn Fn(usize) -> Result<T, E> + Sync),
