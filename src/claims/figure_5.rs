@@ -15,7 +15,7 @@
 //! **Not covered**: a proof. The paper says neither cells, nor lines, nor how its values were computed.
 
 use super::finding::Finding;
-use super::{ClaimError, Inputs};
+use super::{Case, ClaimError};
 use crate::discretize::{BoxGrid, DiscretizeError, UNIT_CUBE};
 use crate::numeric::{Interval, Scalar};
 
@@ -49,9 +49,9 @@ pub fn samples_for(grid: &BoxGrid, expected: f64) -> Result<Option<u64>, Discret
 }
 
 /// What the fitted number of lines makes of a grid.
-pub(super) fn reading(input: &Inputs, lines: &[f64]) -> Result<String, ClaimError> {
-    let printed = input.number("fitted_to")?;
-    let regular = BoxGrid::regular(UNIT_CUBE, input.count("cells")?)?;
+pub(super) fn reading(case: &Case<'_>, lines: &[f64]) -> Result<String, ClaimError> {
+    let printed = case.number("fitted_to")?;
+    let regular = BoxGrid::regular(UNIT_CUBE, case.count("cells")?)?;
     let Some(samples) = samples_for(&regular, printed)? else {
         return Ok(format!("no number of lines gives a regular grid {printed}"));
     };
@@ -67,14 +67,14 @@ pub(super) fn reading(input: &Inputs, lines: &[f64]) -> Result<String, ClaimErro
 }
 
 /// A grid with three lines to choose of five, mirrored.
-pub(super) fn chosen_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
-    let half = [input.interval("first")?, input.interval("second")?];
-    let cells = input.count("cells")?;
+pub(super) fn chosen_grid_information(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let half = [case.interval("first")?, case.interval("second")?];
+    let cells = case.count("cells")?;
     let grid = BoxGrid::mirrored(UNIT_CUBE, &half, cells, &half[0])?;
     let lines: Vec<f64> = grid.lines().iter().map(Interval::to_f64).collect();
     let note = format!(
         "neither cells nor lines are stated: lines at {lines:?} are a free choice; {}",
-        reading(input, &lines)?
+        reading(case, &lines)?
     );
     Ok(Finding::enclosed(grid.mutual_information()?).noting(note))
 }

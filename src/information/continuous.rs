@@ -15,11 +15,10 @@
 //!
 //! **Not covered**: rooms that are open or not convex inside by this road; [`chord_information`] samples them.
 
-use super::ErrorGrade;
 use crate::chain::ChainError;
 use crate::form_factor::Logarithms;
 use crate::geometry::{GeometryError, Patch};
-use crate::numeric::{CompensatedSum, compensated_sum, tolerance};
+use crate::numeric::{CompensatedSum, Grade, compensated_sum, tolerance};
 use crate::scene::{Scene, SceneError};
 use rayon::prelude::*;
 use std::f64::consts::LN_2;
@@ -45,7 +44,7 @@ pub struct ContinuousInformation {
     /// Estimated absolute error.
     pub error: f64,
     /// What the error is: an estimate.
-    pub error_grade: ErrorGrade,
+    pub error_grade: Grade,
     /// Number of faces.
     pub faces: usize,
     /// For each patch its face.
@@ -128,7 +127,7 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
     Ok(ContinuousInformation {
         mutual_information,
         error: error + tolerance::INFORMATION * (1.0 + mutual_information.abs()),
-        error_grade: ErrorGrade::Estimate,
+        error_grade: Grade::Estimate,
         faces: faces.len(),
         face_of,
         pairs,

@@ -27,7 +27,7 @@ pub use measures::{entropy_rate, mutual_information, positional_entropy};
 pub use pair_counts::PairCounts;
 pub use pair_losses::{PairLoss, pair_losses};
 pub(crate) use scene::divergence_error;
-pub use scene::{ErrorGrade, SceneInformation, Surroundings, scene_information};
+pub use scene::{SceneInformation, Surroundings, scene_information};
 
 /// From this x on `a φ(x) = p (ln(p/a) − 1) + a` is used, whose factors cannot overflow.
 const FAR_ABOVE: f64 = 4.0;

@@ -9,12 +9,11 @@
 //!
 //! **Not covered**: rooms that are not convex inside.
 
-use super::ErrorGrade;
 use super::continuous::in_own_unit;
 use crate::chain::ChainError;
 use crate::form_factor::Logarithms;
 use crate::geometry::Patch;
-use crate::numeric::{compensated_sum, tolerance};
+use crate::numeric::{Grade, compensated_sum, tolerance};
 use crate::scene::{NamedPatch, Scene, SceneError};
 use rayon::prelude::*;
 use std::f64::consts::LN_2;
@@ -40,7 +39,7 @@ pub struct PairLoss {
 
 impl PairLoss {
     /// What the error is.
-    pub const ERROR_GRADE: ErrorGrade = ErrorGrade::Estimate;
+    pub const ERROR_GRADE: Grade = Grade::Estimate;
 }
 
 /// The losses of all pairs of patches that see each other, in a closed room that is convex inside.

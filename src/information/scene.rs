@@ -23,7 +23,7 @@
 
 use super::measures::{Unit, pair_divergence};
 use crate::chain::ChainError;
-use crate::numeric::{compensated_sum, tolerance, x_log2_x};
+use crate::numeric::{Grade, compensated_sum, tolerance, x_log2_x};
 use crate::scene::{Account, Closure, ScenePairs};
 use std::f64::consts::LN_2;
 
@@ -34,26 +34,6 @@ pub enum Surroundings {
     None,
     /// It goes to the state `outside`.
     Outside,
-}
-
-/// How well the error of an answer is known.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ErrorGrade {
-    /// To first order.
-    Estimate,
-    /// As derived, from the bounds of the form factors.
-    Bound,
-}
-
-impl ErrorGrade {
-    /// `"estimate"` or `"bound"`.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Estimate => "estimate",
-            Self::Bound => "bound",
-        }
-    }
 }
 
 /// The information of a scene's chain, in bits.
@@ -67,8 +47,8 @@ pub struct SceneInformation {
     pub mutual_information: f64,
     /// The error of the mutual information.
     pub error: f64,
-    /// What the error is.
-    pub error_grade: ErrorGrade,
+    /// The grade of the error: a bound for a closed scene, an estimate for an open one.
+    pub error_grade: Grade,
     /// The terms of eq. (3) by patch, or by the row that several are summed into, `w_i Σ_j P_ij log2(P_ij/w_j)`.
     pub contributions: Vec<f64>,
     /// The same of the state `outside`, if there is one.
@@ -188,9 +168,9 @@ pub fn scene_information(
         mutual_information,
         error: (from_pairs + from_areas + from_escaping) / outside.total + rounding,
         error_grade: if is_closed {
-            ErrorGrade::Bound
+            Grade::Bound
         } else {
-            ErrorGrade::Estimate
+            Grade::Estimate
         },
         contributions,
         outside_contribution,

@@ -6,7 +6,9 @@
 //! **Not here**: computing; the numbers come finished.
 
 mod campaign;
+mod claims_page;
 mod figure;
+mod findings;
 mod form_factors;
 mod gradient_cuts;
 mod gradient_studies;
@@ -15,6 +17,7 @@ mod latex;
 mod measure;
 mod npy;
 mod number;
+mod page;
 mod radiosity;
 mod records;
 mod refinements;
@@ -28,7 +31,9 @@ mod table;
 #[cfg(feature = "proptest")]
 pub use campaign::fuzz_report;
 pub use campaign::study_report;
+pub use claims_page::{claims_page, first_verdicts};
 pub use figure::{Axis, Figure, Line};
+pub use findings::findings_page;
 pub use form_factors::{FormFactorRecord, PatchRecord, write_form_factors};
 pub use gradient_cuts::{cut_report, cuts_figure, cuts_report};
 pub use gradient_studies::{directions_report, limits_report, profiles_report};
@@ -36,6 +41,7 @@ pub use grid::{GridAnswer, GridEnclosures, grid_report};
 pub use measure::{measure_report, plan_notes};
 pub use npy::{write_npy_head, write_npy_row};
 pub use number::{certain_digits, enclosed_digits, power_of_ten, scientific};
+pub use page::PageError;
 pub use radiosity::radiosity_report;
 pub use records::{Format, Report, ReportError};
 pub use refinements::{refinements_figure, refinements_report};

@@ -14,6 +14,7 @@ pub mod accuracy;
 pub mod directions;
 mod error;
 mod exact_gain;
+mod extreme_cases;
 pub mod extreme_pairs;
 pub mod figure_5;
 #[cfg(feature = "proptest")]

@@ -2,10 +2,10 @@
 
 use super::JUDGEMENTS;
 use infoscene::claims::{
-    Claim, DEFAULT_PRECISION, Evidence, Finding, Inputs, Printed, Task, Verdict, computations,
-    judge_control, registry,
+    Case, Claim, Computation, Context, Finding, Inputs, Printed, Task, Verdict, judge_control,
+    registry,
 };
-use infoscene::numeric::Interval;
+use infoscene::numeric::{Grade, Interval};
 
 fn computed() -> Vec<Claim> {
     let claims = registry().unwrap().into_iter();
@@ -30,9 +30,10 @@ fn every_verdict_is_the_recorded_one() {
 /// The control of each claim breaks its premise, or takes another printed number.
 #[test]
 fn every_verdict_turns_under_its_control() {
+    let context = Context::default();
     for plain in JUDGEMENTS.iter() {
         if let Task::Compute { .. } = plain.claim.task {
-            let control = judge_control(&plain.claim, DEFAULT_PRECISION).unwrap();
+            let control = judge_control(&plain.claim, &context).unwrap();
             assert_ne!(
                 plain.verdict, control.verdict,
                 "{}: {:?}",
@@ -103,18 +104,21 @@ fn curves_are_where_the_data_say() {
 /// Every function is used by a claim, and its input is used by the function.
 #[test]
 fn every_computation_has_a_claim() {
-    for (name, compute) in computations() {
+    let context = Context::default();
+    let nothing = Case::new(Inputs::default(), &context);
+    for computation in Computation::ALL {
         let uses = |claim: &Claim| match &claim.task {
-            Task::Compute { computation, .. } => computation == name,
+            Task::Compute {
+                computation: used, ..
+            } => used == computation,
             Task::Proved { .. } | Task::NotChecked { .. } => false,
         };
+        let name = computation.name();
         assert!(computed().iter().any(uses), "{name} has no claim");
-        if name != "limit_of_the_discontinuity_line" {
-            assert!(
-                compute(&Inputs::default()).is_err(),
-                "{name} ignores its input"
-            );
-        }
+        assert!(
+            computation.compute(&nothing).is_err(),
+            "{name} ignores its input"
+        );
     }
 }
 
@@ -128,8 +132,8 @@ fn example(printed: Option<&str>, complete: bool) -> Claim {
 /// The table of the rule, cell by cell.
 #[test]
 fn verdicts_follow_the_rule() {
-    let with = |mut finding: Finding, evidence| {
-        finding.evidence = evidence;
+    let with = |mut finding: Finding, grade| {
+        finding.grade = grade;
         finding
     };
     let number = |value, error, evidence| with(Finding::value(value, error), evidence);
@@ -137,42 +141,30 @@ fn verdicts_follow_the_rule() {
     let cases = [
         (
             true,
-            number(0.399, 1e-3, Evidence::Estimate),
+            number(0.399, 1e-3, Grade::Estimate),
             Verdict::Supported,
         ),
+        (true, number(0.399, 1e-3, Grade::Bound), Verdict::Supported),
         (
             true,
-            number(0.399, 1e-3, Evidence::Bound),
-            Verdict::Supported,
-        ),
-        (
-            true,
-            number(0.399, 1e-3, Evidence::Enclosure),
+            number(0.399, 1e-3, Grade::Enclosure),
             Verdict::Confirmed,
         ),
+        (true, number(0.399, 1e-3, Grade::Proof), Verdict::Confirmed),
         (
             true,
-            number(0.399, 1e-3, Evidence::Proof),
-            Verdict::Confirmed,
-        ),
-        (
-            true,
-            number(0.394, 2e-3, Evidence::Enclosure),
+            number(0.394, 2e-3, Grade::Enclosure),
             Verdict::Undecided,
         ), // overlap
         (
             true,
-            number(0.38, 1e-3, Evidence::Estimate),
+            number(0.38, 1e-3, Grade::Estimate),
             Verdict::Undecided,
         ),
-        (
-            true,
-            number(0.38, 1e-3, Evidence::Enclosure),
-            Verdict::Refuted,
-        ),
+        (true, number(0.38, 1e-3, Grade::Enclosure), Verdict::Refuted),
         (
             false,
-            number(0.38, 1e-3, Evidence::Enclosure),
+            number(0.38, 1e-3, Grade::Enclosure),
             Verdict::Undecided,
         ),
     ];
@@ -201,17 +193,13 @@ fn verdicts_follow_the_rule() {
     let statement = |holds, evidence| with(Finding::statement(holds, 0.0, 0.0), evidence);
     let words = |complete| example(None, complete);
     let cases = [
-        (true, statement(true, Evidence::Sample), Verdict::Supported),
-        (true, statement(true, Evidence::Proof), Verdict::Confirmed),
-        (true, statement(false, Evidence::Sample), Verdict::Undecided),
-        (
-            true,
-            statement(false, Evidence::Enclosure),
-            Verdict::Refuted,
-        ),
+        (true, statement(true, Grade::Sample), Verdict::Supported),
+        (true, statement(true, Grade::Proof), Verdict::Confirmed),
+        (true, statement(false, Grade::Sample), Verdict::Undecided),
+        (true, statement(false, Grade::Enclosure), Verdict::Refuted),
         (
             false,
-            statement(false, Evidence::Enclosure),
+            statement(false, Grade::Enclosure),
             Verdict::Undecided,
         ),
     ];
@@ -227,4 +215,15 @@ fn verdicts_follow_the_rule() {
         Verdict::of(&words(true), &Finding::value(1.0, 0.0)),
         Verdict::Undecided
     );
+}
+
+/// The grades are ordered as listed, and JSON has their names.
+#[test]
+fn grades_rise_and_are_written_by_name() {
+    assert!(Grade::ALL.windows(2).all(|pair| pair[0] < pair[1]));
+    let words = ["sample", "estimate", "bound", "enclosure", "proof"];
+    for (grade, word) in Grade::ALL.into_iter().zip(words) {
+        assert_eq!(grade.name(), word);
+        assert_eq!(serde_json::to_value(grade).unwrap(), word);
+    }
 }

@@ -17,6 +17,7 @@ mod divergence;
 mod dual_numbers;
 mod elementary;
 mod error_bounds;
+mod extremes;
 mod gradient_limits;
 mod independent_roads;
 mod interval_ends;
