@@ -128,8 +128,9 @@ pub(super) fn log_sum_inequality(case: &Case<'_>) -> Result<Finding, ClaimError>
     Ok(Finding::statement(holds, smallest, tolerance::IDENTITY).sampled())
 }
 
-/// Eq. (13), last line, times 1/A_T with A_T = 2: `2/A_T · J [ log2(F_j,ic/(A_ic + A_id)) − log2(F_ij/A_j) ]`
-/// with A_j = 1, for cuts at and beyond the line.
+/// Eq. (13), last line, times 1/A_T with A_T = 2:
+/// `2/A_T · J [ log2(F_j,ic/(A_ic + A_id)) − log2(F_ij/A_j) ]` with A_j = 1, for cuts at and beyond
+/// the line.
 pub(super) fn equation_13(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let line = case.number("line")?;
     let shadow = ContactShadow::try_new(line)?;
@@ -149,8 +150,8 @@ pub(super) fn equation_13(case: &Case<'_>) -> Result<Finding, ClaimError> {
     Ok(finding)
 }
 
-/// Eq. (14) for cuts short of the line: its middle line must be the gain itself, its right side, with
-/// `A_id + dark A_ic` for the area in the second logarithm, at least that.
+/// Eq. (14) for cuts short of the line: its middle line must be the gain itself, its right side,
+/// with `A_id + dark A_ic` for the area in the second logarithm, at least that.
 pub(super) fn inequality_14(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let line = case.number("line")?;
     let shadow = ContactShadow::try_new(line)?;
@@ -173,8 +174,8 @@ pub(super) fn inequality_14(case: &Case<'_>) -> Result<Finding, ClaimError> {
     Ok(Finding::statement(holds, smallest, tolerance::IDENTITY))
 }
 
-/// The right side of (14) against the gain of the cut along the line, both for flux proportional to lit area,
-/// the form factor beyond the cut being `ratio` times the one before it.
+/// The right side of (14) against the gain of the cut along the line, both for flux proportional to
+/// lit area, the form factor beyond the cut being `ratio` times the one before it.
 pub(super) fn mesh_gain_is_the_bound(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let (line, ratio) = (case.number("line")?, case.number("form_factor_ratio")?);
     let shadow = ContactShadow::try_new(line)?;
@@ -189,7 +190,8 @@ pub(super) fn mesh_gain_is_the_bound(case: &Case<'_>) -> Result<Finding, ClaimEr
     Ok(Finding::residual(largest(deviations), tolerance::IDENTITY))
 }
 
-/// With the shadow's line at `line`, the best cut through the lit part against the cut along the line.
+/// With the shadow's line at `line`, the best cut through the lit part against the cut along the
+/// line.
 pub(super) fn a_lit_cut_can_beat_the_line(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let line = case.number("line")?;
     let shadow = ContactShadow::try_new(line)?;

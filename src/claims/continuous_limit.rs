@@ -7,14 +7,16 @@ use crate::information::{Surroundings, continuous_information, scene_information
 use crate::numeric::{larger, smaller};
 use crate::scene::{Congruence, Scene, ScenePairs};
 
-/// What a scene's refinements lack of its continuous mutual information, each of patches half as large, with the error of that.
+/// Gaps between the mutual information of a scene's refinements, each of patches half as large, and
+/// the continuous one, with their error.
 struct Gaps {
     gaps: Vec<f64>,
     error: f64,
 }
 
 impl Gaps {
-    /// Of a scene whose patches are quartered up to `times` times. The control takes `limit_factor` times the limit.
+    /// Computes the gaps of a scene whose patches are quartered up to `times` times. The control
+    /// takes `limit_factor` times the limit.
     fn of(scene: &str, times: u32, case: &Case<'_>) -> Result<Self, ClaimError> {
         let whole = Scene::built_in(scene)?;
         let continuous = continuous_information(&whole)?;
@@ -43,7 +45,8 @@ fn cube_and_tetrahedron(case: &Case<'_>) -> Result<[Gaps; 2], ClaimError> {
     ])
 }
 
-/// Every refinement says more than the one before, and none says as much as the limit; the number is the smallest gap.
+/// Every refinement has more mutual information than the one before, and none as much as the limit;
+/// the number is the smallest gap.
 pub(super) fn discretizing_loses(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let scenes = cube_and_tetrahedron(case)?;
     let mut holds = true;
@@ -60,7 +63,8 @@ pub(super) fn discretizing_loses(case: &Case<'_>) -> Result<Finding, ClaimError>
     Ok(Finding::statement(holds, smallest, error))
 }
 
-/// Halving the patches takes what is missing to at most `share` of itself, each time; the number is the largest share.
+/// Halving the patches reduces the gap to at most `share` of itself, each time; the number is the
+/// largest share.
 pub(super) fn continuous_limit_is_approached(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let (mut largest, mut error) = (f64::NEG_INFINITY, 0.0);
     for scene in cube_and_tetrahedron(case)? {
@@ -73,8 +77,9 @@ pub(super) fn continuous_limit_is_approached(case: &Case<'_>) -> Result<Finding,
     Ok(Finding::statement(holds, largest, error))
 }
 
-/// No grid of the cube says more than the limit, and regular ones come as near as one likes: for a gap proportional to the size of
-/// the patches `2 I(h/2) − I(h)` is the limit, and may miss it by `share` of the gap.
+/// No grid of the cube exceeds the limit, and regular ones come arbitrarily near: for a gap
+/// proportional to the size of the patches `2 I(h/2) − I(h)` is the limit, and may miss it by
+/// `share` of the gap.
 pub(super) fn continuous_is_least_upper_bound(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let continuous = continuous_information(&Scene::built_in("cube:1")?)?;
     let limit = case.number("limit_factor")? * continuous.mutual_information;

@@ -12,11 +12,11 @@ pub enum Quantity {
         /// Its stated error.
         error: f64,
     },
-    /// What is left of an identity, against what rounding may leave.
+    /// The residual of an identity, and the residual that rounding may leave.
     Residual {
         /// Largest deviation found, ≥ 0.
         value: f64,
-        /// What rounding may leave.
+        /// The residual that rounding may leave.
         tolerance: f64,
     },
 }
@@ -38,11 +38,11 @@ pub struct Finding {
     pub quantity: Quantity,
     /// Contains the exact number, if it is enclosed.
     pub enclosure: Option<Interval>,
-    /// Does the statement hold? `None` where the claim is a printed number to compare with.
+    /// Whether the statement holds; `None` where the claim is a printed number to compare with.
     pub holds: Option<bool>,
-    /// How strong the evidence is.
+    /// The grade of the evidence.
     pub grade: Grade,
-    /// What a reader should know, empty if nothing.
+    /// A note for the reader, empty if there is none.
     pub note: String,
     /// The figure's curve, if the claim has one: abscissa and ordinate.
     pub curve: Vec<[f64; 2]>,
@@ -85,7 +85,7 @@ impl Finding {
         self
     }
 
-    /// An identity, with what is left of it.
+    /// An identity, with its residual.
     #[must_use]
     pub fn residual(value: f64, tolerance: f64) -> Self {
         Self::new(

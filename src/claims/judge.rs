@@ -6,12 +6,12 @@ use super::{Case, ClaimError, Context, Finding, Inputs, Verdict};
 use crate::numeric::Grade;
 use rayon::prelude::*;
 
-/// A claim with what was found and the verdict.
+/// A claim with its finding and its verdict.
 #[derive(Debug, Clone)]
 pub struct Judgement {
     /// The claim.
     pub claim: Claim,
-    /// What was found; `None` if it is not computed.
+    /// The finding; `None` if the claim is not computed.
     pub finding: Option<Finding>,
     /// The verdict by the rule.
     pub verdict: Verdict,

@@ -1,10 +1,10 @@
 //! Every claim of the paper as data, its computation, and the rule that judges it.
 //!
-//! The claims stand in `data/paper/`, in paper order: place, quantity in our own words, printed value
-//! if there is one, the recorded verdict, the name and the inputs of the [`Computation`], a *control*,
-//! and the theorems of `proofs/` that prove the claim as it stands, or its contrary. One file per
-//! section computes; [`judge`] judges by the mechanical rule of [`Verdict`]. Computations that share
-//! something expensive find it in their [`Context`].
+//! The claims stand in `data/paper/`, in paper order: place, quantity in our own words, printed
+//! value if there is one, the recorded verdict, the name and the inputs of the [`Computation`], a
+//! *control*, and the theorems of `proofs/` that prove the claim as it stands, or its contrary. One
+//! file per section computes; [`judge`] judges by the mechanical rule of [`Verdict`]. Computations
+//! that share something expensive find it in their [`Context`].
 //!
 //! # How to read a verdict
 //!
@@ -19,10 +19,10 @@
 //! | undecided | anything else, with the reason |
 //! | not checked | not computed yet, with the reason |
 //!
-//! The evidence is a [`Grade`](crate::numeric::Grade). A theorem raises a finding that agrees with it
-//! to *proof* before the rule is applied; it never hides a computation that does not agree. A control
-//! changes the configuration, the formula or the printed number so that the verdict must turn; the
-//! theorems say nothing of it.
+//! The evidence is a [`Grade`](crate::numeric::Grade). A theorem raises a finding that agrees with
+//! it to *proof* before the rule is applied; it never hides a computation that does not agree. A
+//! control changes the configuration, the formula or the printed number so that the verdict must
+//! turn; the theorems say nothing of it.
 //!
 //! **Not here**: printing.
 

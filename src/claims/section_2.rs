@@ -70,8 +70,8 @@ pub(super) fn information_is_a_difference(case: &Case<'_>) -> Result<Finding, Cl
     Ok(Finding::residual(deviation, tolerance::IDENTITY))
 }
 
-/// `H(w) − Σ_i w_i H(next | i)` against `H(w) − Σ_j w_j H(previous | j)`; with `skew` the flow from i to
-/// j < i is made larger than the flow back, so that reciprocity fails.
+/// `H(w) − Σ_i w_i H(next | i)` against `H(w) − Σ_j w_j H(previous | j)`; with `skew` the flow from
+/// i to j < i is made larger than the flow back, so that reciprocity fails.
 pub(super) fn information_is_mutual(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let skew = case.number("skew")?;
     let mut random = RandomChains::new(case.count("seed")?.into());

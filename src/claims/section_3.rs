@@ -13,8 +13,8 @@ use crate::numeric::{
 };
 use crate::scene::Scene;
 
-/// The smallest `I′ − I`, each from its own chain by eq. (3). `dilution` mixes the refined joint matrix
-/// with the independent one, which keeps its weights and breaks hypothesis (b).
+/// The smallest `I′ − I`, each from its own chain by eq. (3). `dilution` mixes the refined joint
+/// matrix with the independent one, which keeps its weights and breaks hypothesis (b).
 pub(super) fn theorem_1(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let dilution = case.number("dilution")?;
     let mut random = RandomChains::new(case.count("seed")?.into());
@@ -39,8 +39,8 @@ pub(super) fn theorem_1(case: &Case<'_>) -> Result<Finding, ClaimError> {
     Ok(Finding::statement(holds, smallest, tolerance::IDENTITY).sampled())
 }
 
-/// Patch 0 of a cube cut at `position`: `I′ − I` of the two chains against eq. (5), first line, with the
-/// parts of a cut at `formula_position`.
+/// Patch 0 of a cube cut at `position`: `I′ − I` of the two chains against eq. (5), first line,
+/// with the parts of a cut at `formula_position`.
 pub(super) fn pair_increases_add_up(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let scene = cube(case)?;
     let chain_of = |name| -> Result<_, ClaimError> {
@@ -69,7 +69,8 @@ pub(super) fn pair_increases_add_up(case: &Case<'_>) -> Result<Finding, ClaimErr
     Ok(Finding::residual(deviation, tolerance::IDENTITY))
 }
 
-/// Both lines of eq. (5) for every pair of a random refinement, the first sub-state's flux times `cover`.
+/// Both lines of eq. (5) for every pair of a random refinement, the first sub-state's flux times
+/// `cover`.
 pub(super) fn destination_weight_drops_out(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let cover = case.number("cover")?;
     let mut random = RandomChains::new(case.count("seed")?.into());
@@ -95,8 +96,8 @@ pub(super) fn destination_weight_drops_out(case: &Case<'_>) -> Result<Finding, C
     Ok(Finding::residual(worst, tolerance::IDENTITY).sampled())
 }
 
-/// `(w/m) Σ P_k log P_k − w P log P`, w = 1, against the gain of fluxes `w_k P_k`; with `lopsidedness` the first
-/// part takes that much more weight.
+/// `(w/m) Σ P_k log P_k − w P log P`, w = 1, against the gain of fluxes `w_k P_k`; with
+/// `lopsidedness` the first part takes that much more weight.
 pub(super) fn regular_form(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let lopsidedness = case.number("lopsidedness")?;
     let mut random = RandomChains::new(case.count("seed")?.into());
@@ -218,8 +219,8 @@ fn argmax(count: usize, value: impl Fn(usize) -> f64) -> usize {
     (0..count).fold(0, |best, i| if value(i) > value(best) { i } else { best })
 }
 
-/// (a) `A_k F_kj = A_j F_jk`, each from its own side; (b) `Σ_k A_k F_kj = A_i F_ij`, with a `gap` left between the
-/// parts.
+/// (a) `A_k F_kj = A_j F_jk`, each from its own side; (b) `Σ_k A_k F_kj = A_i F_ij`, with a `gap`
+/// left between the parts.
 pub(super) fn split_patches_fulfil_the_hypotheses(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let scene = cube(case)?;
     let (position, gap) = (case.number("position")?, case.number("gap")?);

@@ -1,4 +1,5 @@
-//! §3.4 and §3.5: the chains of radiosity and importance, on cubes whose patches reflect, emit and matter unevenly.
+//! §3.4 and §3.5: the chains of radiosity and importance, on cubes whose patches reflect, emit and
+//! matter unevenly.
 
 use super::{Case, ClaimError, Finding};
 use crate::chain::{brightness_chain, continuous_chain};
@@ -237,8 +238,8 @@ pub(super) fn even_light_is_visibility(case: &Case<'_>) -> Result<Finding, Claim
     Ok(Finding::residual(worst, tolerance::CLOSURE))
 }
 
-/// Two patches that see only each other, one of which emits: the row sum `R_1 F_12 B/(B_1 − E_1)` with B_1 in the numerator as
-/// printed, or B_2.
+/// Two patches that see only each other, one of which emits: the row sum `R_1 F_12 B/(B_1 − E_1)`
+/// with B_1 in the numerator as printed, or B_2.
 pub(super) fn printed_rows_of_light(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let reflectance = case.interval("reflectance")?;
     let one = reflectance.constant(1.0);
@@ -277,7 +278,8 @@ pub(super) fn continuous_light_extends_discrete(case: &Case<'_>) -> Result<Findi
     Ok(Finding::residual(worst, tolerance::CLOSURE))
 }
 
-/// What walks of so many steps may be off by: three roundings a step in the weight, one in the sum.
+/// The error that rounding may leave in walks: three roundings a step in the weight, one in the
+/// sum.
 fn walk_rounding(walks: &Walks) -> f64 {
     4.0 * f64::from(walks.longest + 6) * f64::EPSILON
 }
@@ -299,7 +301,7 @@ pub(super) fn null_variance_gathering(case: &Case<'_>) -> Result<Finding, ClaimE
     Ok(Finding::residual(worst, allowed).sampled())
 }
 
-/// The same of shooting walks and the power `A_k B_k`, for several V = δ_k.
+/// The farthest that any shooting walk was from the power `A_k B_k`, relative, for several V = δ_k.
 pub(super) fn null_variance_shooting(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let lit = Lit::new(case)?;
     let room = Interreflection::of(&lit.exchange, &lit.materials)?;

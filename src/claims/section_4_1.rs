@@ -34,7 +34,8 @@ pub(super) fn discontinuity_beats_darker_cuts(case: &Case<'_>) -> Result<Finding
         .with_curve(curve))
 }
 
-/// Cuts through the lit part, with a constant point-to-point form factor (`uniform`) or the true one.
+/// Cuts through the lit part, with a constant point-to-point form factor (`uniform`) or the true
+/// one.
 pub(super) fn discontinuity_beats_lit_cuts(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let line = case.number("line")?;
     let shadow = ContactShadow::try_new(line)?;
@@ -96,7 +97,8 @@ fn certified(split: &PatchSplit, case: &Case<'_>) -> Result<CertifiedMaximum, Cl
     }
 }
 
-/// The proved place of the maximum: of several that are equally high as far as enclosed, any may be it.
+/// The proved place of the maximum: of several that are equally high as far as enclosed, any may be
+/// it.
 fn certified_place(split: &PatchSplit, case: &Case<'_>) -> Result<CertifiedMaximum, ClaimError> {
     let best = certified(split, case)?;
     only_place(&best.certificate)?;
@@ -131,7 +133,8 @@ pub(super) fn orthogonal_cut_gains_little(case: &Case<'_>) -> Result<Finding, Cl
     Ok(finding.noting(note).with_curve(curve(&orthogonal)?))
 }
 
-/// The gain of two equal fluxes is enclosed about 0; that it is 0 is the theorem named in the claim's data.
+/// The gain of two equal fluxes is enclosed about 0; that it is 0 is the theorem named in the
+/// claim's data.
 pub(super) fn orthogonal_middle_gains_nothing(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let position = case.interval("position")?;
     let gain = two_squares(SplitAxis::V)?
@@ -195,8 +198,8 @@ pub(super) fn best_corner_cut(case: &Case<'_>) -> Result<Finding, ClaimError> {
     Ok(Finding::enclosed(best.position).noting(note))
 }
 
-/// At `fraction` of the two-square optimum the slope of the orthogonal gain must be negative: it grows
-/// towards the edge.
+/// At `fraction` of the two-square optimum the slope of the orthogonal gain must be negative: it
+/// grows towards the edge.
 pub(super) fn orthogonal_slope_explains_the_shift(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let pair = certified_place(&two_squares(SplitAxis::U)?, case)?.position;
     let three = certified_place(&corner(2)?, case)?.position;
@@ -215,11 +218,13 @@ pub(super) fn orthogonal_slope_explains_the_shift(case: &Case<'_>) -> Result<Fin
     Ok(Finding::decided(holds, fails, slope).noting(note))
 }
 
-/// Lines at t and 1 − t of both axes of every face, the only reading of fig. 4 found that fits all it says: one number, "the
-/// displacement of a nearest subdivision to a common edge", from 0 to 10, places all lines, so they are mirror images of each other and 10
-/// is where they meet, in the middle: t = x/20. With four lines or more one number would leave some open, with one line none would move.
-/// Then the maximum is at 6.05, "near to 6", "a bit displaced towards the edges" from the regular grid at 20/3 = 6.67, and 2 and 8
-/// lie on either side of it. With t = x/10 it would be at 3.03.
+/// Lines at t and 1 − t of both axes of every face, the only reading of fig. 4 found that fits all
+/// it says: one number, "the displacement of a nearest subdivision to a common edge", from 0 to 10,
+/// places all lines, so they are mirror images of each other and 10 is where they meet, in the
+/// middle: t = x/20. With four lines or more one number would leave some open, with one line none
+/// would move. Then the maximum is at 6.05, "near to 6", "a bit displaced towards the edges" from
+/// the regular grid at 20/3 = 6.67, and 2 and 8 lie on either side of it. With t = x/10 it would be
+/// at 3.03.
 fn three_cells<S: Scalar>(t: &S) -> Result<S, ClaimError> {
     let grid = BoxGrid::mirrored(UNIT_CUBE, std::slice::from_ref(t), 3, t)?;
     Ok(grid.mutual_information()?)

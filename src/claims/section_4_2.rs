@@ -10,8 +10,8 @@ fn cut(case: &Case<'_>) -> Result<GradientCut, ClaimError> {
     Ok(GradientCut::try_new(case.number("exponent")?, irradiance)?)
 }
 
-/// The printed expression against eq. (5), its fluxes ∫B and weights ∫B H by quadrature of the profile
-/// itself, H the irradiance; no emission and constant reflectance make H ∝ B.
+/// The printed expression against eq. (5), its fluxes ∫B and weights ∫B H by quadrature of the
+/// profile itself, H the irradiance; no emission and constant reflectance make H ∝ B.
 pub(super) fn objective_follows(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let (n, m) = (
         case.number("exponent")?,
@@ -35,8 +35,9 @@ pub(super) fn objective_follows(case: &Case<'_>) -> Result<Finding, ClaimError> 
     Ok(Finding::residual(largest(deviations), tolerance::IDENTITY).noting(note))
 }
 
-/// The best line of all at each whole degree from the one across the gradient to the one along it, against the best at
-/// `reference_angle`, for n = 1, 2, … up to `largest_exponent`; the curve is that of n = 1, in bits.
+/// The best line of all at each whole degree from the one across the gradient to the one along it,
+/// against the best at `reference_angle`, for n = 1, 2, … up to `largest_exponent`; the curve is
+/// that of n = 1, in bits.
 pub(super) fn best_cut_is_perpendicular(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let m = case.number("irradiance_exponent")?;
     let reference = case.number("reference_angle")?;

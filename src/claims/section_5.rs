@@ -35,8 +35,8 @@ fn enclosed_information(scene: &Scene, like: &Interval) -> Result<Interval, Clai
     Ok(relative_entropy(&total, &total.square(), &pairs) / &total)
 }
 
-/// With B = 1 the radiosity chain is the visibility chain, so the true gain is `I′ − I` of the unit cube
-/// with one face cut, and Σw = A_T.
+/// With B = 1 the radiosity chain is the visibility chain, so the true gain is `I′ − I` of the unit
+/// cube with one face cut, and Σw = A_T.
 pub(super) fn printed_gain_is_not_normalised(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let position = case.number("position")?;
     let like = case.interval("position")?;
@@ -82,11 +82,13 @@ fn ratio_to_truth(ratio: Interval, total: f64, case: &Case<'_>) -> Result<Findin
         ratio.to_f64()
     );
     let fails = ratio.intersection(&one).is_none();
-    // an equality cannot be enclosed, only refuted; the control comes to within its enclosure and is left open
+    // an equality cannot be enclosed, only refuted; the control comes to within its enclosure and
+    // is left open
     Ok(Finding::decided(false, fails, ratio).noting(note))
 }
 
-/// Three equal strips of two facing squares, `far` being the share below which the potential counts as far.
+/// Three equal strips of two facing squares, `far` being the share below which the potential counts
+/// as far.
 pub(super) fn potential_is_far_from_real_gain(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let scene = Scene::facing_squares(case.number("distance")?)?;
     let far = case.interval("far")?;
@@ -97,7 +99,8 @@ pub(super) fn potential_is_far_from_real_gain(case: &Case<'_>) -> Result<Finding
     Ok(Finding::decided(share < far, share > far, share))
 }
 
-/// Two halves with form factors F (1 ± g), g from 0 to 1; with `flux_loss` the total falls as g grows.
+/// Two halves with form factors F (1 ± g), g from 0 to 1; with `flux_loss` the total falls as g
+/// grows.
 pub(super) fn gain_grows_with_gradient(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let loss = case.number("flux_loss")?;
     let gain = |g: f64| {
@@ -116,8 +119,8 @@ pub(super) fn gain_grows_with_gradient(case: &Case<'_>) -> Result<Finding, Claim
     Ok(finding.sampled().with_curve(curve))
 }
 
-/// Fluxes 1 + d and 1 − d of equal parts, as doubles: the error of the expression as printed, and of the sum of
-/// non-negative terms.
+/// Fluxes 1 + d and 1 − d of equal parts, as doubles: the error of the expression as printed, and
+/// of the sum of non-negative terms.
 pub(super) fn printed_gain_is_unstable(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let d = case.number("difference")?;
     let like = case.interval("difference")?;

@@ -16,7 +16,7 @@ use crate::numeric::Grade;
 use crate::numeric::Interval;
 use crate::numeric::interval::Endpoint;
 
-/// What a claim comes to.
+/// The verdict on a claim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
@@ -90,7 +90,7 @@ impl Verdict {
     }
 }
 
-/// How a finding lies to what is claimed.
+/// The relation of a finding to the claim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Agreement {
     /// Inside what is printed, or the statement holds.

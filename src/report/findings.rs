@@ -16,6 +16,12 @@ use crate::study::Row;
 use crate::study::profiles::{PROFILES, ProfileRow, profiles};
 use crate::study::stability::gain_stability;
 
+/// The claims about constant radiosity: the gain, and its maximum.
+const CONSTANT: [&str; 2] = [
+    "s5-gain-for-constant-radiosity",
+    "s5-maximum-for-constant-radiosity",
+];
+
 const TEMPLATE: &str = include_str!("templates/findings.md");
 
 /// Bits of the enclosures: far more than the digits shown.
@@ -28,8 +34,8 @@ const CUT: f64 = 1e-9;
 /// The page in Markdown, from the judgements of all claims.
 ///
 /// # Errors
-/// [`PageError`] if a claim is missing, a computation fails, a number is not certain to the decimals
-/// shown, or a sentence no longer holds.
+/// [`PageError`] if a claim is missing, a computation fails, a number is not certain to the
+/// decimals shown, or a sentence no longer holds.
 pub fn findings_page(judgements: &[Judgement]) -> Result<String, PageError> {
     let claims = Claims(judgements);
     let mut texts = Texts::default();
@@ -78,16 +84,18 @@ fn verdicts(claims: &Claims<'_>, texts: &mut Texts) -> Result<(), PageError> {
         ("below_verdict", "s2-discrete-below-continuous"),
         ("transitions_verdict", "s34-discrete-transitions"),
         ("objective_verdict", "s42-objective"),
-        ("gain_verdict", "s5-gain-for-constant-radiosity"),
-        ("maximum_verdict", "s5-maximum-for-constant-radiosity"),
+        ("constant_verdict", CONSTANT[0]),
         ("unstable_verdict", "s5-unstable-logarithms"),
         ("figure_5_verdict", "fig5-regular"),
     ] {
         texts.text(name, claims.verdict(id)?);
     }
-    let figure = claims.verdict("fig5-regular")?;
-    for id in ["fig5-optimal", "fig5-bad"] {
-        PageError::unless(claims.verdict(id)? == figure, "fig. 5 has one verdict")?;
+    let figures = ["fig5-regular", "fig5-optimal", "fig5-bad"];
+    for ids in [figures.as_slice(), &CONSTANT] {
+        for pair in ids.windows(2) {
+            let [first, second] = [claims.verdict(pair[0])?, claims.verdict(pair[1])?];
+            PageError::unless(first == second, "claims named together have one verdict")?;
+        }
     }
     Ok(())
 }
@@ -130,10 +138,11 @@ fn cuts(texts: &mut Texts) -> Result<(), PageError> {
 
 /// §5: the missing factor, and the digits that forms of the gain keep.
 fn gains(claims: &Claims<'_>, texts: &mut Texts) -> Result<(), PageError> {
-    let ratio = |id| claims.enclosure(id);
-    texts.enclosed("gain_ratio", ratio("s5-gain-for-constant-radiosity")?, 3)?;
-    let maximum = ratio("s5-maximum-for-constant-radiosity")?;
-    texts.enclosed("maximum_ratio", maximum, 3)?;
+    let [gain, maximum] = CONSTANT.map(|id| claims.enclosure(id));
+    let (gain, maximum) = (gain?, maximum?);
+    let are_equal = gain.intersection(maximum).is_some();
+    PageError::unless(are_equal, "gain and maximum lack one factor")?;
+    texts.enclosed("constant_ratio", gain, 0)?;
     let digits = claims.enclosure("s5-unstable-logarithms")?.to_f64();
     let left = if digits > 0.0 {
         format!("{digits:.0}")
@@ -257,32 +266,50 @@ fn extreme(
     largest.ok_or_else(|| PageError::without("a profile", "study profiles"))
 }
 
+/// The pairs of cuts of the wanted profiles under one reading of the irradiance.
+fn pairs<'r>(
+    rows: &'r [ProfileRow],
+    irradiance: &'r str,
+    is_wanted: fn(&Profile) -> bool,
+) -> impl Iterator<Item = Pair> + 'r {
+    rows.iter().filter_map(move |row| {
+        let (case, profile) = PROFILES.iter().find(|(case, _)| *case == row.case)?;
+        let is_row = row.irradiance == irradiance && is_wanted(profile);
+        Some(Pair {
+            case,
+            information: row.information.filter(|_| is_row)?,
+            square: row.square,
+        })
+    })
+}
+
 fn profile_cuts(texts: &mut Texts) -> Result<(), PageError> {
     let rows = profiles()?;
-    let pairs = |irradiance: &'static str, is_wanted: fn(&Profile) -> bool| {
-        let of = move |row: &ProfileRow| {
-            let (case, profile) = PROFILES.iter().find(|(case, _)| *case == row.case)?;
-            let is_row = row.irradiance == irradiance && is_wanted(profile);
-            let information = row.information.filter(|_| is_row)?;
-            let square = row.square;
-            Some(Pair {
-                case,
-                information,
-                square,
-            })
-        };
-        rows.iter().filter_map(of)
-    };
-    let monotone = |profile: &Profile| !is_inner_bump(profile);
+    monotone(&rows, texts)?;
+    for step in pairs(&rows, PROPORTIONAL, |p| matches!(p, Profile::Step { .. })) {
+        PageError::unless(step.apart() <= 0.0, "at a jump both cuts are the jump")?;
+    }
+    narrow_bump(&rows, texts)?;
+    let mut constant = rows.iter().filter(|row| row.irradiance == "constant");
+    let gains_nothing = constant.all(|row| row.information.is_none_or(|cut| cut.gain <= 0.0));
+    PageError::unless(gains_nothing, "constant irradiance: no cut gains anything")
+}
+
+/// The reading in which the irradiance is proportional to the radiosity.
+const PROPORTIONAL: &str = "∝ B";
+
+fn monotone(rows: &[ProfileRow], texts: &mut Texts) -> Result<(), PageError> {
+    let is_monotone = |profile: &Profile| !is_inner_bump(profile);
     for (irradiance, apart, case) in [
-        ("∝ B", "monotone_apart", "monotone_case"),
+        (PROPORTIONAL, "monotone_apart", "monotone_case"),
         ("∝ B − ½ lowest B", "emitting_apart", "emitting_case"),
     ] {
-        let farthest = extreme(pairs(irradiance, monotone), Pair::apart)?;
+        let farthest = extreme(pairs(rows, irradiance, is_monotone), Pair::apart)?;
         texts.number(apart, Bounded::estimate(farthest.apart(), CUT), 3)?;
         texts.text(case, farthest.case.to_owned());
     }
-    let costly = extreme(pairs("∝ B", monotone), |pair| -pair.kept())?;
+    let all = pairs(rows, PROPORTIONAL, is_monotone);
+    let costly = extreme(all, |pair| -pair.kept())?;
     let excess = costly.information.square_error / costly.square.square_error - 1.0;
     texts.text("costly_case", costly.case.to_owned());
     for (name, value, decimals) in [
@@ -293,29 +320,21 @@ fn profile_cuts(texts: &mut Texts) -> Result<(), PageError> {
     ] {
         texts.number(name, Bounded::estimate(value, 100.0 * CUT), decimals)?;
     }
-    for step in pairs("∝ B", |profile| matches!(profile, Profile::Step { .. })) {
-        PageError::unless(step.apart() <= 0.0, "at a jump both cuts are the jump")?;
-    }
-    let narrow = pairs("∝ B", is_inner_bump).filter(|pair| pair.case == BUMP);
+    Ok(())
+}
+
+fn narrow_bump(rows: &[ProfileRow], texts: &mut Texts) -> Result<(), PageError> {
+    let narrow = pairs(rows, PROPORTIONAL, is_inner_bump).filter(|pair| pair.case == BUMP);
     let bump = extreme(narrow, Pair::apart)?;
     texts.text("bump_case", bump.case.to_owned());
     let sigmas = |cut: &JudgedCut| Bounded::estimate((cut.position - 0.5).abs() / 0.05, 20.0 * CUT);
     texts.number("bump_information", sigmas(&bump.information), 2)?;
     texts.number("bump_square", sigmas(&bump.square), 2)?;
-    texts.number(
-        "bump_kept",
-        Bounded::estimate(100.0 * bump.kept(), 100.0 * CUT),
-        0,
-    )?;
-    let constant = rows.iter().filter(|row| row.irradiance == "constant");
-    let gains_nothing = constant.clone().count() > 0
-        && constant
-            .into_iter()
-            .all(|row| row.information.is_none_or(|cut| cut.gain <= 0.0));
-    PageError::unless(gains_nothing, "constant irradiance: no cut gains anything")
+    let kept = Bounded::estimate(100.0 * bump.kept(), 100.0 * CUT);
+    texts.number("bump_kept", kept, 0)
 }
 
-/// The narrow bump of the page: its centre 0.5 and width 0.05 are in `profile_cuts`.
+/// The narrow bump of the page: `narrow_bump` has its centre 0.5 and width 0.05.
 const BUMP: &str = "bump at 0.5, σ 0.05";
 
 fn is_inner_bump(profile: &Profile) -> bool {

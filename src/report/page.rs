@@ -43,7 +43,7 @@ pub enum PageError {
     /// Something that a page needs is not there.
     #[error("there is not {what} of {owner}")]
     Missing {
-        /// What is missing.
+        /// The missing thing.
         what: &'static str,
         /// The claim or study that should have it.
         owner: String,
@@ -154,7 +154,7 @@ fn decimal_text(name: &'static str, number: Bounded, decimals: u32) -> Result<St
     let unit = 0.1f64.powi(decimals.try_into().unwrap_or(i32::MAX));
     if value.is_finite() && error <= 0.5 * unit {
         let places = usize::try_from(decimals).unwrap_or(0);
-        return Ok(format!("{value:.places$}"));
+        return Ok(format!("{value:.places$}").replace('-', "−"));
     }
     Err(PageError::Uncertain {
         name,

@@ -197,7 +197,7 @@ pub fn curve_report(curve: &[[f64; 2]]) -> Result<Report, ReportError> {
     Report::list(table, "points", &points)
 }
 
-/// The same points as a figure, with what the axes measure.
+/// The figure of a claim's curve, with the labels of its axes.
 #[must_use]
 pub fn curve_figure(axes: &[String; 2], curve: &[[f64; 2]]) -> Figure {
     let [x, y] = axes.each_ref().map(|label| Axis {

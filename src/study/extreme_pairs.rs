@@ -2,8 +2,8 @@
 //!
 //! Aspect ratios, gaps, angles, distances, sizes, slivers and needles, each far beyond what scenes
 //! hold. Every route is asked for all it can give (tolerance 0), the chooser for the default
-//! tolerance; each value is judged by the [`Truth`] of the corners as they are in `f64`, computed in
-//! the run.
+//! tolerance; each value is judged by the [`Truth`] of the corners as they are in `f64`, computed
+//! in the run.
 //!
 //! Where rounding of the corners took digits before any route saw them, the row says how many:
 //! `input_error` is the relative difference between the exact values of the pair as rounded and of
@@ -36,7 +36,8 @@ pub struct StabilityRow {
     pub route: Option<&'static str>,
     /// The relative change of the exact value by rounding of the corners, where the pair was moved.
     pub input_error: Option<f64>,
-    /// The relative uncertainty of the exact value: an enclosure's width, or a reference's estimate.
+    /// The relative uncertainty of the exact value: an enclosure's width, or a reference's
+    /// estimate.
     pub uncertainty: Option<f64>,
 }
 
@@ -66,8 +67,8 @@ pub const ROUTES: [Route; 4] = [
 
 /// The rows of the study: for each pair the chooser's and those of the routes that serve it.
 ///
-/// Each evaluation is repeated `repetitions` times for its time; `is_quick` leaves out the pairs whose
-/// exact value takes a second and more.
+/// Each evaluation is repeated `repetitions` times for its time; `is_quick` leaves out the pairs
+/// whose exact value takes a second and more.
 ///
 /// # Errors
 /// [`StudyError`] if a pair has no exact value, which the tests exclude.

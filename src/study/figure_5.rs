@@ -1,8 +1,9 @@
-//! Fig. 5 read as plug-in estimates from random lines: one number of lines fitted, three printed values.
+//! Fig. 5 read as plug-in estimates from random lines: one number of lines fitted, three printed
+//! values.
 //!
-//! [`BoxGrid`] gives the expected values; each grid is also sampled, all with the same lines, so that
-//! the differences between grids are known better than the values. Lines start from points of the
-//! faces; in a cube the chords of global lines are the same.
+//! [`BoxGrid`] gives the expected values; each grid is also sampled, all with the same lines, so
+//! that the differences between grids are known better than the values. Lines start from points of
+//! the faces; in a cube the chords of global lines are the same.
 
 use super::StudyError;
 use crate::claims::{ClaimError, Printed, registry, samples_for};
@@ -14,22 +15,22 @@ use crate::scene::GridLines;
 /// One grid.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Figure5Row {
-    /// What grid it is.
+    /// The grid in words.
     pub case: &'static str,
     /// Its lines, in units of the edge.
     pub lines: Vec<f64>,
-    /// As the paper has it, in bits.
+    /// The printed value, in bits.
     pub printed: Option<f64>,
     /// The exact value, in bits.
     pub mutual_information: f64,
-    /// Lines N at which the plug-in estimate has the printed value on average, and for half a unit of its last decimal more and
-    /// less; none where the printed value is below the exact one.
+    /// Lines N at which the plug-in estimate has the printed value on average, and for half a unit
+    /// of its last decimal more and less; none where the printed value is below the exact one.
     pub samples_for_printed: Option<[u64; 3]>,
     /// The N of the regular grid.
     pub samples: u64,
     /// The expected value of the plug-in estimate from N lines with known weights, in bits.
     pub expected: f64,
-    /// The same with counted weights.
+    /// The expected value with counted weights.
     pub expected_with_counted_weights: f64,
     /// The standard deviation of one estimate, by formula.
     pub deviation: f64,
@@ -104,7 +105,8 @@ struct Sample {
 }
 
 impl Sample {
-    /// The plug-in estimates of a grid, one for each run; lines of one seed are the same for all grids.
+    /// The plug-in estimates of a grid, one for each run; lines of one seed are the same for all
+    /// grids.
     fn estimates(&self, grid: &BoxGrid) -> Result<Vec<f64>, StudyError> {
         let lines = u32::try_from(self.samples).unwrap_or(u32::MAX);
         let estimate = |seed| Ok(grid.sample(lines, seed)?.counts.plug_in());
@@ -167,7 +169,8 @@ fn printed(id: &str) -> Result<Printed, ClaimError> {
     claim.and_then(|claim| claim.printed).ok_or_else(unknown)
 }
 
-/// The part of the bias that counted weights take off: each cell is an end of a binomial number of lines.
+/// The part of the bias that counted weights take off: each cell is an end of a binomial number of
+/// lines.
 fn bias_of_weights(grid: &BoxGrid, samples: u64) -> Result<f64, StudyError> {
     let areas = GridLines::try_new(UNIT_CUBE, grid.lines())?.areas();
     let total = compensated_sum(areas.iter().copied());

@@ -1,13 +1,15 @@
 //! Error against run time of mutual information from sampled lines, beside the closed forms.
 //!
-//! For growing numbers N of lines, several seeds each: the mean error (bias) and the root of the mean square error of the plug-in
-//! estimate, less Miller and Madow's bias, and corrected; by local and by global lines. Where cells are met often the corrected
-//! error falls as `N^(−1/2)`; the plug-in has its bias of `(K − 1)/(2N ln 2)` on top, which governs until `N ≈ K²/(4 σ² ln² 2)`, K
+//! For growing numbers N of lines, several seeds each: the mean error (bias) and the root of the
+//! mean square error of the plug-in estimate, less Miller and Madow's bias, and corrected; by local
+//! and by global lines. Where cells are met often the corrected error falls as `N^(−1/2)`; the
+//! plug-in has its bias of `(K − 1)/(2N ln 2)` on top, which governs until `N ≈ K²/(4 σ² ln² 2)`, K
 //! cells, σ² the variance of one sample. [`slope`] measures it.
 //!
-//! Quasi-random lines (five dimensions, shifted at random) were tried and are not here. Where every cell is met a thousand times they
-//! came five to eight times nearer (cube of 6 and 24 patches, 10⁶ lines); where cells are met fifty times they came no nearer than the corrected
-//! estimate, whose correction and standard error do not hold for them.
+//! Quasi-random lines (five dimensions, shifted at random) were tried and are not here. Where every
+//! cell is met a thousand times they came five to eight times nearer (cube of 6 and 24 patches, 10⁶
+//! lines); where cells are met fifty times they came no nearer than the corrected estimate, whose
+//! correction and standard error do not hold for them.
 
 use super::StudyError;
 use crate::form_factor::DEFAULT_TOLERANCE;
@@ -17,7 +19,7 @@ use crate::information::{
 use crate::scene::{Congruence, Scene, ScenePairs};
 use std::time::Instant;
 
-/// How an estimate is made of a sample.
+/// The estimates made of a sample.
 pub const METHODS: [&str; 3] = ["plug-in", "miller-madow", "corrected"];
 
 /// One method with one number of lines, or the closed forms.
@@ -29,7 +31,7 @@ pub struct SamplingRow {
     pub patches: usize,
     /// `"closed-forms"`, or one of [`METHODS`].
     pub method: &'static str,
-    /// How lines are drawn.
+    /// The kind of the lines.
     pub kind: Option<&'static str>,
     /// Lines.
     pub lines: Option<u32>,
@@ -43,13 +45,13 @@ pub struct SamplingRow {
     pub relative_error: f64,
     /// The mean error.
     pub bias: Option<f64>,
-    /// Of the plug-in estimate: its bias by the exact probabilities.
+    /// The bias of the plug-in estimate by the exact probabilities.
     pub expected_bias: Option<f64>,
     /// The root of the mean square of the standard errors.
     pub standard_error: Option<f64>,
     /// The mean part of the samples that are alone in their cell.
     pub unseen: Option<f64>,
-    /// Do all the samples have an interval?
+    /// Whether all the samples have an interval.
     pub has_interval: bool,
     /// Time of one estimate, in seconds.
     pub seconds: f64,
@@ -195,8 +197,8 @@ impl Sums {
     }
 }
 
-/// The slope of the logarithm of the error over that of the lines, by least squares with the seeds as weights, over the rows that
-/// have an interval; `None` for fewer than two.
+/// The slope of the logarithm of the error over that of the lines, by least squares with the seeds
+/// as weights, over the rows that have an interval; `None` for fewer than two.
 #[must_use]
 pub fn slope<'r>(rows: impl IntoIterator<Item = &'r SamplingRow>) -> Option<f64> {
     let seen = rows.into_iter().filter(|row| row.has_interval);

@@ -1,12 +1,14 @@
-//! What solvers keep of radiosities in stiff scenes.
+//! Digits that solvers keep of radiosities in stiff scenes.
 //!
-//! Reflectances up to 1 − 1e-12, two rooms that hardly see each other, emission over thirty orders of magnitude. Each
-//! method is given the same joint matrix in `f64`, and judged by the [enclosure](exact_radiosities) of its exact solution; the error is
-//! that of the worst patch, relative to its own radiosity.
+//! Reflectances up to 1 − 1e-12, two rooms that hardly see each other, emission over thirty orders
+//! of magnitude. Each method is given the same joint matrix in `f64`, and judged by the
+//! [enclosure](exact_radiosities) of its exact solution; the error is that of the worst patch,
+//! relative to its own radiosity.
 //!
 //! * `chosen`: [`Interreflection::radiosity`];
 //! * `elimination`: LU with pivots of `I − R F`, the usual way for few patches;
-//! * `bounces`: `B ← E + R F B` until no patch changes by 1e-14 of itself, the usual way for many, 10,000 times at most.
+//! * `bounces`: `B ← E + R F B` until no patch changes by 1e-14 of itself, the usual way for many,
+//!   10,000 times at most.
 
 use super::StudyError;
 use super::extreme_pairs::{CHOSEN, StabilityRow};
@@ -23,7 +25,7 @@ const JUDGE: u32 = 256;
 /// A closed scene: what its patches exchange, reflect and emit.
 #[derive(Debug, Clone)]
 pub struct StiffScene {
-    /// What makes it stiff.
+    /// The property that makes it stiff.
     pub name: String,
     /// Exchange areas, symmetric.
     pub exchange: DMatrix<f64>,
@@ -149,8 +151,8 @@ fn uneven_cubes(cube: &DMatrix<f64>) -> [StiffScene; 2] {
     ]
 }
 
-/// The radiosities of a closed scene, enclosed: elimination without pivots of `A_i B_i − R_i Σ_j J_ij B_j = A_i E_i` with ends
-/// of `bits` bits.
+/// The radiosities of a closed scene, enclosed: elimination without pivots of
+/// `A_i B_i − R_i Σ_j J_ij B_j = A_i E_i` with ends of `bits` bits.
 ///
 /// **Returns** `None` if a pivot may be 0 at this precision.
 #[must_use]

@@ -1,8 +1,9 @@
-//! How much variance random walks have, by what steers them (§3.4, §3.5).
+//! The variance of random walks, by the probabilities that steer them (§3.4, §3.5).
 //!
-//! A cube of 150 patches, each with a reflectance and an emittance of its own. Walks are steered by the form factors alone, and
-//! by the null-variance probabilities of a solution that is a share off at random, from all digits right to none. The error is the
-//! standard deviation of one walk, relative to the exact value: so many times less is that of the mean of so many walks, squared.
+//! A cube of 150 patches, each with a reflectance and an emittance of its own. Walks are steered by
+//! the form factors alone, and by the null-variance probabilities of a solution that is a share off
+//! at random, from all digits right to none. The error is the standard deviation of one walk,
+//! relative to the exact value: so many times less is that of the mean of so many walks, squared.
 
 use super::{Row, StudyError};
 use crate::numeric::compensated_sum;
@@ -13,7 +14,7 @@ use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::time::Instant;
 
-/// How far the solution that steers is off, at most, relative to itself.
+/// The largest relative errors of the solution that steers.
 const OFF: [f64; 7] = [0.0, 1e-8, 1e-6, 1e-4, 1e-2, 0.1, 0.5];
 
 /// The patch that walks gather at, and the one that is looked at.

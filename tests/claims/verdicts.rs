@@ -43,8 +43,8 @@ fn every_verdict_turns_under_its_control() {
     }
 }
 
-/// A printed number two units of its last decimal off is refuted, or undecided where the paper leaves its
-/// configuration open.
+/// A printed number two units of its last decimal off is refuted, or undecided where the paper
+/// leaves its configuration open.
 #[test]
 fn every_printed_number_is_compared() {
     let mut compared = 0;
