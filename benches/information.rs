@@ -7,7 +7,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use infoscene::chain::{ReversibleChain, visibility_chain};
-use infoscene::claims::{DEFAULT_PRECISION, judge, judge_all, registry};
+use infoscene::claims::{Context, judge, judge_all, registry};
 use infoscene::discretize::{BestGrid, BoxGrid, GradientCut, PatchSplit, UNIT_CUBE};
 use infoscene::form_factor::DEFAULT_TOLERANCE;
 use infoscene::geometry::SplitAxis;
@@ -123,14 +123,15 @@ fn grids(criterion: &mut Criterion) {
 
 fn reproduction(criterion: &mut Criterion) {
     let claims = registry().unwrap();
+    let context = Context::default();
     for claim in &claims {
-        let judgement = judge(claim, DEFAULT_PRECISION).unwrap();
+        let judgement = judge(claim, &context).unwrap();
         assert_eq!(judgement.verdict, judgement.recorded(), "{}", claim.id);
     }
     let mut group = criterion.benchmark_group("claims");
     group.sample_size(10);
     group.bench_function("all of them", |bencher| {
-        bencher.iter(|| judge_all(&claims, DEFAULT_PRECISION, || ()));
+        bencher.iter(|| judge_all(&claims, &Context::default(), || ()));
     });
     group.finish();
 }

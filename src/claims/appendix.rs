@@ -1,34 +1,20 @@
 //! Appendices A (proof of Theorem 1) and B (discontinuity meshing).
 
-use super::extremes::{largest, smaller};
-use super::finding::Computation;
-use super::{ClaimError, Finding, Inputs};
+use super::{Case, ClaimError, Finding};
 use crate::chain::random::RandomChains;
 use crate::chain::{Refinement, ReversibleChain};
 use crate::discretize::ContactShadow;
 use crate::information::mutual_information;
-use crate::numeric::{Scalar, compensated_sum, tolerance, x_log2_ratio};
-
-pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
-    ("unlisted_premises_follow", unlisted_premises_follow),
-    ("equation_9", equation_9),
-    ("equation_10", equation_10),
-    ("equation_11", equation_11),
-    ("log_sum_inequality", log_sum_inequality),
-    ("equation_13", equation_13),
-    ("inequality_14", inequality_14),
-    ("mesh_gain_is_the_bound", mesh_gain_is_the_bound),
-    ("a_lit_cut_can_beat_the_line", a_lit_cut_can_beat_the_line),
-];
+use crate::numeric::{Scalar, compensated_sum, largest, smaller, tolerance, x_log2_ratio};
 
 /// The largest of a deviation over random chains and refinements.
 fn over_random_refinements(
-    input: &Inputs,
+    case: &Case<'_>,
     deviation: impl Fn(&Refinement) -> f64,
 ) -> Result<f64, ClaimError> {
-    let mut random = RandomChains::new(input.count("seed")?.into());
+    let mut random = RandomChains::new(case.count("seed")?.into());
     let mut deviations = Vec::new();
-    for _ in 0..input.count("chains")? {
+    for _ in 0..case.count("chains")? {
         deviations.push(deviation(&random.refinement(8)?));
     }
     Ok(largest(deviations))
@@ -41,9 +27,9 @@ fn term(chain: &ReversibleChain, i: usize, j: usize) -> f64 {
 }
 
 /// `w_i = Σ_k w_ik` and `J_ii = Σ_kl J_{ik,il}`, the parts reduced by `loss`.
-fn unlisted_premises_follow(input: &Inputs) -> Result<Finding, ClaimError> {
-    let kept = 1.0 - input.number("loss")?;
-    let worst = over_random_refinements(input, |refinement| {
+pub(super) fn unlisted_premises_follow(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let kept = 1.0 - case.number("loss")?;
+    let worst = over_random_refinements(case, |refinement| {
         let (chain, refined) = (refinement.coarse(), refinement.refined());
         let parts = &refinement.parts()[0];
         let weight = compensated_sum(parts.iter().map(|k| refined.weights()[*k]));
@@ -60,9 +46,9 @@ fn unlisted_premises_follow(input: &Inputs) -> Result<Finding, ClaimError> {
 }
 
 /// Four blocks: neither, the second, the first, or both of two states new.
-fn equation_9(input: &Inputs) -> Result<Finding, ClaimError> {
-    let omit = input.switch("omit_self_block")?;
-    let worst = over_random_refinements(input, |refinement| {
+pub(super) fn equation_9(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let omit = case.switch("omit_self_block")?;
+    let worst = over_random_refinements(case, |refinement| {
         let refined = refinement.refined();
         let n = refined.states();
         let block = |first_new: bool, second_new: bool| {
@@ -81,9 +67,9 @@ fn equation_9(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(Finding::residual(worst, tolerance::IDENTITY).sampled())
 }
 
-fn equation_10(input: &Inputs) -> Result<Finding, ClaimError> {
-    let factor = input.number("diagonal_factor")?;
-    let worst = over_random_refinements(input, |refinement| {
+pub(super) fn equation_10(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let factor = case.number("diagonal_factor")?;
+    let worst = over_random_refinements(case, |refinement| {
         let chain = refinement.coarse();
         let n = chain.states();
         let above = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j)));
@@ -94,9 +80,9 @@ fn equation_10(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(Finding::residual(worst, tolerance::IDENTITY).sampled())
 }
 
-fn equation_11(input: &Inputs) -> Result<Finding, ClaimError> {
-    let omit = input.switch("omit_self_term")?;
-    let worst = over_random_refinements(input, |refinement| {
+pub(super) fn equation_11(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let omit = case.switch("omit_self_term")?;
+    let worst = over_random_refinements(case, |refinement| {
         let (chain, refined) = (refinement.coarse(), refinement.refined());
         let new = &refinement.parts()[0];
         let pairs = (1..chain.states()).map(|j| {
@@ -115,11 +101,11 @@ fn equation_11(input: &Inputs) -> Result<Finding, ClaimError> {
 
 /// `Σ a log(a/b) − (Σa) log(Σa/Σb)` for random numbers; `negative` turns the
 /// sign of one pair a, b while both sums stay positive.
-fn log_sum_inequality(input: &Inputs) -> Result<Finding, ClaimError> {
-    let negative = input.switch("negative")?;
-    let mut random = RandomChains::new(input.count("seed")?.into());
+pub(super) fn log_sum_inequality(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let negative = case.switch("negative")?;
+    let mut random = RandomChains::new(case.count("seed")?.into());
     let mut smallest = f64::INFINITY;
-    for _ in 0..input.count("draws")? {
+    for _ in 0..case.count("draws")? {
         let count = random.count(2, 6);
         let mut a = random.numbers(count);
         // b > 0 wherever a > 0
@@ -142,12 +128,13 @@ fn log_sum_inequality(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(Finding::statement(holds, smallest, tolerance::IDENTITY).sampled())
 }
 
-/// Eq. (13), last line, times 1/A_T with A_T = 2: `2/A_T · J [ log2(F_j,ic/(A_ic + A_id)) − log2(F_ij/A_j) ]`
-/// with A_j = 1, for cuts at and beyond the line.
-fn equation_13(input: &Inputs) -> Result<Finding, ClaimError> {
-    let line = input.number("line")?;
+/// Eq. (13), last line, times 1/A_T with A_T = 2:
+/// `2/A_T · J [ log2(F_j,ic/(A_ic + A_id)) − log2(F_ij/A_j) ]` with A_j = 1, for cuts at and beyond
+/// the line.
+pub(super) fn equation_13(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let line = case.number("line")?;
     let shadow = ContactShadow::try_new(line)?;
-    let lit = ContactShadow::try_new(input.number("formula_line")?)?.exchange_area()?;
+    let lit = ContactShadow::try_new(case.number("formula_line")?)?.exchange_area()?;
     let mut deviations = Vec::new();
     let mut previous = f64::INFINITY;
     let mut falls = true;
@@ -163,13 +150,13 @@ fn equation_13(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(finding)
 }
 
-/// Eq. (14) for cuts short of the line: its middle line must be the gain itself, its right side, with
-/// `A_id + dark A_ic` for the area in the second logarithm, at least that.
-fn inequality_14(input: &Inputs) -> Result<Finding, ClaimError> {
-    let line = input.number("line")?;
+/// Eq. (14) for cuts short of the line: its middle line must be the gain itself, its right side,
+/// with `A_id + dark A_ic` for the area in the second logarithm, at least that.
+pub(super) fn inequality_14(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let line = case.number("line")?;
     let shadow = ContactShadow::try_new(line)?;
     let whole = shadow.exchange_area()?;
-    let dark = input.number("dark_on_the_right")? * (1.0 - line);
+    let dark = case.number("dark_on_the_right")? * (1.0 - line);
     let mut smallest = f64::INFINITY;
     let mut agrees = true;
     for k in 1..10 {
@@ -187,10 +174,10 @@ fn inequality_14(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(Finding::statement(holds, smallest, tolerance::IDENTITY))
 }
 
-/// The right side of (14) against the gain of the cut along the line, both for flux proportional to lit area,
-/// the form factor beyond the cut being `ratio` times the one before it.
-fn mesh_gain_is_the_bound(input: &Inputs) -> Result<Finding, ClaimError> {
-    let (line, ratio) = (input.number("line")?, input.number("form_factor_ratio")?);
+/// The right side of (14) against the gain of the cut along the line, both for flux proportional to
+/// lit area, the form factor beyond the cut being `ratio` times the one before it.
+pub(super) fn mesh_gain_is_the_bound(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let (line, ratio) = (case.number("line")?, case.number("form_factor_ratio")?);
     let shadow = ContactShadow::try_new(line)?;
     let along_the_line = shadow.uniform_gain(line);
     let deviations = (1..10).map(|k| {
@@ -203,13 +190,14 @@ fn mesh_gain_is_the_bound(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(Finding::residual(largest(deviations), tolerance::IDENTITY))
 }
 
-/// With the shadow's line at `line`, the best cut through the lit part against the cut along the line.
-fn a_lit_cut_can_beat_the_line(input: &Inputs) -> Result<Finding, ClaimError> {
-    let line = input.number("line")?;
+/// With the shadow's line at `line`, the best cut through the lit part against the cut along the
+/// line.
+pub(super) fn a_lit_cut_can_beat_the_line(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let line = case.number("line")?;
     let shadow = ContactShadow::try_new(line)?;
     // any cut that gains more is a counterexample: the double found is taken as it is
     let cut = shadow.best_lit_cut()?.unwrap_or(line);
-    let like = input.interval("line")?;
+    let like = case.interval("line")?;
     let gain = |position: f64| shadow.gain(&like.constant(position));
     let ratio = gain(cut)? / &gain(line)?;
     let one = ratio.constant(1.0);

@@ -1,32 +1,32 @@
 //! One claim of the paper, as it stands in `data/paper/`.
 
-use super::{Inputs, Verdict};
+use super::{Computation, Inputs, Verdict};
 use crate::numeric::Interval;
 
-/// What there is to do about a claim.
+/// The task that a claim sets.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Task {
     /// Compute it and judge.
     Compute {
-        /// Name of the function, as in [`computations`](super::computations).
-        computation: String,
-        /// What it is computed from.
+        /// The computation.
+        computation: Computation,
+        /// Its inputs.
         input: Inputs,
-        /// A change of input under which the verdict must turn.
-        control: Inputs,
+        /// Changes under which the verdict must turn.
+        control: Control,
         /// The verdict on record: any other is an error of the suite.
         recorded: Verdict,
     },
     /// Nothing to compute: a theorem of `proofs/` decides it.
     Proved {
-        /// Is it the contrary that is proved?
+        /// Whether the contrary is proved.
         is_refuted: bool,
-        /// What a reader should know.
+        /// A note for the reader.
         note: String,
     },
     /// Nothing yet, for this reason.
     NotChecked {
-        /// Why.
+        /// The reason.
         reason: String,
     },
 }
@@ -36,30 +36,39 @@ pub enum Task {
 pub struct Claim {
     /// Short name, unique.
     pub id: String,
-    /// Where it stands in the paper.
+    /// Its place in the paper.
     pub place: String,
-    /// What is claimed, in our own words.
+    /// The statement, in our own words.
     pub quantity: String,
     /// The printed number, if it is one.
     pub printed: Option<Printed>,
-    /// Does the paper state the configuration completely? If not, disagreement refutes nothing.
+    /// Whether the paper states the configuration completely: if not, disagreement refutes nothing.
     pub complete: bool,
-    /// What the axes of the figure's curve measure, with their units, if its computation returns one.
+    /// The labels of the axes of the figure's curve, with units, if its computation returns one.
     pub curve_axes: Option<[String; 2]>,
     /// Theorems of `proofs/Statements.v` that prove the claim as it stands, or its contrary.
     pub proof: Vec<String>,
-    /// What to do.
+    /// The task.
     pub task: Task,
+}
+
+/// A change of a claim's inputs, of the number it prints, or of both.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Control {
+    /// Inputs in place of their namesakes.
+    pub inputs: Inputs,
+    /// The number taken for the printed one.
+    pub printed: Option<Printed>,
 }
 
 /// A number as printed: it stands for an interval of half a unit of its last decimal either way.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Printed {
-    /// As in the paper.
+    /// The text in the paper.
     pub text: String,
     /// Its value.
     pub value: f64,
-    /// How many decimals it is printed with.
+    /// The number of its decimals.
     pub decimals: u32,
 }
 
@@ -104,7 +113,7 @@ pub(super) struct Entry {
     printed: Option<String>,
     #[serde(default = "yes")]
     complete: bool,
-    computation: Option<String>,
+    computation: Option<Computation>,
     verdict: Option<Verdict>,
     not_checked: Option<String>,
     curve: Option<[String; 2]>,
@@ -114,7 +123,15 @@ pub(super) struct Entry {
     #[serde(default)]
     input: Inputs,
     #[serde(default)]
-    control: Inputs,
+    control: ControlEntry,
+}
+
+/// A control as written in TOML.
+#[derive(Debug, Default, serde::Deserialize)]
+struct ControlEntry {
+    printed: Option<String>,
+    #[serde(flatten)]
+    inputs: Inputs,
 }
 
 const fn yes() -> bool {
@@ -126,19 +143,23 @@ impl TryFrom<Entry> for Claim {
 
     fn try_from(entry: Entry) -> Result<Self, String> {
         let id = entry.id;
-        let printed = match entry.printed {
-            None => None,
-            Some(text) => Some(
-                Printed::parse(&text)
-                    .ok_or_else(|| format!("claim {id}: \"{text}\" is not a decimal number"))?,
-            ),
+        let number = |text: Option<String>| {
+            let printed = text.map(|text| {
+                let printed = Printed::parse(&text);
+                printed.ok_or_else(|| format!("claim {id}: \"{text}\" is not a decimal number"))
+            });
+            printed.transpose()
         };
+        let printed = number(entry.printed)?;
         let task = match (entry.computation, entry.verdict, entry.not_checked) {
             (Some(computation), Some(recorded), None) => {
-                let (input, control) = (entry.input, entry.control);
+                let control = Control {
+                    inputs: entry.control.inputs,
+                    printed: number(entry.control.printed)?,
+                };
                 Task::Compute {
                     computation,
-                    input,
+                    input: entry.input,
                     control,
                     recorded,
                 }

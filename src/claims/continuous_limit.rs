@@ -1,37 +1,26 @@
 //! §2 and Corollary 1: what discretizing loses against the continuous mutual information (4).
 
-use super::extremes::{larger, smaller};
-use super::finding::Computation;
-use super::{ClaimError, Finding, Inputs};
+use super::{Case, ClaimError, Finding};
 use crate::discretize::{BoxGrid, UNIT_CUBE};
 use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::information::{OpenScene, continuous_information, scene_information};
+use crate::numeric::{larger, smaller};
 use crate::scene::{Congruence, Occlusion, Scene, ScenePairs};
 
-pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
-    ("discretizing_loses", discretizing_loses),
-    (
-        "continuous_limit_is_approached",
-        continuous_limit_is_approached,
-    ),
-    (
-        "continuous_is_least_upper_bound",
-        continuous_is_least_upper_bound,
-    ),
-];
-
-/// What a scene's refinements lack of its continuous mutual information, each of patches half as large, with the error of that.
+/// Gaps between the mutual information of a scene's refinements, each of patches half as large, and
+/// the continuous one, with their error.
 struct Gaps {
     gaps: Vec<f64>,
     error: f64,
 }
 
 impl Gaps {
-    /// Of a scene whose patches are quartered up to `times` times. The control takes `limit_factor` times the limit.
-    fn of(scene: &str, times: u32, input: &Inputs) -> Result<Self, ClaimError> {
+    /// Computes the gaps of a scene whose patches are quartered up to `times` times. The control
+    /// takes `limit_factor` times the limit.
+    fn of(scene: &str, times: u32, case: &Case<'_>) -> Result<Self, ClaimError> {
         let whole = Scene::built_in(scene)?;
         let continuous = continuous_information(&whole)?;
-        let limit = input.number("limit_factor")? * continuous.mutual_information;
+        let limit = case.number("limit_factor")? * continuous.mutual_information;
         let mut error = continuous.error;
         let mut gaps = Vec::new();
         for times in 0..=times {
@@ -54,16 +43,17 @@ impl Gaps {
     }
 }
 
-fn cube_and_tetrahedron(input: &Inputs) -> Result<[Gaps; 2], ClaimError> {
+fn cube_and_tetrahedron(case: &Case<'_>) -> Result<[Gaps; 2], ClaimError> {
     Ok([
-        Gaps::of("cube:1", input.count("cube_times")?, input)?,
-        Gaps::of("tetrahedron", input.count("tetrahedron_times")?, input)?,
+        Gaps::of("cube:1", case.count("cube_times")?, case)?,
+        Gaps::of("tetrahedron", case.count("tetrahedron_times")?, case)?,
     ])
 }
 
-/// Every refinement says more than the one before, and none says as much as the limit; the number is the smallest gap.
-fn discretizing_loses(input: &Inputs) -> Result<Finding, ClaimError> {
-    let scenes = cube_and_tetrahedron(input)?;
+/// Every refinement has more mutual information than the one before, and none as much as the limit;
+/// the number is the smallest gap.
+pub(super) fn discretizing_loses(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let scenes = cube_and_tetrahedron(case)?;
     let mut holds = true;
     let (mut smallest, mut error) = (f64::INFINITY, 0.0);
     for scene in &scenes {
@@ -78,26 +68,28 @@ fn discretizing_loses(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(Finding::statement(holds, smallest, error))
 }
 
-/// Halving the patches takes what is missing to at most `share` of itself, each time; the number is the largest share.
-fn continuous_limit_is_approached(input: &Inputs) -> Result<Finding, ClaimError> {
+/// Halving the patches reduces the gap to at most `share` of itself, each time; the number is the
+/// largest share.
+pub(super) fn continuous_limit_is_approached(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let (mut largest, mut error) = (f64::NEG_INFINITY, 0.0);
-    for scene in cube_and_tetrahedron(input)? {
+    for scene in cube_and_tetrahedron(case)? {
         for pair in scene.gaps.windows(2) {
             largest = larger(largest, pair[1] / pair[0]);
         }
         error = larger(error, 2.0 * scene.error / scene.last().abs());
     }
-    let holds = largest <= input.number("share")?;
+    let holds = largest <= case.number("share")?;
     Ok(Finding::statement(holds, largest, error))
 }
 
-/// No grid of the cube says more than the limit, and regular ones come as near as one likes: for a gap proportional to the size of
-/// the patches `2 I(h/2) − I(h)` is the limit, and may miss it by `share` of the gap.
-fn continuous_is_least_upper_bound(input: &Inputs) -> Result<Finding, ClaimError> {
+/// No grid of the cube exceeds the limit, and regular ones come arbitrarily near: for a gap
+/// proportional to the size of the patches `2 I(h/2) − I(h)` is the limit, and may miss it by
+/// `share` of the gap.
+pub(super) fn continuous_is_least_upper_bound(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let continuous = continuous_information(&Scene::built_in("cube:1")?)?;
-    let limit = input.number("limit_factor")? * continuous.mutual_information;
+    let limit = case.number("limit_factor")? * continuous.mutual_information;
     let mut smallest = f64::INFINITY;
-    let scanned = input.count("scanned")?;
+    let scanned = case.count("scanned")?;
     for step in 1..=scanned {
         // three cells a side, then five, lopsided and not
         let t = 0.5 * f64::from(step) / f64::from(scanned + 1);
@@ -112,7 +104,7 @@ fn continuous_is_least_upper_bound(input: &Inputs) -> Result<Finding, ClaimError
         }
     }
     let mut regular = Vec::new();
-    for doublings in 0..=input.count("cube_times")?.min(6) {
+    for doublings in 0..=case.count("cube_times")?.min(6) {
         let gap = limit
             - BoxGrid::regular(UNIT_CUBE, 1 << doublings)?
                 .information()?
@@ -121,7 +113,7 @@ fn continuous_is_least_upper_bound(input: &Inputs) -> Result<Finding, ClaimError
         regular.push(gap);
     }
     let is_least = match regular.as_slice() {
-        [.., before, last] => (2.0 * last - before).abs() <= input.number("share")? * last.abs(),
+        [.., before, last] => (2.0 * last - before).abs() <= case.number("share")? * last.abs(),
         _ => false,
     };
     let holds = smallest > continuous.error && is_least;

@@ -1,4 +1,4 @@
-//! Why a claim could not be judged.
+//! Errors of claims' data and computations.
 
 use crate::chain::ChainError;
 use crate::discretize::DiscretizeError;
@@ -18,7 +18,7 @@ pub enum ClaimError {
         nearest.as_ref().map(|n| format!(": the nearest is \"{n}\"")).unwrap_or_default()
     )]
     UnknownClaim {
-        /// As given.
+        /// The id as given.
         id: String,
         /// A claim whose id begins alike.
         nearest: Option<String>,
@@ -28,7 +28,7 @@ pub enum ClaimError {
     InvalidData {
         /// Name of the file.
         file: &'static str,
-        /// What is wrong.
+        /// The reason.
         reason: String,
     },
     /// A computation asked for an input that the claim does not have, or has with a useless value.
@@ -36,13 +36,13 @@ pub enum ClaimError {
     Input {
         /// Name of the input.
         name: &'static str,
-        /// What is wrong.
+        /// The reason.
         reason: String,
     },
     /// A maximum was found but not proved to be the highest.
     #[error("not certified: {reason}")]
     NotCertified {
-        /// Why.
+        /// The reason.
         reason: String,
     },
     /// A numerical routine refused.

@@ -1,32 +1,21 @@
-//! The named numbers a claim is computed from.
+//! The named inputs of a claim's computation.
 
 use super::ClaimError;
-use crate::numeric::Interval;
 use std::collections::BTreeMap;
 
-/// Named numbers, from the claim's data, and the precision that enclosures are asked for.
-#[derive(Debug, Clone, PartialEq, serde::Deserialize)]
-#[serde(from = "BTreeMap<String, f64>")]
+/// One input: a number or a switch.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Deserialize)]
+#[serde(untagged)]
+enum Input {
+    Switch(bool),
+    Number(f64),
+}
+
+/// Named numbers and switches, from the claim's data.
+#[derive(Debug, Clone, PartialEq, Default, serde::Deserialize)]
+#[serde(transparent)]
 pub struct Inputs {
-    numbers: BTreeMap<String, f64>,
-    bits: u32,
-}
-
-/// Bits of an enclosure's ends if nothing else is asked for: some 57 digits, of which the longest
-/// computation of the registry leaves more than 30 certain (`enclosures_are_narrow`).
-pub const DEFAULT_PRECISION: u32 = 192;
-
-impl From<BTreeMap<String, f64>> for Inputs {
-    fn from(numbers: BTreeMap<String, f64>) -> Self {
-        let bits = DEFAULT_PRECISION;
-        Self { numbers, bits }
-    }
-}
-
-impl Default for Inputs {
-    fn default() -> Self {
-        Self::from(BTreeMap::new())
-    }
+    named: BTreeMap<String, Input>,
 }
 
 impl Inputs {
@@ -35,13 +24,10 @@ impl Inputs {
     /// # Errors
     /// [`ClaimError::Input`] if there is none.
     pub fn number(&self, name: &'static str) -> Result<f64, ClaimError> {
-        self.numbers
-            .get(name)
-            .copied()
-            .ok_or_else(|| ClaimError::Input {
-                name,
-                reason: "is missing".to_owned(),
-            })
+        match self.input(name)? {
+            Input::Number(value) => Ok(value),
+            Input::Switch(_) => Err(wrong(name, "is a switch: a number is needed")),
+        }
     }
 
     /// The whole number ≥ 0 under a name.
@@ -54,7 +40,7 @@ impl Inputs {
             let reason = format!("is {value}: a whole number up to a million is needed");
             return Err(ClaimError::Input { name, reason });
         }
-        #[allow(
+        #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "whole and within 0 … 1e6"
@@ -62,53 +48,35 @@ impl Inputs {
         Ok(value as u32)
     }
 
-    /// Is the switch under a name on (not 0)?
+    /// Whether the switch under a name is on.
     ///
     /// # Errors
     /// [`ClaimError::Input`] if there is none.
     pub fn switch(&self, name: &'static str) -> Result<bool, ClaimError> {
-        Ok(self.number(name)?.abs() > 0.0)
+        match self.input(name)? {
+            Input::Switch(is_on) => Ok(is_on),
+            Input::Number(_) => Err(wrong(name, "is a number: true or false is needed")),
+        }
+    }
+
+    fn input(&self, name: &'static str) -> Result<Input, ClaimError> {
+        let input = self.named.get(name).copied();
+        input.ok_or_else(|| wrong(name, "is missing"))
     }
 
     /// These inputs, with those of `changes` in place of their namesakes.
     #[must_use]
     pub fn changed_by(&self, changes: &Self) -> Self {
         let mut changed = self.clone();
-        let changes = changes.numbers.iter();
+        let changes = changes.named.iter();
         changed
-            .numbers
-            .extend(changes.map(|(name, value)| (name.clone(), *value)));
+            .named
+            .extend(changes.map(|(name, input)| (name.clone(), *input)));
         changed
     }
+}
 
-    /// These inputs, with enclosures of `bits` bits asked for.
-    #[must_use]
-    pub fn with_precision(mut self, bits: u32) -> Self {
-        self.bits = bits;
-        self
-    }
-
-    /// Bits of the enclosures asked for.
-    #[must_use]
-    pub const fn bits(&self) -> u32 {
-        self.bits
-    }
-
-    /// The number under a name as an interval: exactly the double that the claim's data hold.
-    ///
-    /// # Errors
-    /// [`ClaimError::Input`] if there is none.
-    pub fn interval(&self, name: &'static str) -> Result<Interval, ClaimError> {
-        Ok(Interval::precise(self.number(name)?, self.bits))
-    }
-
-    /// Is nothing named?
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.numbers.is_empty()
-    }
-
-    pub(super) fn take(&mut self, name: &str) -> Option<f64> {
-        self.numbers.remove(name)
-    }
+fn wrong(name: &'static str, reason: &str) -> ClaimError {
+    let reason = reason.to_owned();
+    ClaimError::Input { name, reason }
 }

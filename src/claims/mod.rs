@@ -1,21 +1,42 @@
-//! Every claim of the paper as data, the function that computes it, and the rule that judges it.
+//! Every claim of the paper as data, its computation, and the rule that judges it.
 //!
-//! The claims stand in `data/paper/`, in paper order: place, quantity in our own words, printed value if
-//! there is one, the recorded verdict, the inputs of the computation, and a *control*: a change of input
-//! under which the verdict must turn; and the theorems of `proofs/` that prove the claim as it stands, or its
-//! contrary. One file per section computes; [`judge`] judges by the mechanical rule of [`Verdict`]. A theorem raises what
-//! agrees with it to *proof*; it never hides a computation that does not agree.
+//! The claims stand in `data/paper/`, in paper order: place, quantity in our own words, printed
+//! value if there is one, the recorded verdict, the name and the inputs of the [`Computation`], a
+//! *control*, and the theorems of `proofs/` that prove the claim as it stands, or its contrary. One
+//! file per section computes; [`judge`] judges by the mechanical rule of [`Verdict`]. Computations
+//! that share something expensive find it in their [`Context`].
+//!
+//! # How to read a verdict
+//!
+//! A printed 0.40 stands for the interval from 0.395 to 0.405. A claim in words is a predicate over
+//! computed numbers.
+//!
+//! | verdict | means |
+//! |---|---|
+//! | confirmed | an enclosure lies inside what is printed, or a proof stands |
+//! | supported | an estimate agrees within its stated error; nothing stronger yet |
+//! | refuted | an enclosure is disjoint, and the paper states the configuration completely |
+//! | undecided | anything else, with the reason |
+//! | not checked | not computed yet, with the reason |
+//!
+//! The evidence is a [`Grade`](crate::numeric::Grade). A theorem raises a finding that agrees with
+//! it to *proof* before the rule is applied; it never hides a computation that does not agree. A
+//! control changes the configuration, the formula or the printed number so that the verdict must
+//! turn; the theorems say nothing of it.
 //!
 //! **Not here**: printing.
 
 mod appendix;
+mod case;
 mod claim;
+mod computation;
+mod context;
 mod continuous_limit;
 mod error;
-mod extremes;
 mod figure_5;
 mod finding;
 mod inputs;
+mod judge;
 mod registry;
 mod section_2;
 mod section_3;
@@ -25,10 +46,14 @@ mod section_4_2;
 mod section_5;
 mod verdict;
 
-pub use claim::{Claim, Printed, Task};
+pub use case::Case;
+pub use claim::{Claim, Control, Printed, Task};
+pub use computation::Computation;
+pub use context::{Context, DEFAULT_PRECISION};
 pub use error::ClaimError;
 pub use figure_5::samples_for;
-pub use finding::{Computation, Evidence, Finding, Measure};
-pub use inputs::{DEFAULT_PRECISION, Inputs};
-pub use registry::{Judgement, computations, judge, judge_all, judge_control, registry};
+pub use finding::{Finding, Quantity};
+pub use inputs::Inputs;
+pub use judge::{Judgement, judge, judge_all, judge_control};
+pub use registry::registry;
 pub use verdict::Verdict;

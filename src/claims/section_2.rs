@@ -1,36 +1,26 @@
 //! §2: the visibility chain and its measures.
 
-use super::extremes::{larger, largest};
-use super::finding::Computation;
-use super::{ClaimError, Finding, Inputs};
+use super::{Case, ClaimError, Finding};
 use crate::chain::random::RandomChains;
 use crate::chain::visibility_chain;
 use crate::form_factor::RectanglePair;
 use crate::information::{entropy_rate, mutual_information, positional_entropy};
-use crate::numeric::{compensated_sum, tolerance, x_log2_x};
+use crate::numeric::{compensated_sum, larger, largest, tolerance, x_log2_x};
 use crate::scene::Scene;
 use nalgebra::{DMatrix, DVector};
 
-pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
-    ("walk_converges", walk_converges),
-    ("areas_are_stationary", areas_are_stationary),
-    ("form_factors_are_reciprocal", form_factors_are_reciprocal),
-    ("information_is_a_difference", information_is_a_difference),
-    ("information_is_mutual", information_is_mutual),
-];
-
-pub(super) fn cube(input: &Inputs) -> Result<Scene, ClaimError> {
-    Ok(Scene::built_in(&format!("cube:{}", input.count("cells")?))?)
+pub(super) fn cube(case: &Case<'_>) -> Result<Scene, ClaimError> {
+    Ok(Scene::built_in(&format!("cube:{}", case.count("cells")?))?)
 }
 
 /// X⁰ in state 0, then `Xᵏ⁺¹ = Xᵏ P`.
-fn walk_converges(input: &Inputs) -> Result<Finding, ClaimError> {
-    let chain = visibility_chain(&cube(input)?)?;
+pub(super) fn walk_converges(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let chain = visibility_chain(&cube(case)?)?;
     let n = chain.states();
     let transitions = DMatrix::from_fn(n, n, |i, j| chain.transition_probability(i, j));
     let mut probabilities = DVector::zeros(n);
     probabilities[0] = 1.0;
-    for _ in 0..input.count("steps")? {
+    for _ in 0..case.count("steps")? {
         probabilities = transitions.tr_mul(&probabilities);
     }
     let left = (0..n).map(|i| (probabilities[i] - chain.stationary_probability(i)).abs());
@@ -38,9 +28,9 @@ fn walk_converges(input: &Inputs) -> Result<Finding, ClaimError> {
 }
 
 /// `Σ_j w_j F_ji = w_i` with `w_i = A_i/A_T`, i.e. `Σ_j A_j F_ji = A_i`.
-fn areas_are_stationary(input: &Inputs) -> Result<Finding, ClaimError> {
-    let scene = cube(input)?;
-    let factor = input.number("area_factor")?;
+pub(super) fn areas_are_stationary(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let scene = cube(case)?;
+    let factor = case.number("area_factor")?;
     let exchange = scene.exchange_areas()?.into_values();
     let deviations = scene.patches().iter().enumerate().map(|(i, patch)| {
         let inflow = compensated_sum(exchange.column(i).iter().copied());
@@ -50,9 +40,9 @@ fn areas_are_stationary(input: &Inputs) -> Result<Finding, ClaimError> {
 }
 
 /// `A_i F_ij` from the frame of i against `A_j F_ji` from the frame of j.
-fn form_factors_are_reciprocal(input: &Inputs) -> Result<Finding, ClaimError> {
-    let scene = cube(input)?;
-    let factor = input.number("area_factor")?;
+pub(super) fn form_factors_are_reciprocal(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let scene = cube(case)?;
+    let factor = case.number("area_factor")?;
     let mut worst: f64 = 0.0;
     for i in 0..scene.patches().len() {
         for j in 0..i {
@@ -72,21 +62,21 @@ fn form_factors_are_reciprocal(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(Finding::residual(worst, tolerance::CLOSURE))
 }
 
-fn information_is_a_difference(input: &Inputs) -> Result<Finding, ClaimError> {
-    let chain = visibility_chain(&cube(input)?)?;
+pub(super) fn information_is_a_difference(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let chain = visibility_chain(&cube(case)?)?;
     let difference =
-        positional_entropy(&chain) - input.number("rate_factor")? * entropy_rate(&chain);
+        positional_entropy(&chain) - case.number("rate_factor")? * entropy_rate(&chain);
     let deviation = (mutual_information(&chain) - difference).abs();
     Ok(Finding::residual(deviation, tolerance::IDENTITY))
 }
 
-/// `H(w) − Σ_i w_i H(next | i)` against `H(w) − Σ_j w_j H(previous | j)`; with `skew` the flow from i to
-/// j < i is made larger than the flow back, so that reciprocity fails.
-fn information_is_mutual(input: &Inputs) -> Result<Finding, ClaimError> {
-    let skew = input.number("skew")?;
-    let mut random = RandomChains::new(input.count("seed")?.into());
+/// `H(w) − Σ_i w_i H(next | i)` against `H(w) − Σ_j w_j H(previous | j)`; with `skew` the flow from
+/// i to j < i is made larger than the flow back, so that reciprocity fails.
+pub(super) fn information_is_mutual(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let skew = case.number("skew")?;
+    let mut random = RandomChains::new(case.count("seed")?.into());
     let mut worst: f64 = 0.0;
-    for _ in 0..input.count("chains")? {
+    for _ in 0..case.count("chains")? {
         let refinement = random.refinement(8)?;
         let chain = refinement.coarse();
         let n = chain.states();

@@ -1,48 +1,25 @@
 //! §3.1 to §3.3: Theorem 1, the increase of a pair, and visibility.
 
-use super::extremes::{larger, largest, smaller};
-use super::finding::Computation;
 use super::section_2::cube;
-use super::{ClaimError, Finding, Inputs};
+use super::{Case, ClaimError, Finding};
 use crate::chain::random::RandomChains;
 use crate::chain::{ReversibleChain, visibility_chain};
 use crate::discretize::{PatchSplit, regular_positions};
 use crate::form_factor::RectanglePair;
 use crate::geometry::{Rectangle, SplitAxis};
 use crate::information::{divergence, mutual_information, subdivision_bound};
-use crate::numeric::{compensated_sum, tolerance, x_log2_ratio, x_log2_x};
+use crate::numeric::{
+    compensated_sum, larger, largest, smaller, tolerance, x_log2_ratio, x_log2_x,
+};
 use crate::scene::Scene;
 
-pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
-    ("theorem_1", theorem_1),
-    ("pair_increases_add_up", pair_increases_add_up),
-    ("destination_weight_drops_out", destination_weight_drops_out),
-    ("regular_form", regular_form),
-    ("subdivision_bound_holds", subdivision_bound_holds),
-    (
-        "subdivision_bound_is_attained",
-        subdivision_bound_is_attained,
-    ),
-    ("bounds_sum_to_weight", bounds_sum_to_weight),
-    (
-        "largest_weight_has_largest_potential",
-        largest_weight_has_largest_potential,
-    ),
-    (
-        "split_patches_fulfil_the_hypotheses",
-        split_patches_fulfil_the_hypotheses,
-    ),
-    ("visibility_bound_holds", visibility_bound_holds),
-    ("bounds_sum_to_area", bounds_sum_to_area),
-];
-
-/// The smallest `I′ − I`, each from its own chain by eq. (3). `dilution` mixes the refined joint matrix
-/// with the independent one, which keeps its weights and breaks hypothesis (b).
-fn theorem_1(input: &Inputs) -> Result<Finding, ClaimError> {
-    let dilution = input.number("dilution")?;
-    let mut random = RandomChains::new(input.count("seed")?.into());
+/// The smallest `I′ − I`, each from its own chain by eq. (3). `dilution` mixes the refined joint
+/// matrix with the independent one, which keeps its weights and breaks hypothesis (b).
+pub(super) fn theorem_1(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let dilution = case.number("dilution")?;
+    let mut random = RandomChains::new(case.count("seed")?.into());
     let mut smallest = f64::INFINITY;
-    for _ in 0..input.count("chains")? {
+    for _ in 0..case.count("chains")? {
         let refinement = random.refinement(8)?;
         let (chain, refined) = (refinement.coarse(), refinement.refined());
         let weights = refined.weights();
@@ -62,15 +39,15 @@ fn theorem_1(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(Finding::statement(holds, smallest, tolerance::IDENTITY).sampled())
 }
 
-/// Patch 0 of a cube cut at `position`: `I′ − I` of the two chains against eq. (5), first line, with the
-/// parts of a cut at `formula_position`.
-fn pair_increases_add_up(input: &Inputs) -> Result<Finding, ClaimError> {
-    let scene = cube(input)?;
+/// Patch 0 of a cube cut at `position`: `I′ − I` of the two chains against eq. (5), first line,
+/// with the parts of a cut at `formula_position`.
+pub(super) fn pair_increases_add_up(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let scene = cube(case)?;
     let chain_of = |name| -> Result<_, ClaimError> {
         Ok(visibility_chain(&scene.with_patch_split(
             0,
             SplitAxis::U,
-            input.number(name)?,
+            case.number(name)?,
         )?)?)
     };
     let (chain, refined) = (visibility_chain(&scene)?, chain_of("position")?);
@@ -92,12 +69,13 @@ fn pair_increases_add_up(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(Finding::residual(deviation, tolerance::IDENTITY))
 }
 
-/// Both lines of eq. (5) for every pair of a random refinement, the first sub-state's flux times `cover`.
-fn destination_weight_drops_out(input: &Inputs) -> Result<Finding, ClaimError> {
-    let cover = input.number("cover")?;
-    let mut random = RandomChains::new(input.count("seed")?.into());
+/// Both lines of eq. (5) for every pair of a random refinement, the first sub-state's flux times
+/// `cover`.
+pub(super) fn destination_weight_drops_out(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let cover = case.number("cover")?;
+    let mut random = RandomChains::new(case.count("seed")?.into());
     let mut worst: f64 = 0.0;
-    for _ in 0..input.count("chains")? {
+    for _ in 0..case.count("chains")? {
         let refinement = random.refinement(8)?;
         let (chain, refined) = (refinement.coarse(), refinement.refined());
         let parts = &refinement.parts()[0]; // state 0 is the divided one
@@ -118,13 +96,13 @@ fn destination_weight_drops_out(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(Finding::residual(worst, tolerance::IDENTITY).sampled())
 }
 
-/// `(w/m) Σ P_k log P_k − w P log P`, w = 1, against the gain of fluxes `w_k P_k`; with `lopsidedness` the first
-/// part takes that much more weight.
-fn regular_form(input: &Inputs) -> Result<Finding, ClaimError> {
-    let lopsidedness = input.number("lopsidedness")?;
-    let mut random = RandomChains::new(input.count("seed")?.into());
+/// `(w/m) Σ P_k log P_k − w P log P`, w = 1, against the gain of fluxes `w_k P_k`; with
+/// `lopsidedness` the first part takes that much more weight.
+pub(super) fn regular_form(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lopsidedness = case.number("lopsidedness")?;
+    let mut random = RandomChains::new(case.count("seed")?.into());
     let mut worst: f64 = 0.0;
-    for _ in 0..input.count("chains")? {
+    for _ in 0..case.count("chains")? {
         let m = random.count(2, 8);
         let transitions = random.numbers(m);
         let mut weights = vec![1.0; m];
@@ -146,11 +124,11 @@ fn regular_form(input: &Inputs) -> Result<Finding, ClaimError> {
 }
 
 /// Random fluxes of m equal parts; with `lopsidedness` the first part takes that much less weight.
-fn subdivision_bound_holds(input: &Inputs) -> Result<Finding, ClaimError> {
-    let lopsidedness = input.number("lopsidedness")?;
-    let mut random = RandomChains::new(input.count("seed")?.into());
+pub(super) fn subdivision_bound_holds(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lopsidedness = case.number("lopsidedness")?;
+    let mut random = RandomChains::new(case.count("seed")?.into());
     let mut largest_ratio: f64 = 0.0;
-    for _ in 0..input.count("draws")? {
+    for _ in 0..case.count("draws")? {
         let count = random.count(2, 5);
         let fluxes = random.numbers(count);
         let mut weights = vec![1.0; fluxes.len()];
@@ -165,8 +143,8 @@ fn subdivision_bound_holds(input: &Inputs) -> Result<Finding, ClaimError> {
 }
 
 /// One of m parts keeps all the flux but `leak` of it; then its own P is `m P_ij`, at most 1.
-fn subdivision_bound_is_attained(input: &Inputs) -> Result<Finding, ClaimError> {
-    let leak = input.number("leak")?;
+pub(super) fn subdivision_bound_is_attained(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let leak = case.number("leak")?;
     let deviations = (2..=16u32).map(|parts| {
         let probability = 0.9 / f64::from(parts); // m P_ij = 0.9
         let joint = probability; // w_i = 1
@@ -182,15 +160,15 @@ fn subdivision_bound_is_attained(input: &Inputs) -> Result<Finding, ClaimError> 
     Ok(Finding::residual(largest(deviations), tolerance::GAIN).noting(note))
 }
 
-fn bounds_sum_to_weight(input: &Inputs) -> Result<Finding, ClaimError> {
-    let chain = visibility_chain(&cube(input)?)?;
-    bounds_sum_to(&chain, input, |i| chain.stationary_probability(i))
+pub(super) fn bounds_sum_to_weight(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let chain = visibility_chain(&cube(case)?)?;
+    bounds_sum_to(&chain, case, |i| chain.stationary_probability(i))
 }
 
-fn bounds_sum_to_area(input: &Inputs) -> Result<Finding, ClaimError> {
-    let scene = cube(input)?;
+pub(super) fn bounds_sum_to_area(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let scene = cube(case)?;
     let chain = visibility_chain(&scene)?;
-    bounds_sum_to(&chain, input, |i| {
+    bounds_sum_to(&chain, case, |i| {
         scene.patches()[i].shape().area() / scene.total_area()
     })
 }
@@ -198,10 +176,10 @@ fn bounds_sum_to_area(input: &Inputs) -> Result<Finding, ClaimError> {
 /// `Σ_j 2 w_i P_ij log2 m` against `2 w_i log2 m`, the weights from elsewhere.
 fn bounds_sum_to(
     chain: &ReversibleChain,
-    input: &Inputs,
+    case: &Case<'_>,
     weight: impl Fn(usize) -> f64,
 ) -> Result<Finding, ClaimError> {
-    let (parts, formula_parts) = (input.count("parts")?, input.count("formula_parts")?);
+    let (parts, formula_parts) = (case.count("parts")?, case.count("formula_parts")?);
     let deviations = (0..chain.states()).map(|i| {
         let row = chain.joint().column(i);
         let bounds = row
@@ -213,10 +191,10 @@ fn bounds_sum_to(
     Ok(Finding::residual(largest(deviations), tolerance::CLOSURE))
 }
 
-fn largest_weight_has_largest_potential(input: &Inputs) -> Result<Finding, ClaimError> {
-    let power = input.number("power")?;
-    let mut random = RandomChains::new(input.count("seed")?.into());
-    let count = input.count("chains")?;
+pub(super) fn largest_weight_has_largest_potential(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let power = case.number("power")?;
+    let mut random = RandomChains::new(case.count("seed")?.into());
+    let count = case.count("chains")?;
     let mut agreeing = 0;
     for _ in 0..count {
         let refinement = random.refinement(8)?;
@@ -241,11 +219,11 @@ fn argmax(count: usize, value: impl Fn(usize) -> f64) -> usize {
     (0..count).fold(0, |best, i| if value(i) > value(best) { i } else { best })
 }
 
-/// (a) `A_k F_kj = A_j F_jk`, each from its own side; (b) `Σ_k A_k F_kj = A_i F_ij`, with a `gap` left between the
-/// parts.
-fn split_patches_fulfil_the_hypotheses(input: &Inputs) -> Result<Finding, ClaimError> {
-    let scene = cube(input)?;
-    let (position, gap) = (input.number("position")?, input.number("gap")?);
+/// (a) `A_k F_kj = A_j F_jk`, each from its own side; (b) `Σ_k A_k F_kj = A_i F_ij`, with a `gap`
+/// left between the parts.
+pub(super) fn split_patches_fulfil_the_hypotheses(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let scene = cube(case)?;
+    let (position, gap) = (case.number("position")?, case.number("gap")?);
     let first = scene.rectangle(0)?;
     let mut worst: f64 = 0.0;
     for j in 1..scene.patches().len() {
@@ -276,9 +254,9 @@ fn split_patches_fulfil_the_hypotheses(input: &Inputs) -> Result<Finding, ClaimE
 
 /// Regular divisions of the squares of figs. 2 and 3 into up to `parts`, against the bound for
 /// `formula_parts/parts` times as many.
-fn visibility_bound_holds(input: &Inputs) -> Result<Finding, ClaimError> {
-    let parts = input.count("parts")?;
-    let formula = input.number("formula_parts")?.log2() / f64::from(parts).log2();
+pub(super) fn visibility_bound_holds(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let parts = case.count("parts")?;
+    let formula = case.number("formula_parts")?.log2() / f64::from(parts).log2();
     let mut largest_ratio: f64 = 0.0;
     for name in ["two-squares", "three-squares"] {
         let scene = Scene::built_in(name)?;

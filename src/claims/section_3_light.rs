@@ -1,40 +1,22 @@
-//! §3.4 and §3.5: the chains of radiosity and importance, on cubes whose patches reflect, emit and matter unevenly.
+//! §3.4 and §3.5: the chains of radiosity and importance, on cubes whose patches reflect, emit and
+//! matter unevenly.
 
-use super::extremes::{larger, largest};
-use super::finding::Computation;
-use super::{ClaimError, Finding, Inputs};
+use super::{Case, ClaimError, Finding};
 use crate::chain::{brightness_chain, continuous_chain};
 use crate::information::{entropy_rate, mutual_information, positional_entropy};
-use crate::numeric::{Scalar, compensated_sum, tolerance};
+use crate::numeric::{Scalar, compensated_sum, larger, largest, tolerance};
 use crate::scene::{ExchangeAreas, Material, Scene};
 use crate::transport::walks::{Steering, Walks};
 use crate::transport::{Importance, RadiositySystem};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
-    ("light_rows_sum_to_one", light_rows_sum_to_one),
-    ("light_weights_are_stationary", light_weights_are_stationary),
-    (
-        "light_weights_sum_to_normalisation",
-        light_weights_sum_to_normalisation,
-    ),
-    ("light_is_reciprocal", light_is_reciprocal),
-    ("divided_light_adds_up", divided_light_adds_up),
-    ("even_light_is_visibility", even_light_is_visibility),
-    ("printed_rows_of_light", printed_rows_of_light),
-    (
-        "continuous_light_extends_discrete",
-        continuous_light_extends_discrete,
-    ),
-    ("null_variance_gathering", null_variance_gathering),
-    ("null_variance_shooting", null_variance_shooting),
-    (
-        "potentials_sum_to_generalised_area",
-        potentials_sum_to_generalised_area,
-    ),
-    ("light_has_the_same_measures", light_has_the_same_measures),
-];
+/// The quantity whose chain is built.
+#[derive(Debug, Clone, Copy)]
+enum Carrier {
+    Radiosity,
+    Importance,
+}
 
 /// A lit cube, and the chain's formulas as they are printed, with the numerator B_j.
 struct Lit {
@@ -50,10 +32,18 @@ struct Lit {
 
 impl Lit {
     /// With `flaw`, every second patch's solution is wrong by that share.
-    fn new(input: &Inputs) -> Result<Self, ClaimError> {
-        let scene = super::section_2::cube(input)?;
+    fn new(case: &Case<'_>) -> Result<Self, ClaimError> {
+        let carrier = match case.switch("importance")? {
+            true => Carrier::Importance,
+            false => Carrier::Radiosity,
+        };
+        Self::of(carrier, case)
+    }
+
+    fn of(carrier: Carrier, case: &Case<'_>) -> Result<Self, ClaimError> {
+        let scene = super::section_2::cube(case)?;
         let exchange = scene.exchange_areas()?;
-        let mut random = ChaCha8Rng::seed_from_u64(input.count("seed")?.into());
+        let mut random = ChaCha8Rng::seed_from_u64(case.count("seed")?.into());
         let mut materials = Vec::new();
         for _ in 0..exchange.rows() {
             let [reflectance, emittance]: [f64; 2] = random.random();
@@ -65,17 +55,16 @@ impl Lit {
         }
         let sources: Vec<f64> = materials.iter().map(Material::emittance).collect();
         let room = RadiositySystem::of(&exchange, &materials)?;
-        let importance = if input.switch("importance")? {
-            Some(room.importance(&sources)?)
-        } else {
-            None
+        let importance = match carrier {
+            Carrier::Radiosity => None,
+            Carrier::Importance => Some(room.importance(&sources)?),
         };
         let mut solution = match &importance {
             Some(importance) => importance.values.clone(),
             None => room.radiosity(&sources)?.values,
         };
         for value in solution.iter_mut().step_by(2) {
-            *value *= 1.0 + input.number("flaw")?;
+            *value *= 1.0 + case.number("flaw")?;
         }
         Ok(Self {
             scene,
@@ -132,8 +121,8 @@ impl Lit {
     }
 }
 
-fn light_rows_sum_to_one(input: &Inputs) -> Result<Finding, ClaimError> {
-    let lit = Lit::new(input)?;
+pub(super) fn light_rows_sum_to_one(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
     let off = (0..lit.patches()).map(|i| {
         let row = (0..lit.patches()).map(|j| lit.transition(i, j));
         (compensated_sum(row) - 1.0).abs()
@@ -142,8 +131,8 @@ fn light_rows_sum_to_one(input: &Inputs) -> Result<Finding, ClaimError> {
 }
 
 /// `Σ_j w_j P_ji = w_i`.
-fn light_weights_are_stationary(input: &Inputs) -> Result<Finding, ClaimError> {
-    let lit = Lit::new(input)?;
+pub(super) fn light_weights_are_stationary(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
     let off = (0..lit.patches()).map(|i| {
         let inflow = (0..lit.patches()).map(|j| lit.weight(j) * lit.transition(j, i));
         (compensated_sum(inflow) / lit.weight(i) - 1.0).abs()
@@ -152,8 +141,8 @@ fn light_weights_are_stationary(input: &Inputs) -> Result<Finding, ClaimError> {
 }
 
 /// `Σ_i w_i` against `Σ_ij B_i A_i F_ij B_j`, what all pairs carry.
-fn light_weights_sum_to_normalisation(input: &Inputs) -> Result<Finding, ClaimError> {
-    let lit = Lit::new(input)?;
+pub(super) fn light_weights_sum_to_normalisation(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
     let brightness = lit.brightness();
     let all = 0..lit.patches();
     let carried = all.clone().flat_map(|i| {
@@ -169,8 +158,8 @@ fn light_weights_sum_to_normalisation(input: &Inputs) -> Result<Finding, ClaimEr
     ))
 }
 
-fn light_is_reciprocal(input: &Inputs) -> Result<Finding, ClaimError> {
-    let lit = Lit::new(input)?;
+pub(super) fn light_is_reciprocal(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
     let mut worst: f64 = 0.0;
     for i in 0..lit.patches() {
         for j in 0..i {
@@ -185,9 +174,9 @@ fn light_is_reciprocal(input: &Inputs) -> Result<Finding, ClaimError> {
 }
 
 /// Every patch in four of its light: their joint entries add up to those of the whole patches.
-fn divided_light_adds_up(input: &Inputs) -> Result<Finding, ClaimError> {
-    let flaw = input.number("part_flaw")?;
-    let lit = Lit::new(input)?;
+pub(super) fn divided_light_adds_up(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let flaw = case.number("part_flaw")?;
+    let lit = Lit::new(case)?;
     let (fine, parents) = lit.scene.subdivided(1)?;
     let exchange = fine.exchange_areas()?;
     let whole = lit.brightness();
@@ -217,14 +206,14 @@ fn divided_light_adds_up(input: &Inputs) -> Result<Finding, ClaimError> {
 }
 
 /// `E = k (1 − R)`, or `V = k (1/R − 1)`: the largest difference of `P_ij` from `F_ij`.
-fn even_light_is_visibility(input: &Inputs) -> Result<Finding, ClaimError> {
-    let lit = Lit::new(input)?;
+pub(super) fn even_light_is_visibility(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
     let room = RadiositySystem::of(&lit.exchange, &lit.materials)?;
-    let level = input.number("level")?;
+    let level = case.number("level")?;
     let even = lit.materials.iter().enumerate().map(|(i, material)| {
         let absorbed = level * (1.0 - material.reflectance());
         let brighter = if i == 0 {
-            1.0 + input.number("flaw")?
+            1.0 + case.number("flaw")?
         } else {
             1.0
         };
@@ -249,15 +238,15 @@ fn even_light_is_visibility(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(Finding::residual(worst, tolerance::CLOSURE))
 }
 
-/// Two patches that see only each other, one of which emits: the row sum `R_1 F_12 B/(B_1 − E_1)` with B_1 in the numerator as
-/// printed, or B_2.
-fn printed_rows_of_light(input: &Inputs) -> Result<Finding, ClaimError> {
-    let reflectance = input.interval("reflectance")?;
+/// Two patches that see only each other, one of which emits: the row sum `R_1 F_12 B/(B_1 − E_1)`
+/// with B_1 in the numerator as printed, or B_2.
+pub(super) fn printed_rows_of_light(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let reflectance = case.interval("reflectance")?;
     let one = reflectance.constant(1.0);
     // E_1 = 1, E_2 = 0: B_1 = 1/(1 − R²), B_2 = R B_1
     let first = one.clone() / &(one.clone() - &reflectance.square());
     let second = reflectance.clone() * &first;
-    let numerator = if input.switch("own_radiosity")? {
+    let numerator = if case.switch("own_radiosity")? {
         first.clone()
     } else {
         second
@@ -273,9 +262,9 @@ fn printed_rows_of_light(input: &Inputs) -> Result<Finding, ClaimError> {
 }
 
 /// B, E and R constant on each patch: the integral form, by quadrature, against the discrete one.
-fn continuous_light_extends_discrete(input: &Inputs) -> Result<Finding, ClaimError> {
-    let lit = Lit::new(input)?;
-    let slope = input.number("slope")?;
+pub(super) fn continuous_light_extends_discrete(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
+    let slope = case.number("slope")?;
     let brightness = lit.brightness();
     let varying = |patch: usize, at: glam::DVec3| brightness[patch] * (1.0 + slope * at.x);
     let continuous = continuous_chain(&lit.scene, varying, 1e-9)?.chain;
@@ -289,17 +278,18 @@ fn continuous_light_extends_discrete(input: &Inputs) -> Result<Finding, ClaimErr
     Ok(Finding::residual(worst, tolerance::CLOSURE))
 }
 
-/// What walks of so many steps may be off by: three roundings a step in the weight, one in the sum.
+/// The error that rounding may leave in walks: three roundings a step in the weight, one in the
+/// sum.
 fn walk_rounding(walks: &Walks) -> f64 {
     4.0 * f64::from(walks.longest + 6) * f64::EPSILON
 }
 
 /// The farthest that any gathering walk was from the radiosity, relative.
-fn null_variance_gathering(input: &Inputs) -> Result<Finding, ClaimError> {
-    let lit = Lit::new(input)?;
+pub(super) fn null_variance_gathering(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
     let room = RadiositySystem::of(&lit.exchange, &lit.materials)?;
     let exact = room.radiosity(&lit.sources)?.values;
-    let (count, seed) = (input.count("walks")?, input.count("seed")?.into());
+    let (count, seed) = (case.count("walks")?, case.count("seed")?.into());
     let (mut worst, mut allowed): (f64, f64) = (0.0, 0.0);
     for from in (0..lit.patches()).step_by(7) {
         let towards = Steering::Towards(lit.solution.as_slice());
@@ -311,13 +301,13 @@ fn null_variance_gathering(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(Finding::residual(worst, allowed).sampled())
 }
 
-/// The same of shooting walks and the power `A_k B_k`, for several V = δ_k.
-fn null_variance_shooting(input: &Inputs) -> Result<Finding, ClaimError> {
-    let lit = Lit::new(input)?;
+/// The farthest that any shooting walk was from the power `A_k B_k`, relative, for several V = δ_k.
+pub(super) fn null_variance_shooting(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
     let room = RadiositySystem::of(&lit.exchange, &lit.materials)?;
     let exact = room.radiosity(&lit.sources)?.values;
-    let (count, seed) = (input.count("walks")?, input.count("seed")?.into());
-    let flaw = input.number("walk_flaw")?;
+    let (count, seed) = (case.count("walks")?, case.count("seed")?.into());
+    let flaw = case.number("walk_flaw")?;
     let (mut worst, mut allowed): (f64, f64) = (0.0, 0.0);
     for target in (0..lit.patches()).step_by(29) {
         let direct: Vec<f64> = (0..lit.patches())
@@ -337,8 +327,8 @@ fn null_variance_shooting(input: &Inputs) -> Result<Finding, ClaimError> {
 }
 
 /// `Σ_j B_i B_j A_i F_ij` against `A_i B_i (B_i − E_i)/R_i`.
-fn potentials_sum_to_generalised_area(input: &Inputs) -> Result<Finding, ClaimError> {
-    let lit = Lit::new(input)?;
+pub(super) fn potentials_sum_to_generalised_area(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
     let off = (0..lit.patches()).map(|i| {
         let potentials = (0..lit.patches())
             .map(|j| lit.solution[i] * lit.solution[j] * lit.exchange.get(i, j).exchange.value);
@@ -348,16 +338,12 @@ fn potentials_sum_to_generalised_area(input: &Inputs) -> Result<Finding, ClaimEr
 }
 
 /// `I = H_p − H_s` of the radiosity and of the importance chain.
-fn light_has_the_same_measures(input: &Inputs) -> Result<Finding, ClaimError> {
+pub(super) fn light_has_the_same_measures(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let mut worst: f64 = 0.0;
-    for kind in [0.0, 1.0] {
-        let chosen = Inputs::from(std::collections::BTreeMap::from([(
-            "importance".to_owned(),
-            kind,
-        )]));
-        let lit = Lit::new(&input.changed_by(&chosen))?;
+    for carrier in [Carrier::Radiosity, Carrier::Importance] {
+        let lit = Lit::of(carrier, case)?;
         let chain = brightness_chain(&lit.exchange, &lit.brightness())?;
-        let rate = input.number("rate_factor")? * entropy_rate(&chain);
+        let rate = case.number("rate_factor")? * entropy_rate(&chain);
         let difference = positional_entropy(&chain) - rate;
         worst = larger(worst, (mutual_information(&chain) - difference).abs());
     }

@@ -1,47 +1,13 @@
 //! §4.1: figures 1 to 5.
 
-use super::extremes::larger;
-use super::figure_5::{chosen_grid_information, reading};
-use super::finding::Computation;
-use super::{ClaimError, Finding, Inputs};
+use super::figure_5::reading;
+use super::{Case, ClaimError, Finding};
 use crate::discretize::{
     BoxGrid, CertifiedGrid, ContactShadow, PatchSplit, UNIT_CUBE, regular_positions,
 };
 use crate::geometry::SplitAxis;
-use crate::numeric::{Certificate, CertifiedMaximum, Interval, Scalar, tolerance};
+use crate::numeric::{Certificate, CertifiedMaximum, Interval, Scalar, larger, tolerance};
 use crate::scene::Scene;
-use std::collections::HashMap;
-use std::sync::{Arc, LazyLock, Mutex, OnceLock};
-
-pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
-    (
-        "discontinuity_beats_darker_cuts",
-        discontinuity_beats_darker_cuts,
-    ),
-    ("discontinuity_beats_lit_cuts", discontinuity_beats_lit_cuts),
-    ("orthogonal_cut_gains_little", orthogonal_cut_gains_little),
-    (
-        "orthogonal_middle_gains_nothing",
-        orthogonal_middle_gains_nothing,
-    ),
-    ("best_parallel_cut", best_parallel_cut),
-    ("curve_has_one_maximum", curve_has_one_maximum),
-    ("best_corner_cut", best_corner_cut),
-    (
-        "orthogonal_slope_explains_the_shift",
-        orthogonal_slope_explains_the_shift,
-    ),
-    ("best_three_cell_grid", best_three_cell_grid),
-    (
-        "best_grid_lies_nearer_to_the_edges",
-        best_grid_lies_nearer_to_the_edges,
-    ),
-    ("figure_4_cases_lose", figure_4_cases_lose),
-    ("best_grid_information", best_grid_information),
-    ("regular_grid_information", regular_grid_information),
-    ("chosen_grid_information", chosen_grid_information),
-    ("best_grid_beats_regular_grid", best_grid_beats_regular_grid),
-];
 
 /// Points of a curve, ends left out.
 fn points(count: u32) -> impl Iterator<Item = f64> {
@@ -49,10 +15,10 @@ fn points(count: u32) -> impl Iterator<Item = f64> {
 }
 
 /// Cuts beyond the line leave a totally dark part; `candidate` is the cut said to be best.
-fn discontinuity_beats_darker_cuts(input: &Inputs) -> Result<Finding, ClaimError> {
-    let line = input.number("line")?;
+pub(super) fn discontinuity_beats_darker_cuts(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let line = case.number("line")?;
     let shadow = ContactShadow::try_new(line)?;
-    let at_candidate = shadow.gain(&input.number("candidate")?)?;
+    let at_candidate = shadow.gain(&case.number("candidate")?)?;
     let mut curve = Vec::new();
     let mut largest: f64 = 0.0;
     for t in points(200) {
@@ -68,11 +34,12 @@ fn discontinuity_beats_darker_cuts(input: &Inputs) -> Result<Finding, ClaimError
         .with_curve(curve))
 }
 
-/// Cuts through the lit part, with a constant point-to-point form factor (`uniform`) or the true one.
-fn discontinuity_beats_lit_cuts(input: &Inputs) -> Result<Finding, ClaimError> {
-    let line = input.number("line")?;
+/// Cuts through the lit part, with a constant point-to-point form factor (`uniform`) or the true
+/// one.
+pub(super) fn discontinuity_beats_lit_cuts(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let line = case.number("line")?;
     let shadow = ContactShadow::try_new(line)?;
-    let uniform = input.switch("uniform")?;
+    let uniform = case.switch("uniform")?;
     let gain = |t: f64| {
         if uniform {
             Ok(shadow.uniform_gain(t))
@@ -120,8 +87,8 @@ fn curve(split: &PatchSplit) -> Result<Vec<[f64; 2]>, ClaimError> {
 }
 
 /// The proved maximum of the gain of one cut.
-fn certified(split: &PatchSplit, input: &Inputs) -> Result<CertifiedMaximum, ClaimError> {
-    let best = split.certified_best(input.bits())?;
+fn certified(split: &PatchSplit, case: &Case<'_>) -> Result<CertifiedMaximum, ClaimError> {
+    let best = split.certified_best(case.bits())?;
     match &best.certificate {
         Certificate::Unknown { reason } => Err(ClaimError::NotCertified {
             reason: reason.clone(),
@@ -130,9 +97,10 @@ fn certified(split: &PatchSplit, input: &Inputs) -> Result<CertifiedMaximum, Cla
     }
 }
 
-/// The proved place of the maximum: of several that are equally high as far as enclosed, any may be it.
-fn certified_place(split: &PatchSplit, input: &Inputs) -> Result<CertifiedMaximum, ClaimError> {
-    let best = certified(split, input)?;
+/// The proved place of the maximum: of several that are equally high as far as enclosed, any may be
+/// it.
+fn certified_place(split: &PatchSplit, case: &Case<'_>) -> Result<CertifiedMaximum, ClaimError> {
+    let best = certified(split, case)?;
     only_place(&best.certificate)?;
     Ok(best)
 }
@@ -145,29 +113,30 @@ fn only_place(certificate: &Certificate) -> Result<(), ClaimError> {
     Err(ClaimError::NotCertified { reason })
 }
 
-fn orthogonal_cut_gains_little(input: &Inputs) -> Result<Finding, ClaimError> {
-    let scene = Scene::floor_and_wall(input.number("depth")?)?;
+pub(super) fn orthogonal_cut_gains_little(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let scene = Scene::floor_and_wall(case.number("depth")?)?;
     let along = |axis| PatchSplit::try_new(&scene, 0, &[1], axis);
     let orthogonal = along(SplitAxis::V)?;
-    let best = certified(&orthogonal, input)?;
-    let parallel = certified(&along(SplitAxis::U)?, input)?;
+    let best = certified(&orthogonal, case)?;
+    let parallel = certified(&along(SplitAxis::U)?, case)?;
     let note = format!(
         "best orthogonal cut {:.4} from a side edge, gain {:.6} bit; best parallel cut gains {:.5} bit; \
          little: below {} of it",
         best.position.to_f64(),
         best.value.to_f64(),
         parallel.value.to_f64(),
-        input.number("small")?
+        case.number("small")?
     );
     let ratio = best.value / &parallel.value;
-    let small = input.interval("small")?;
+    let small = case.interval("small")?;
     let finding = Finding::decided(ratio < small, ratio > small, ratio);
     Ok(finding.noting(note).with_curve(curve(&orthogonal)?))
 }
 
-/// The gain of two equal fluxes is enclosed about 0; that it is 0 is the theorem named in the claim's data.
-fn orthogonal_middle_gains_nothing(input: &Inputs) -> Result<Finding, ClaimError> {
-    let position = input.interval("position")?;
+/// The gain of two equal fluxes is enclosed about 0; that it is 0 is the theorem named in the
+/// claim's data.
+pub(super) fn orthogonal_middle_gains_nothing(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let position = case.interval("position")?;
     let gain = two_squares(SplitAxis::V)?
         .rectangles()?
         .lifted(&position)
@@ -176,10 +145,10 @@ fn orthogonal_middle_gains_nothing(input: &Inputs) -> Result<Finding, ClaimError
     Ok(Finding::decided(gain < nothing, gain > nothing, gain))
 }
 
-fn best_parallel_cut(input: &Inputs) -> Result<Finding, ClaimError> {
-    let scene = Scene::floor_and_wall(input.number("depth")?)?;
+pub(super) fn best_parallel_cut(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let scene = Scene::floor_and_wall(case.number("depth")?)?;
     let split = PatchSplit::try_new(&scene, 0, &[1], SplitAxis::U)?;
-    let best = certified_place(&split, input)?;
+    let best = certified_place(&split, case)?;
     let note = format!(
         "gain {:.7} bit, {:.7} in the middle",
         best.value.to_f64(),
@@ -189,13 +158,13 @@ fn best_parallel_cut(input: &Inputs) -> Result<Finding, ClaimError> {
 }
 
 /// The stationary points in the open interval, all of them found, with the gain near both ends.
-fn curve_has_one_maximum(input: &Inputs) -> Result<Finding, ClaimError> {
-    let split = match (input.switch("orthogonal")?, input.count("neighbours")?) {
+pub(super) fn curve_has_one_maximum(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let split = match (case.switch("orthogonal")?, case.count("neighbours")?) {
         (true, _) => two_squares(SplitAxis::V)?,
         (false, 1) => two_squares(SplitAxis::U)?,
         (false, neighbours) => corner(neighbours)?,
     };
-    let best = certified(&split, input)?;
+    let best = certified(&split, case)?;
     let maxima = match best.certificate {
         Certificate::Several { maximisers } => maximisers,
         _ => 1,
@@ -224,18 +193,18 @@ fn curve_has_one_maximum(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(Finding::decided(holds, fails, count).with_curve(curve(&split)?))
 }
 
-fn best_corner_cut(input: &Inputs) -> Result<Finding, ClaimError> {
-    let best = certified_place(&corner(input.count("neighbours")?)?, input)?;
+pub(super) fn best_corner_cut(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let best = certified_place(&corner(case.count("neighbours")?)?, case)?;
     let note = format!("gain {:.7} bit", best.value.to_f64());
     Ok(Finding::enclosed(best.position).noting(note))
 }
 
-/// At `fraction` of the two-square optimum the slope of the orthogonal gain must be negative: it grows
-/// towards the edge.
-fn orthogonal_slope_explains_the_shift(input: &Inputs) -> Result<Finding, ClaimError> {
-    let pair = certified_place(&two_squares(SplitAxis::U)?, input)?.position;
-    let three = certified_place(&corner(2)?, input)?.position;
-    let at = input.interval("fraction")? * &pair;
+/// At `fraction` of the two-square optimum the slope of the orthogonal gain must be negative: it
+/// grows towards the edge.
+pub(super) fn orthogonal_slope_explains_the_shift(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let pair = certified_place(&two_squares(SplitAxis::U)?, case)?.position;
+    let three = certified_place(&corner(2)?, case)?.position;
+    let at = case.interval("fraction")? * &pair;
     let slope = two_squares(SplitAxis::V)?
         .rectangles()?
         .lifted(&at)
@@ -251,36 +220,22 @@ fn orthogonal_slope_explains_the_shift(input: &Inputs) -> Result<Finding, ClaimE
     Ok(Finding::decided(holds, fails, slope).noting(note))
 }
 
-/// Lines at t and 1 − t of both axes of every face, the only reading of fig. 4 found that fits all it says: one number, "the
-/// displacement of a nearest subdivision to a common edge", from 0 to 10, places all lines, so they are mirror images of each other and 10
-/// is where they meet, in the middle: t = x/20. With four lines or more one number would leave some open, with one line none would move.
-/// Then the maximum is at 6.05, "near to 6", "a bit displaced towards the edges" from the regular grid at 20/3 = 6.67, and 2 and 8
-/// lie on either side of it. With t = x/10 it would be at 3.03.
+/// Lines at t and 1 − t of both axes of every face, the only reading of fig. 4 found that fits all
+/// it says: one number, "the displacement of a nearest subdivision to a common edge", from 0 to 10,
+/// places all lines, so they are mirror images of each other and 10 is where they meet, in the
+/// middle: t = x/20. With four lines or more one number would leave some open, with one line none
+/// would move. Then the maximum is at 6.05, "near to 6", "a bit displaced towards the edges" from
+/// the regular grid at 20/3 = 6.67, and 2 and 8 lie on either side of it. With t = x/10 it would be
+/// at 3.03.
 fn three_cells<S: Scalar>(t: &S) -> Result<S, ClaimError> {
     let grid = BoxGrid::mirrored(UNIT_CUBE, std::slice::from_ref(t), 3, t)?;
     Ok(grid.mutual_information()?)
 }
 
-type Shared = Arc<OnceLock<Result<CertifiedGrid, ClaimError>>>;
-
-/// Best grids by cells and precision: several claims ask for the same.
-static BEST_GRIDS: LazyLock<Mutex<HashMap<(u32, u32), Shared>>> = LazyLock::new(Mutex::default);
-
-fn best_grid(cells: u32, input: &Inputs) -> Result<CertifiedGrid, ClaimError> {
-    let key = (cells, input.bits());
-    let shared = match BEST_GRIDS.lock() {
-        Ok(mut grids) => grids.entry(key).or_default().clone(),
-        Err(_) => Shared::default(),
-    };
-    shared
-        .get_or_init(|| Ok(CertifiedGrid::best(UNIT_CUBE, cells, input.bits())?))
-        .clone()
-}
-
-fn best_three_cell_grid(input: &Inputs) -> Result<Finding, ClaimError> {
-    let grid = best_grid(3, input)?;
+pub(super) fn best_three_cell_grid(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let grid = case.best_grid(3)?;
     only_place(&grid.certificate)?;
-    let units = input.interval("units_per_edge")?;
+    let units = case.interval("units_per_edge")?;
     let line = grid.half[0].clone();
     let note = format!(
         "lines at {:.6} and {:.6} of the edge, {:.7} bit; the axis is read as 0 at an edge, 10 in \
@@ -293,12 +248,12 @@ fn best_three_cell_grid(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(Finding::enclosed(units * &line).noting(note))
 }
 
-fn best_grid_lies_nearer_to_the_edges(input: &Inputs) -> Result<Finding, ClaimError> {
-    let cells = input.count("cells")?;
-    let best = best_grid(cells, input)?;
+pub(super) fn best_grid_lies_nearer_to_the_edges(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let cells = case.count("cells")?;
+    let best = case.best_grid(cells)?;
     only_place(&best.certificate)?;
     let like = &best.mutual_information;
-    let gain = like.clone() - &CertifiedGrid::regular(UNIT_CUBE, cells, input.bits())?;
+    let gain = like.clone() - &CertifiedGrid::regular(UNIT_CUBE, cells, case.bits())?;
     let regular = like.constant(1.0) / &like.constant(f64::from(cells));
     let displacement = match best.half.first() {
         Some(line) => (regular - line) * &like.constant(20.0),
@@ -311,17 +266,17 @@ fn best_grid_lies_nearer_to_the_edges(input: &Inputs) -> Result<Finding, ClaimEr
     Ok(Finding::decided(holds, fails, displacement).noting(note))
 }
 
-fn figure_4_cases_lose(input: &Inputs) -> Result<Finding, ClaimError> {
-    let units = input.interval("axis")?;
-    let at = |name| three_cells(&(input.interval(name)? / &units));
+pub(super) fn figure_4_cases_lose(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let units = case.interval("axis")?;
+    let at = |name| three_cells(&(case.interval(name)? / &units));
     let [lower, best, upper] = [at("lower")?, at("best")?, at("upper")?];
     let curve = (1..100)
         .map(|tenth| f64::from(tenth) / 10.0)
         .map(|x| Ok([x, three_cells(&(x / 20.0))?]))
         .collect::<Result<Vec<_>, ClaimError>>()?;
-    let highest = best_grid(3, input)?;
+    let highest = case.best_grid(3)?;
     // "near": as far as the axis is read, to half a unit
-    let distance = (units * &highest.half[0] - &input.interval("best")?).abs();
+    let distance = (units * &highest.half[0] - &case.interval("best")?).abs();
     let is_near = distance < distance.constant(0.5);
     let is_unique = matches!(highest.certificate, Certificate::Unique { .. });
     let note = format!(
@@ -336,8 +291,8 @@ fn figure_4_cases_lose(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(finding.noting(note).with_curve(curve))
 }
 
-fn best_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
-    let grid = best_grid(input.count("cells")?, input)?;
+pub(super) fn best_grid_information(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let grid = case.best_grid(case.count("cells")?)?;
     let lines: Vec<String> = grid
         .half
         .iter()
@@ -346,27 +301,27 @@ fn best_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
     let all = BoxGrid::mirrored(
         UNIT_CUBE,
         &grid.half,
-        input.count("cells")?,
+        case.count("cells")?,
         &grid.mutual_information,
     )?;
     let all: Vec<f64> = all.lines().iter().map(Interval::to_f64).collect();
     let note = format!(
         "lines at {} from either end, a strict local maximum, not shown to be the highest of all; the figure states neither cells nor lines; {}",
         lines.join(", "),
-        reading(input, &all)?
+        reading(case, &all)?
     );
     Ok(Finding::enclosed(grid.mutual_information).noting(note))
 }
 
-fn regular_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
+pub(super) fn regular_grid_information(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let at = |cells: u32| -> Result<f64, ClaimError> {
         Ok(BoxGrid::regular(UNIT_CUBE, cells)?
             .information()?
             .mutual_information)
     };
-    let information = CertifiedGrid::regular(UNIT_CUBE, input.count("cells")?, input.bits())?;
+    let information = CertifiedGrid::regular(UNIT_CUBE, case.count("cells")?, case.bits())?;
     let levels = (1..=12).map(at).collect::<Result<Vec<f64>, _>>()?;
-    let interval = input.number("printed_from")?..=input.number("printed_to")?;
+    let interval = case.number("printed_from")?..=case.number("printed_to")?;
     let found = levels
         .iter()
         .filter(|level| interval.contains(*level))
@@ -376,16 +331,16 @@ fn regular_grid_information(input: &Inputs) -> Result<Finding, ClaimError> {
          give {:.4}; {}",
         levels[6],
         levels[7],
-        reading(input, &regular_positions(input.count("cells")?))?
+        reading(case, &regular_positions(case.count("cells")?))?
     );
     Ok(Finding::enclosed(information).noting(note))
 }
 
 /// The best grid against the regular one, and a grid whose lines move as far the other way.
-fn best_grid_beats_regular_grid(input: &Inputs) -> Result<Finding, ClaimError> {
-    let cells = input.count("cells")?;
-    let best = best_grid(cells, input)?;
-    let regular = CertifiedGrid::regular(UNIT_CUBE, cells, input.bits())?;
+pub(super) fn best_grid_beats_regular_grid(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let cells = case.count("cells")?;
+    let best = case.best_grid(cells)?;
+    let regular = CertifiedGrid::regular(UNIT_CUBE, cells, case.bits())?;
     let like = &regular;
     let moved: Vec<Interval> = (1..)
         .zip(&best.half)

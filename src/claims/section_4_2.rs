@@ -1,32 +1,21 @@
 //! §4.2: the cut across a radiosity gradient.
 
-use super::extremes::{larger, largest};
-use super::finding::Computation;
-use super::{ClaimError, Finding, Inputs};
+use super::{Case, ClaimError, Finding};
 use crate::discretize::{GradientCut, StraightCut};
 use crate::information::divergence;
-use crate::numeric::{Interval, Scalar, integral, tolerance, x_log2_ratio};
+use crate::numeric::{Interval, Scalar, integral, larger, largest, tolerance, x_log2_ratio};
 
-pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
-    ("objective_follows", objective_follows),
-    ("best_cut_is_perpendicular", best_cut_is_perpendicular),
-    ("information_cut", information_cut),
-    ("polynomial_follows", polynomial_follows),
-    ("mean_square_cut", mean_square_cut),
-    ("cuts_are_near", cuts_are_near),
-];
-
-fn cut(input: &Inputs) -> Result<GradientCut, ClaimError> {
-    let irradiance = input.number("irradiance_exponent")?;
-    Ok(GradientCut::try_new(input.number("exponent")?, irradiance)?)
+fn cut(case: &Case<'_>) -> Result<GradientCut, ClaimError> {
+    let irradiance = case.number("irradiance_exponent")?;
+    Ok(GradientCut::try_new(case.number("exponent")?, irradiance)?)
 }
 
-/// The printed expression against eq. (5), its fluxes ∫B and weights ∫B H by quadrature of the profile
-/// itself, H the irradiance; no emission and constant reflectance make H ∝ B.
-fn objective_follows(input: &Inputs) -> Result<Finding, ClaimError> {
+/// The printed expression against eq. (5), its fluxes ∫B and weights ∫B H by quadrature of the
+/// profile itself, H the irradiance; no emission and constant reflectance make H ∝ B.
+pub(super) fn objective_follows(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let (n, m) = (
-        input.number("exponent")?,
-        input.number("irradiance_exponent")?,
+        case.number("exponent")?,
+        case.number("irradiance_exponent")?,
     );
     let share = |power: f64, l: f64| -> Result<[f64; 2], ClaimError> {
         let profile = |x: f64| x.powf(power);
@@ -46,14 +35,15 @@ fn objective_follows(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(Finding::residual(largest(deviations), tolerance::IDENTITY).noting(note))
 }
 
-/// The best line of all at each whole degree from the one across the gradient to the one along it, against the best at
-/// `reference_angle`, for n = 1, 2, … up to `largest_exponent`; the curve is that of n = 1, in bits.
-fn best_cut_is_perpendicular(input: &Inputs) -> Result<Finding, ClaimError> {
-    let m = input.number("irradiance_exponent")?;
-    let reference = input.number("reference_angle")?;
+/// The best line of all at each whole degree from the one across the gradient to the one along it,
+/// against the best at `reference_angle`, for n = 1, 2, … up to `largest_exponent`; the curve is
+/// that of n = 1, in bits.
+pub(super) fn best_cut_is_perpendicular(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let m = case.number("irradiance_exponent")?;
+    let reference = case.number("reference_angle")?;
     let mut largest_ratio: f64 = 0.0;
     let mut curve = Vec::new();
-    for n in 1..=input.count("largest_exponent")? {
+    for n in 1..=case.count("largest_exponent")? {
         let patch = GradientCut::try_new(n.into(), m)?;
         let at_reference = StraightCut::best(reference, &patch)?.gain;
         for degrees in 0..=90 {
@@ -71,10 +61,10 @@ fn best_cut_is_perpendicular(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(finding.with_curve(curve))
 }
 
-fn information_cut(input: &Inputs) -> Result<Finding, ClaimError> {
-    let found = cut(input)?.certified_mutual_information_cut(input.bits())?;
-    let n = input.number("exponent")?;
-    let derived = GradientCut::try_new(n, n)?.certified_mutual_information_cut(input.bits())?;
+pub(super) fn information_cut(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let found = cut(case)?.certified_mutual_information_cut(case.bits())?;
+    let n = case.number("exponent")?;
+    let derived = GradientCut::try_new(n, n)?.certified_mutual_information_cut(case.bits())?;
     let note = format!(
         "gain {:.6} bit; {:.4} for irradiance growing as the radiosity",
         found.value.to_f64(),
@@ -85,8 +75,8 @@ fn information_cut(input: &Inputs) -> Result<Finding, ClaimError> {
 
 /// At each cut the L2 error, by quadrature, must be lower than a thousandth to either side, and the
 /// printed polynomial `2n lⁿ − lⁿ⁻¹ − … − 1` (its n raised by `degree_shift`) must vanish.
-fn polynomial_follows(input: &Inputs) -> Result<Finding, ClaimError> {
-    let shift = input.count("degree_shift")?;
+pub(super) fn polynomial_follows(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let shift = case.count("degree_shift")?;
     let mut values = Vec::new();
     let mut is_least = true;
     for n in 1..=4 {
@@ -112,21 +102,21 @@ fn polynomial_follows(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(finding)
 }
 
-fn mean_square_cut(input: &Inputs) -> Result<Finding, ClaimError> {
-    let cut = GradientCut::try_new(input.number("exponent")?, 1.0)?;
-    let found = cut.certified_mean_square_cut(input.bits())?;
+pub(super) fn mean_square_cut(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let cut = GradientCut::try_new(case.number("exponent")?, 1.0)?;
+    let found = cut.certified_mean_square_cut(case.bits())?;
     let note = format!("mean square error {:.6}", found.value.to_f64());
     Ok(Finding::enclosed(found.position).noting(note))
 }
 
-fn cuts_are_near(input: &Inputs) -> Result<Finding, ClaimError> {
+pub(super) fn cuts_are_near(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let distance = |n: f64, m: f64| -> Result<Interval, ClaimError> {
         let cut = GradientCut::try_new(n, m)?;
-        let square = cut.certified_mean_square_cut(input.bits())?.position;
-        Ok((square - &cut.certified_mutual_information_cut(input.bits())?.position).abs())
+        let square = cut.certified_mean_square_cut(case.bits())?.position;
+        Ok((square - &cut.certified_mutual_information_cut(case.bits())?.position).abs())
     };
-    let m = input.number("irradiance_exponent")?;
-    let near = input.interval("near")?;
+    let m = case.number("irradiance_exponent")?;
+    let near = case.interval("near")?;
     let (mut printed, mut derived) = (near.zero(), near.zero());
     for n in [1.0, 2.0, 3.0, 4.0] {
         printed = printed.larger_of(&distance(n, m)?);

@@ -1,31 +1,12 @@
 //! §5: the potential gain, the real gain, and the logarithm.
 
-use super::extremes::smaller;
-use super::finding::Computation;
-use super::{ClaimError, Finding, Inputs};
+use super::{Case, ClaimError, Finding};
 use crate::discretize::PatchSplit;
 use crate::form_factor::RectanglePair;
 use crate::geometry::{Rectangle, SplitAxis};
 use crate::information::{divergence, relative_entropy};
-use crate::numeric::{Interval, Scalar, tolerance, x_log2_ratio};
+use crate::numeric::{Interval, Scalar, smaller, tolerance, x_log2_ratio};
 use crate::scene::Scene;
-
-pub(super) const COMPUTATIONS: &[(&str, Computation)] = &[
-    (
-        "printed_gain_is_not_normalised",
-        printed_gain_is_not_normalised,
-    ),
-    (
-        "printed_maximum_is_not_normalised",
-        printed_maximum_is_not_normalised,
-    ),
-    (
-        "potential_is_far_from_real_gain",
-        potential_is_far_from_real_gain,
-    ),
-    ("gain_grows_with_gradient", gain_grows_with_gradient),
-    ("printed_gain_is_unstable", printed_gain_is_unstable),
-];
 
 /// Exchange areas of all ordered pairs of patches, and the product of their areas.
 fn exchanges(scene: &Scene, like: &Interval) -> Result<Vec<Vec<[Interval; 2]>>, ClaimError> {
@@ -54,11 +35,11 @@ fn enclosed_information(scene: &Scene, like: &Interval) -> Result<Interval, Clai
     Ok(relative_entropy(&total, &total.square(), &pairs) / &total)
 }
 
-/// With B = 1 the radiosity chain is the visibility chain, so the true gain is `I′ − I` of the unit cube
-/// with one face cut, and Σw = A_T.
-fn printed_gain_is_not_normalised(input: &Inputs) -> Result<Finding, ClaimError> {
-    let position = input.number("position")?;
-    let like = input.interval("position")?;
+/// With B = 1 the radiosity chain is the visibility chain, so the true gain is `I′ − I` of the unit
+/// cube with one face cut, and Σw = A_T.
+pub(super) fn printed_gain_is_not_normalised(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let position = case.number("position")?;
+    let like = case.interval("position")?;
     let scene = Scene::built_in("cube:1")?;
     let split = scene.with_patch_split(0, SplitAxis::U, position)?;
     let gain = enclosed_information(&split, &like)? - &enclosed_information(&scene, &like)?;
@@ -74,22 +55,22 @@ fn printed_gain_is_not_normalised(input: &Inputs) -> Result<Finding, ClaimError>
             - &whole[0][j][0].x_ln_x();
     }
     let printed = nats * &like.constant(2.0) / &like.constant(2.0).ln();
-    ratio_to_truth(printed / &gain, scene.total_area(), input)
+    ratio_to_truth(printed / &gain, scene.total_area(), case)
 }
 
 /// `2 B_i B_j A_i F_ij log2 m` against eq. (6) of the chain, for two adjacent faces and m = 2.
-fn printed_maximum_is_not_normalised(input: &Inputs) -> Result<Finding, ClaimError> {
-    let like = input.interval("normalised")?;
+pub(super) fn printed_maximum_is_not_normalised(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let like = Interval::precise(1.0, case.bits());
     let scene = Scene::built_in("cube:1")?;
     let exchange = exchanges(&scene, &like)?[0][2][0].clone();
     let printed = exchange.clone() * &like.constant(2.0);
     // w_i P_ij of the chain, whose weights sum to one
     let truth = exchange / &like.constant(scene.total_area()) * &like.constant(2.0);
-    ratio_to_truth(printed / &truth, scene.total_area(), input)
+    ratio_to_truth(printed / &truth, scene.total_area(), case)
 }
 
-fn ratio_to_truth(ratio: Interval, total: f64, input: &Inputs) -> Result<Finding, ClaimError> {
-    let ratio = if input.switch("normalised")? {
+fn ratio_to_truth(ratio: Interval, total: f64, case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let ratio = if case.switch("normalised")? {
         ratio.clone() / &ratio.constant(total)
     } else {
         ratio
@@ -101,14 +82,16 @@ fn ratio_to_truth(ratio: Interval, total: f64, input: &Inputs) -> Result<Finding
         ratio.to_f64()
     );
     let fails = ratio.intersection(&one).is_none();
-    // an equality cannot be enclosed, only refuted; the control comes to within its enclosure and is left open
+    // an equality cannot be enclosed, only refuted; the control comes to within its enclosure and
+    // is left open
     Ok(Finding::decided(false, fails, ratio).noting(note))
 }
 
-/// Three equal strips of two facing squares, `far` being the share below which the potential counts as far.
-fn potential_is_far_from_real_gain(input: &Inputs) -> Result<Finding, ClaimError> {
-    let scene = Scene::facing_squares(input.number("distance")?)?;
-    let far = input.interval("far")?;
+/// Three equal strips of two facing squares, `far` being the share below which the potential counts
+/// as far.
+pub(super) fn potential_is_far_from_real_gain(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let scene = Scene::facing_squares(case.number("distance")?)?;
+    let far = case.interval("far")?;
     let split = PatchSplit::try_new(&scene, 0, &[1], SplitAxis::U)?;
     let split = split.rectangles()?.lifted(&far);
     let three = far.constant(3.0);
@@ -117,9 +100,10 @@ fn potential_is_far_from_real_gain(input: &Inputs) -> Result<Finding, ClaimError
     Ok(Finding::decided(share < far, share > far, share))
 }
 
-/// Two halves with form factors F (1 ± g), g from 0 to 1; with `flux_loss` the total falls as g grows.
-fn gain_grows_with_gradient(input: &Inputs) -> Result<Finding, ClaimError> {
-    let loss = input.number("flux_loss")?;
+/// Two halves with form factors F (1 ± g), g from 0 to 1; with `flux_loss` the total falls as g
+/// grows.
+pub(super) fn gain_grows_with_gradient(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let loss = case.number("flux_loss")?;
     let gain = |g: f64| {
         let flux = 1.0 - loss * g;
         divergence(&[flux * (1.0 + g), flux * (1.0 - g)], &[1.0, 1.0])
@@ -136,11 +120,11 @@ fn gain_grows_with_gradient(input: &Inputs) -> Result<Finding, ClaimError> {
     Ok(finding.sampled().with_curve(curve))
 }
 
-/// Fluxes 1 + d and 1 − d of equal parts, as doubles: the error of the expression as printed, and of the sum of
-/// non-negative terms.
-fn printed_gain_is_unstable(input: &Inputs) -> Result<Finding, ClaimError> {
-    let d = input.number("difference")?;
-    let like = input.interval("difference")?;
+/// Fluxes 1 + d and 1 − d of equal parts, as doubles: the error of the expression as printed, and
+/// of the sum of non-negative terms.
+pub(super) fn printed_gain_is_unstable(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let d = case.number("difference")?;
+    let like = case.interval("difference")?;
     let fluxes = [1.0 + d, 1.0 - d];
     let exact = fluxes.map(|flux| like.constant(flux));
     let total = exact[0].clone() + &exact[1];

@@ -11,11 +11,12 @@
 //! ```
 
 use super::claim::{Claim, Printed};
-use super::finding::{Evidence, Finding, Measure};
+use super::finding::{Finding, Quantity};
+use crate::numeric::Grade;
 use crate::numeric::Interval;
 use crate::numeric::interval::Endpoint;
 
-/// What a claim comes to.
+/// The verdict on a claim.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Verdict {
@@ -53,6 +54,20 @@ impl Verdict {
         }
     }
 
+    /// The meaning of the verdict, in half a sentence.
+    #[must_use]
+    pub const fn meaning(self) -> &'static str {
+        match self {
+            Self::Confirmed => "an enclosure lies inside what is printed, or a proof stands",
+            Self::Supported => "an estimate agrees within its stated error; nothing stronger yet",
+            Self::Refuted => {
+                "an enclosure is disjoint, and the paper states the configuration completely"
+            }
+            Self::Undecided => "anything else, with the reason",
+            Self::NotChecked => "not computed yet, with the reason",
+        }
+    }
+
     /// The verdict where a theorem alone decides.
     pub(super) const fn of_proof(is_refuted: bool) -> Self {
         if is_refuted {
@@ -65,18 +80,8 @@ impl Verdict {
     /// The verdict on a claim, by the rule above.
     #[must_use]
     pub fn of(claim: &Claim, finding: &Finding) -> Self {
-        let agrees = match (&claim.printed, finding.holds, finding.measure) {
-            (Some(printed), None, measure) => match (&finding.enclosure, measure) {
-                (Some(enclosure), _) => enclosed_agreement(printed, enclosure),
-                (None, Measure::Value { value, error }) => agreement(printed, value, error),
-                (None, Measure::Residual { .. }) => Agreement::Overlap,
-            },
-            (_, Some(true), _) => Agreement::Inside,
-            (_, Some(false), _) => Agreement::Outside,
-            _ => Agreement::Overlap,
-        };
-        let is_rigorous = finding.evidence >= Evidence::Enclosure;
-        match agrees {
+        let is_rigorous = finding.grade >= Grade::Enclosure;
+        match Agreement::of(claim, finding) {
             Agreement::Inside if is_rigorous => Self::Confirmed,
             Agreement::Inside => Self::Supported,
             Agreement::Outside if is_rigorous && claim.complete => Self::Refuted,
@@ -85,12 +90,33 @@ impl Verdict {
     }
 }
 
-enum Agreement {
+/// The relation of a finding to the claim.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Agreement {
+    /// Inside what is printed, or the statement holds.
     Inside,
+    /// Neither inside nor outside for certain.
     Overlap,
+    /// Outside of what is printed, or the statement fails.
     Outside,
 }
 
+impl Agreement {
+    pub(super) fn of(claim: &Claim, finding: &Finding) -> Self {
+        match (&claim.printed, finding.holds) {
+            (Some(printed), None) => match (&finding.enclosure, finding.quantity) {
+                (Some(enclosure), _) => enclosed_agreement(printed, enclosure),
+                (None, Quantity::Value { value, error }) => agreement(printed, value, error),
+                (None, Quantity::Residual { .. }) => Self::Overlap,
+            },
+            (_, Some(true)) => Self::Inside,
+            (_, Some(false)) => Self::Outside,
+            (None, None) => Self::Overlap,
+        }
+    }
+}
+
+/// Compares a value and its error with what is printed, in doubles.
 fn agreement(printed: &Printed, value: f64, error: f64) -> Agreement {
     let (lower, upper) = printed.interval();
     if lower <= value - error && value + error <= upper {
@@ -102,7 +128,7 @@ fn agreement(printed: &Printed, value: f64, error: f64) -> Agreement {
     }
 }
 
-/// The same between the exact decimal interval and an enclosure.
+/// Compares an enclosure with the exact decimal interval.
 fn enclosed_agreement(printed: &Printed, enclosure: &Interval) -> Agreement {
     let Some([lower, upper]) = printed.exact_interval(enclosure.lower().bits()) else {
         return Agreement::Overlap;

@@ -3,7 +3,7 @@
 use super::Answer;
 use super::output::{Output, check_place, write_file};
 use super::reproduce::selected;
-use infoscene::claims::{DEFAULT_PRECISION, judge, registry};
+use infoscene::claims::{Context, DEFAULT_PRECISION, judge, registry};
 use infoscene::report::{curve_figure, curve_report};
 use std::path::PathBuf;
 
@@ -36,7 +36,7 @@ impl Curve {
         let mut drawn = None;
         for claim in &claims {
             if let Some(axes) = &claim.curve_axes {
-                let finding = judge(claim, DEFAULT_PRECISION)?.finding;
+                let finding = judge(claim, &Context::default())?.finding;
                 drawn = finding.map(|finding| (axes, finding.curve));
             }
         }

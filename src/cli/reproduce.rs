@@ -2,7 +2,7 @@
 
 use super::output::{Output, precision, progress_bar};
 use super::{Answer, Outcome};
-use infoscene::claims::{Claim, ClaimError, DEFAULT_PRECISION, judge_all, registry};
+use infoscene::claims::{Claim, ClaimError, Context, DEFAULT_PRECISION, judge_all, registry};
 use infoscene::report::reproduction_report;
 
 #[derive(Debug, clap::Args)]
@@ -31,7 +31,7 @@ impl Reproduce {
         }
         self.output.check()?;
         let bar = progress_bar(claims.len() as u64, "claims")?;
-        let judgements = judge_all(&claims, self.precision, || bar.inc(1))?;
+        let judgements = judge_all(&claims, &Context::new(self.precision), || bar.inc(1))?;
         bar.finish_and_clear();
         self.output.write(&reproduction_report(&judgements)?)?;
         let as_recorded = judgements.iter().all(|j| j.verdict == j.recorded());

@@ -9,11 +9,11 @@
 //! δ the bounds of the exchange areas, η those of the brightnesses relative to themselves. The
 //! error of the answer is an *estimate*.
 
+use super::SceneInformation;
 use super::measures::{pair_divergence, positional_entropy};
 use super::scene::divergence_error;
-use super::{ErrorGrade, SceneInformation};
 use crate::chain::{ChainError, brightness_chain};
-use crate::numeric::{compensated_sum, parallel_map, tolerance};
+use crate::numeric::{Grade, compensated_sum, parallel_map, tolerance};
 use crate::scene::{Closure, ExchangeAreas};
 use crate::transport::RadiositySolution;
 use std::f64::consts::LN_2;
@@ -94,7 +94,7 @@ pub fn brightness_information(
         entropy_rate: (positional_entropy - mutual_information).max(0.0),
         mutual_information,
         error: error + rounding,
-        error_grade: ErrorGrade::Estimate,
+        error_grade: Grade::Estimate,
         contributions,
         outside_contribution: None,
         weights: (0..n).map(|i| chain.stationary_probability(i)).collect(),

@@ -20,11 +20,10 @@
 //! **Not covered**: rooms that are open or not convex inside;
 //! [`chord_information`](super::chord_information) samples closed ones.
 
-use super::ErrorGrade;
 use crate::chain::ChainError;
 use crate::form_factor::Logarithms;
 use crate::geometry::{GeometryError, Patch};
-use crate::numeric::{CompensatedSum, compensated_sum, tolerance, try_parallel_map};
+use crate::numeric::{CompensatedSum, Grade, compensated_sum, tolerance, try_parallel_map};
 use crate::scene::{ExchangeError, Occlusion, Scene};
 use std::f64::consts::LN_2;
 
@@ -50,7 +49,7 @@ pub struct ContinuousInformation {
     /// Estimated absolute error.
     pub error: f64,
     /// The grade of the error: an estimate.
-    pub error_grade: ErrorGrade,
+    pub error_grade: Grade,
     /// Number of faces.
     pub faces: usize,
     /// The face of each patch.
@@ -126,7 +125,7 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
     Ok(ContinuousInformation {
         mutual_information,
         error: error + tolerance::INFORMATION * (1.0 + mutual_information.abs()),
-        error_grade: ErrorGrade::Estimate,
+        error_grade: Grade::Estimate,
         faces: faces.len(),
         face_of,
         pairs,

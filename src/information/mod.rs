@@ -37,4 +37,4 @@ pub use measures::{entropy_rate, mutual_information, positional_entropy};
 pub use pair_counts::PairCounts;
 pub use pair_losses::{PairLoss, pair_losses};
 pub(crate) use scene::divergence_error;
-pub use scene::{ErrorGrade, OpenScene, SceneInformation, scene_information};
+pub use scene::{OpenScene, SceneInformation, scene_information};

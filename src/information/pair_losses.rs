@@ -12,12 +12,11 @@
 //!
 //! **Not covered**: rooms that are not convex inside.
 
-use super::ErrorGrade;
 use super::continuous::in_own_unit;
 use crate::chain::ChainError;
 use crate::form_factor::Logarithms;
 use crate::geometry::Patch;
-use crate::numeric::{compensated_sum, tolerance, try_parallel_map};
+use crate::numeric::{Grade, compensated_sum, tolerance, try_parallel_map};
 use crate::scene::{ExchangeError, NamedPatch, Occlusion, Progress, Scene, SceneError};
 use std::f64::consts::LN_2;
 
@@ -42,7 +41,7 @@ pub struct PairLoss {
 
 impl PairLoss {
     /// The grade of the error.
-    pub const ERROR_GRADE: ErrorGrade = ErrorGrade::Estimate;
+    pub const ERROR_GRADE: Grade = Grade::Estimate;
 }
 
 /// The losses of all pairs of patches that see each other, in a closed room that is convex inside.

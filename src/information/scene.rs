@@ -28,7 +28,7 @@
 use super::measures::{Unit, pair_divergence};
 use crate::chain::ChainError;
 use crate::form_factor::ExchangeArea;
-use crate::numeric::{compensated_sum, tolerance, x_log2_x};
+use crate::numeric::{Grade, compensated_sum, tolerance, x_log2_x};
 use crate::scene::{Closure, PassSummary, ScenePairs};
 use std::f64::consts::LN_2;
 
@@ -39,26 +39,6 @@ pub enum OpenScene {
     Refuse,
     /// One more state, `outside`, takes what escapes.
     AddOutsideState,
-}
-
-/// The grade of evidence for the error of an answer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ErrorGrade {
-    /// To first order.
-    Estimate,
-    /// Derived from the bounds of the form factors.
-    Bound,
-}
-
-impl ErrorGrade {
-    /// `"estimate"` or `"bound"`.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Estimate => "estimate",
-            Self::Bound => "bound",
-        }
-    }
 }
 
 /// The information of a scene's chain, in bits.
@@ -72,8 +52,8 @@ pub struct SceneInformation {
     pub mutual_information: f64,
     /// The error of the mutual information.
     pub error: f64,
-    /// The grade of the error.
-    pub error_grade: ErrorGrade,
+    /// The grade of the error: a bound for a closed scene, an estimate for an open one.
+    pub error_grade: Grade,
     /// The terms of eq. (3) by patch, or by the row that several are summed into,
     /// `w_i Σ_j P_ij log2(P_ij/w_j)`.
     pub contributions: Vec<f64>,
@@ -158,9 +138,9 @@ pub(super) fn information_with_sums<const N: usize>(
         mutual_information,
         error: error / outside.total + rounding,
         error_grade: if is_closed {
-            ErrorGrade::Bound
+            Grade::Bound
         } else {
-            ErrorGrade::Estimate
+            Grade::Estimate
         },
         contributions,
         outside_contribution,

@@ -4,8 +4,8 @@ use super::sampled::SampledRecord;
 use super::{Report, ReportError, Table, certain_digits, enclosed_digits, scientific};
 use crate::discretize::{BestGrid, BoxGrid, GridInformation, Spacing};
 use crate::information::LineSample;
-use crate::numeric::Interval;
 use crate::numeric::interval::DecimalBounds;
+use crate::numeric::{Grade, Interval};
 
 /// What is said about a grid.
 #[derive(Debug)]
@@ -46,13 +46,13 @@ struct Record<'a> {
     lines: &'a [f64],
     mutual_information: f64,
     error: f64,
-    error_grade: &'static str,
+    error_grade: Grade,
     regular_mutual_information: f64,
     patches: usize,
     pairs: usize,
     classes: usize,
     line_error: Option<f64>,
-    line_error_grade: Option<&'static str>,
+    line_error_grade: Option<Grade>,
     slope: Option<f64>,
     curvature: Option<f64>,
     curvature_error: Option<f64>,
@@ -109,13 +109,13 @@ pub fn grid_report(answer: &GridAnswer<'_>) -> Result<Report, ReportError> {
         lines: grid.lines(),
         mutual_information: information.mutual_information,
         error: information.error,
-        error_grade: "bound",
+        error_grade: Grade::Bound,
         regular_mutual_information: regular.mutual_information,
         patches: 6 * cells.pow(2),
         pairs: 15 * cells.pow(4),
         classes: information.classes,
         line_error: best.map(|best| best.line_error),
-        line_error_grade: best.map(|_| "estimate"),
+        line_error_grade: best.map(|_| Grade::Estimate),
         slope: best.map(|best| best.slope),
         curvature: best.and_then(|best| best.curvature),
         curvature_error: found.map(|best| best.curvature_error),

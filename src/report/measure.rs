@@ -1,8 +1,8 @@
 //! The information of a scene.
 
 use super::{Report, ReportError, Table, certain_digits, scientific};
-use crate::information::{ContinuousInformation, ErrorGrade, FacePair, PairLoss, SceneInformation};
-use crate::numeric::tolerance;
+use crate::information::{ContinuousInformation, FacePair, PairLoss, SceneInformation};
+use crate::numeric::{Grade, tolerance};
 use crate::scene::PlanSummary;
 
 /// Patches whose contributions a table shows; records carry all.
@@ -22,13 +22,13 @@ struct Record<'r> {
     mutual_information: f64,
     continuous_mutual_information: Option<f64>,
     continuous_error: Option<f64>,
-    continuous_error_grade: Option<&'static str>,
+    continuous_error_grade: Option<Grade>,
     /// What pairs of faces contribute to it, both directions together.
     continuous_contributions: Option<Vec<PairRecord<'r>>>,
     /// What pairs of patches contribute to both, and lose.
     pair_losses: Option<Vec<LossRecord>>,
     mutual_information_error: f64,
-    error_grade: &'static str,
+    error_grade: Grade,
     closure: WorstRow<'r>,
     contributions: Vec<Contribution<'r>>,
     outside_contribution: Option<f64>,
@@ -191,8 +191,8 @@ pub fn measure_report(
         })
         .collect();
     let bits = |value: f64, error: f64| match measured.error_grade {
-        ErrorGrade::Bound => certain_digits(value, error),
-        ErrorGrade::Estimate => format!("({})", certain_digits(value, error)),
+        grade if grade >= Grade::Bound => certain_digits(value, error),
+        _ => format!("({})", certain_digits(value, error)),
     };
     let entropy_error = tolerance::INFORMATION * (2.0 + measured.positional_entropy);
     let mut lines = vec![
@@ -288,11 +288,11 @@ pub fn measure_report(
         mutual_information: measured.mutual_information,
         continuous_mutual_information: continuous.map(|(_, found)| found.mutual_information),
         continuous_error: continuous.map(|(_, found)| found.error),
-        continuous_error_grade: continuous.map(|(_, found)| found.error_grade.name()),
+        continuous_error_grade: continuous.map(|(_, found)| found.error_grade),
         continuous_contributions: pairs,
         pair_losses: losses.map(|losses| losses.iter().map(LossRecord::from).collect()),
         mutual_information_error: measured.error,
-        error_grade: measured.error_grade.name(),
+        error_grade: measured.error_grade,
         closure: WorstRow {
             patch: worst.row,
             name: names[worst.row],

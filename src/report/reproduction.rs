@@ -4,7 +4,8 @@ use super::{
     Axis, Figure, Line, Report, ReportError, Table, certain_digits, enclosed_digits, power_of_ten,
     scientific,
 };
-use crate::claims::{Evidence, Judgement, Measure, Verdict};
+use crate::claims::{Judgement, Quantity, Verdict};
+use crate::numeric::Grade;
 
 /// One claim as a record: the keys are relied on by scripts.
 #[derive(Debug, serde::Serialize)]
@@ -20,7 +21,7 @@ struct Record<'j> {
     upper: Option<String>,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     proof: &'j [String],
-    evidence: Option<Evidence>,
+    evidence: Option<Grade>,
     verdict: Verdict,
     recorded: Verdict,
     note: &'j str,
@@ -41,10 +42,10 @@ impl<'j> From<&'j Judgement> for Record<'j> {
             quantity: &claim.quantity,
             printed: claim.printed.as_ref().map(|printed| printed.value),
             decimals: claim.printed.as_ref().map(|printed| printed.decimals),
-            computed: finding.map(|finding| finding.measure.number()),
-            error: finding.map(|finding| match finding.measure {
-                Measure::Value { error, .. } => error,
-                Measure::Residual { tolerance, .. } => tolerance,
+            computed: finding.map(|finding| finding.quantity.number()),
+            error: finding.map(|finding| match finding.quantity {
+                Quantity::Value { error, .. } => error,
+                Quantity::Residual { tolerance, .. } => tolerance,
             }),
             lower,
             upper,
@@ -124,13 +125,13 @@ fn row(judgement: &Judgement) -> Vec<String> {
         .as_ref()
         .map_or_else(String::new, |p| format!(": {}", p.text));
     let says = format!("{}: {}{printed}", claim.place, claim.quantity);
-    let evidence = judgement.evidence().map_or("", Evidence::name).to_owned();
+    let evidence = judgement.evidence().map_or("", Grade::name).to_owned();
     let [computed, error] = match &judgement.finding {
         None => ["", ""].map(str::to_owned),
         Some(finding) => {
-            let (value, error) = match finding.measure {
-                Measure::Value { value, error } => (value, error),
-                Measure::Residual { value, tolerance } => (value, tolerance),
+            let (value, error) = match finding.quantity {
+                Quantity::Value { value, error } => (value, error),
+                Quantity::Residual { value, tolerance } => (value, tolerance),
             };
             match &finding.enclosure {
                 Some(enclosure) if enclosure.is_point() => {
@@ -180,7 +181,7 @@ pub fn curve_report(curve: &[[f64; 2]]) -> Result<Report, ReportError> {
     Report::list(table, "points", &points)
 }
 
-/// The same points as a figure, with what the axes measure.
+/// The figure of a claim's curve, with the labels of its axes.
 #[must_use]
 pub fn curve_figure(axes: &[String; 2], curve: &[[f64; 2]]) -> Figure {
     let [x, y] = axes.each_ref().map(|label| Axis {

@@ -2,6 +2,7 @@
 
 use super::{Report, ReportError, Table, certain_digits, scientific};
 use crate::information::LineSample;
+use crate::numeric::Grade;
 use crate::scene::Scene;
 
 /// The answer as a record: the keys are relied on by scripts.
@@ -13,7 +14,7 @@ struct Record {
     mutual_information: Option<f64>,
     continuous_mutual_information: Option<f64>,
     continuous_standard_error: Option<f64>,
-    continuous_error_grade: Option<&'static str>,
+    continuous_error_grade: Option<Grade>,
     lines: u32,
     seed: u64,
     sampled: SampledRecord,
@@ -37,7 +38,7 @@ impl SampledRecord {
             miller_madow: counts.miller_madow(),
             corrected: counts.corrected(),
             standard_error: counts.standard_error(),
-            error_grade: "sample",
+            error_grade: Grade::Sample,
             confidence_interval: counts.confidence_interval(),
             exact_mutual_information: exact.map(|[information, _]| information),
         }
@@ -107,7 +108,7 @@ pub(super) struct SampledRecord {
     miller_madow: f64,
     corrected: f64,
     standard_error: f64,
-    error_grade: &'static str,
+    error_grade: Grade,
     /// Of 95 %, around the corrected estimate; none if too much is unseen.
     confidence_interval: Option<[f64; 2]>,
     exact_mutual_information: Option<f64>,
@@ -132,7 +133,7 @@ pub fn sample_report(
         mutual_information: None,
         continuous_mutual_information: chords.map(|chords| chords.mutual_information),
         continuous_standard_error: chords.map(|chords| chords.standard_error),
-        continuous_error_grade: chords.map(|_| "sample"),
+        continuous_error_grade: chords.map(|_| Grade::Sample),
         lines: sample.lines,
         seed,
         sampled: SampledRecord::new(sample, seed, exact),

@@ -1,12 +1,14 @@
 //! Error of every route to a form factor, against its run time.
 //!
-//! Cases are the pairs of `form_factors.csv` with their 30 digits, and pairs of each [`Family`] with the [`Truth`] computed in the run.
-//! Methods are each route alone at several tolerances, the chooser at the same ones, Gauss rules of fixed
-//! order, and lines at random. A row is one case by one method at one setting; log-log plots take `seconds` and
-//! `relative_error` of rows with the same case and method.
+//! Cases are the pairs of `form_factors.csv` with their 30 digits, and pairs of each [`Family`]
+//! with the [`Truth`] computed in the run. Methods are each route alone at several tolerances, the
+//! chooser at the same ones, Gauss rules of fixed order, and lines at random. A row is one case by
+//! one method at one setting; log-log plots take `seconds` and `relative_error` of rows with the
+//! same case and method.
 //!
-//! A family's row has the largest error and the root of the mean square over its pairs, the mean time of a pair, and how many
-//! pairs the method served. Errors of the lines are of one seed. The corners in the file are decimals: in `f64` they move a value by some ε.
+//! A family's row has the largest error and the root of the mean square over its pairs, the mean
+//! time of a pair, and how many pairs the method served. Errors of the lines are of one seed. The
+//! corners in the file are decimals: in `f64` they move a value by some ε.
 
 use super::polygon_pairs::Family;
 use super::{StudyError, Truth, gauss_order};
@@ -24,7 +26,7 @@ const TOLERANCES: [f64; 7] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14];
 const ORDERS: [usize; 7] = [1, 2, 3, 4, 6, 8, 12];
 /// Numbers of lines.
 const LINES: [u32; 5] = [100, 1000, 10_000, 100_000, 1_000_000];
-/// Any number.
+/// An arbitrary seed.
 const SEED: u64 = 1999;
 
 /// One measurement.
@@ -32,11 +34,11 @@ const SEED: u64 = 1999;
 pub struct AccuracyRow {
     /// A pair, or a family of pairs.
     pub case: String,
-    /// What cases of one kind have in common.
+    /// The kind of the case.
     pub family: String,
-    /// How it was computed.
+    /// The method.
     pub method: &'static str,
-    /// Where the exact value comes from.
+    /// The origin of the exact value.
     pub judge: &'static str,
     /// The exact exchange area, or the mean of a family's.
     pub value: f64,
@@ -62,7 +64,7 @@ pub struct AccuracyRow {
     pub pairs: usize,
 }
 
-/// How an exchange area is computed.
+/// A method of computing an exchange area.
 #[derive(Debug, Clone, Copy)]
 enum Method {
     /// By the chooser.
@@ -82,7 +84,7 @@ enum Sampler {
     QuasiRandom,
 }
 
-/// What a method found.
+/// The result of a method.
 #[derive(Debug, Clone, Copy)]
 struct Found {
     value: f64,
@@ -202,8 +204,8 @@ struct Case {
     pairs: Vec<Pair>,
 }
 
-/// The rows of the study; `is_quick` takes few pairs of each family, judged by the double-double route with its bound, few lines,
-/// and each time once.
+/// The rows of the study; `is_quick` takes few pairs of each family, judged by the double-double
+/// route with its bound, few lines, and each time once.
 ///
 /// # Errors
 /// [`StudyError`] if a case has no exact value, which the tests exclude.
@@ -299,7 +301,8 @@ fn measured(case: &Case, method: Method, least: Duration) -> Option<AccuracyRow>
 /// Evaluations whose median is a time, at least.
 const REPETITIONS: usize = 5;
 
-/// The result, and the median time of as many evaluations as fill the time: of one that fills it alone, its own.
+/// The result, and the median time of as many evaluations as fill the time: of one that fills it
+/// alone, its own.
 fn timed<T>(least: Duration, evaluate: impl Fn() -> T) -> (T, f64) {
     let once = || {
         let start = Instant::now();
@@ -374,7 +377,7 @@ fn known_cases() -> Result<Vec<Case>, StudyError> {
     Ok(cases)
 }
 
-/// What is read of a row of the file.
+/// The columns of the file that are read.
 #[derive(Debug, serde::Deserialize)]
 struct Record {
     id: String,

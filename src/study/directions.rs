@@ -1,4 +1,5 @@
-//! What a straight cut gains in any direction across a square whose radiosity grows along one axis (§4.2).
+//! Gains of straight cuts in any direction across a square whose radiosity grows along one axis
+//! (§4.2).
 
 use crate::discretize::{BestStraightCut, DiscretizeError, GradientCut, StraightCut};
 use std::time::Instant;

@@ -1,4 +1,4 @@
-//! What a study cannot measure.
+//! Errors of studies.
 
 use crate::chain::ChainError;
 use crate::claims::ClaimError;
@@ -38,7 +38,7 @@ pub enum StudyError {
     FormFactor {
         /// The pair.
         case: String,
-        /// Why it has none.
+        /// The reason.
         source: FormFactorError,
     },
     /// The file of independent values cannot be read.
@@ -52,7 +52,7 @@ pub enum StudyError {
     Number {
         /// The row.
         id: String,
-        /// As given.
+        /// The text as given.
         text: String,
     },
 }

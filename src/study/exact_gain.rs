@@ -4,8 +4,9 @@
 //!   I′ − I = Σ J′ log2( J′_kl/(w′_k w′_l) ) − Σ J log2( J_ij/(w_i w_j) ),   total mass 1
 //! ```
 //!
-//! The coarse entries are the parts' sums. A difference of two numbers of some bits each, it resolves gains down to
-//! about `2^(8 − bits)`; it shares nothing with the sum of non-negative terms it judges.
+//! The coarse entries are the parts' sums. A difference of two numbers of some bits each, it
+//! resolves gains down to about `2^(8 − bits)`; it shares nothing with the sum of non-negative
+//! terms it judges.
 
 use crate::chain::Refinement;
 use crate::numeric::{Interval, Scalar};

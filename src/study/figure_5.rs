@@ -1,7 +1,9 @@
-//! Fig. 5 read as plug-in estimates from random lines: one number of lines fitted, three printed values.
+//! Fig. 5 read as plug-in estimates from random lines: one number of lines fitted, three printed
+//! values.
 //!
-//! [`BoxGrid`] says what is expected; each grid is also sampled, all with the same lines, so that the differences between
-//! grids are known better than the values. Lines start from points of the faces; in a cube the chords of global lines are the same.
+//! [`BoxGrid`] gives the expected values; each grid is also sampled, all with the same lines, so
+//! that the differences between grids are known better than the values. Lines start from points of
+//! the faces; in a cube the chords of global lines are the same.
 
 use super::StudyError;
 use crate::claims::{ClaimError, Printed, registry, samples_for};
@@ -13,22 +15,22 @@ use crate::scene::GridLines;
 /// One grid.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Figure5Row {
-    /// What grid it is.
+    /// The grid in words.
     pub case: &'static str,
     /// Its lines, in units of the edge.
     pub lines: Vec<f64>,
-    /// As the paper has it, in bits.
+    /// The printed value, in bits.
     pub printed: Option<f64>,
     /// The exact value, in bits.
     pub mutual_information: f64,
-    /// Lines N at which the plug-in estimate has the printed value on average, and for half a unit of its last decimal more and
-    /// less; none where the printed value is below the exact one.
+    /// Lines N at which the plug-in estimate has the printed value on average, and for half a unit
+    /// of its last decimal more and less; none where the printed value is below the exact one.
     pub samples_for_printed: Option<[u64; 3]>,
     /// The N of the regular grid.
     pub samples: u64,
     /// The expected value of the plug-in estimate from N lines with known weights, in bits.
     pub expected: f64,
-    /// The same with counted weights.
+    /// The expected value with counted weights.
     pub expected_with_counted_weights: f64,
     /// The standard deviation of one estimate, by formula.
     pub deviation: f64,
@@ -62,7 +64,6 @@ pub fn figure_5(quick: bool) -> Result<Vec<Figure5Row>, StudyError> {
     let regular = BoxGrid::regular(UNIT_CUBE, CELLS)?;
     let fitted = printed("fig5-regular")?;
     let samples = samples_for(&regular, fitted.value)?.unwrap_or(u64::from(u32::MAX));
-    let lines = u32::try_from(samples).unwrap_or(u32::MAX);
     let runs = if quick { 2 } else { RUNS };
     let of_lines = |lines: &[f64]| BoxGrid::try_new(UNIT_CUBE, lines);
     let best = BestGrid::find(UNIT_CUBE, CELLS)?.grid;
@@ -80,53 +81,82 @@ pub fn figure_5(quick: bool) -> Result<Vec<Figure5Row>, StudyError> {
             None,
         ),
     ];
-    let mut reference: Vec<f64> = Vec::new();
+    let sample = Sample { samples, runs };
+    let mut reference: Option<Vec<f64>> = None;
     let mut rows = Vec::new();
     for (case, grid, printed) in grids {
-        let estimates = sampled(&grid, lines, runs)?;
-        if reference.is_empty() {
-            reference.clone_from(&estimates);
+        let estimates = sample.estimates(&grid)?;
+        let reference = reference.get_or_insert_with(|| estimates.clone());
+        let mut row = sample.row(case, &grid, &estimates, reference)?;
+        if let Some(printed) = printed {
+            row.samples_for_printed = samples_for_printed(&grid, &printed)?;
+            row.printed = Some(printed.value);
+            row.printed_difference = Some(printed.value - fitted.value);
         }
-        let differences: Vec<f64> = estimates
-            .iter()
-            .zip(&reference)
-            .map(|(one, other)| one - other)
-            .collect();
-        let ([mean, deviation], [difference, of_differences]) = (
-            mean_and_deviation(&estimates),
-            mean_and_deviation(&differences),
-        );
-        let for_printed = match &printed {
-            Some(printed) => {
-                let of = |value: f64| samples_for(&grid, value);
-                let (low, high) = printed.interval();
-                let all = [of(printed.value)?, of(high)?, of(low)?];
-                let [at, from, to] = all;
-                at.zip(from.zip(to)).map(|(at, (from, to))| [at, from, to])
-            }
-            None => None,
-        };
-        let mutual_information = grid.information()?.mutual_information;
-        let expected = mutual_information + grid.expected_bias(samples)?;
-        rows.push(Figure5Row {
-            case,
-            lines: grid.lines().to_vec(),
-            printed: printed.as_ref().map(|printed| printed.value),
-            mutual_information,
-            samples_for_printed: for_printed,
-            samples,
-            expected,
-            expected_with_counted_weights: expected - bias_of_weights(&grid, samples)?,
-            deviation: grid.expected_deviation(samples)?,
-            runs,
-            sampled: mean,
-            sampled_deviation: deviation,
-            difference,
-            difference_deviation: of_differences,
-            printed_difference: printed.map(|printed| printed.value - fitted.value),
-        });
+        rows.push(row);
     }
     Ok(rows)
+}
+
+/// The size of the samples, the same for all grids.
+struct Sample {
+    samples: u64,
+    runs: u64,
+}
+
+impl Sample {
+    /// The plug-in estimates of a grid, one for each run; lines of one seed are the same for all
+    /// grids.
+    fn estimates(&self, grid: &BoxGrid) -> Result<Vec<f64>, StudyError> {
+        let lines = u32::try_from(self.samples).unwrap_or(u32::MAX);
+        let estimate = |seed| Ok(grid.sample(lines, seed)?.counts.plug_in());
+        (1..=self.runs).map(estimate).collect()
+    }
+
+    /// The row of a grid, without a printed value.
+    fn row(
+        &self,
+        case: &'static str,
+        grid: &BoxGrid,
+        estimates: &[f64],
+        reference: &[f64],
+    ) -> Result<Figure5Row, StudyError> {
+        let differences: Vec<f64> = estimates
+            .iter()
+            .zip(reference)
+            .map(|(one, other)| one - other)
+            .collect();
+        let [sampled, sampled_deviation] = mean_and_deviation(estimates);
+        let [difference, difference_deviation] = mean_and_deviation(&differences);
+        let mutual_information = grid.information()?.mutual_information;
+        let expected = mutual_information + grid.expected_bias(self.samples)?;
+        let of_weights = bias_of_weights(grid, self.samples)?;
+        Ok(Figure5Row {
+            case,
+            lines: grid.lines().to_vec(),
+            printed: None,
+            mutual_information,
+            samples_for_printed: None,
+            samples: self.samples,
+            expected,
+            expected_with_counted_weights: expected - of_weights,
+            deviation: grid.expected_deviation(self.samples)?,
+            runs: self.runs,
+            sampled,
+            sampled_deviation,
+            difference,
+            difference_deviation,
+            printed_difference: None,
+        })
+    }
+}
+
+/// Lines at which a grid's estimate is the printed value on average, and its ends.
+fn samples_for_printed(grid: &BoxGrid, printed: &Printed) -> Result<Option<[u64; 3]>, StudyError> {
+    let (low, high) = printed.interval();
+    let of = |value: f64| samples_for(grid, value);
+    let [at, from, to] = [of(printed.value)?, of(high)?, of(low)?];
+    Ok(at.zip(from.zip(to)).map(|(at, (from, to))| [at, from, to]))
 }
 
 /// The number that a claim is about.
@@ -139,13 +169,8 @@ fn printed(id: &str) -> Result<Printed, ClaimError> {
     claim.and_then(|claim| claim.printed).ok_or_else(unknown)
 }
 
-/// Plug-in estimates; lines of one seed are the same for all grids.
-fn sampled(grid: &BoxGrid, lines: u32, runs: u64) -> Result<Vec<f64>, StudyError> {
-    let estimate = |seed| Ok(grid.sample(lines, seed)?.counts.plug_in());
-    (1..=runs).map(estimate).collect()
-}
-
-/// What counted weights take off the bias: each cell is an end of a binomial number of lines.
+/// The part of the bias that counted weights take off: each cell is an end of a binomial number of
+/// lines.
 fn bias_of_weights(grid: &BoxGrid, samples: u64) -> Result<f64, StudyError> {
     let areas = GridLines::try_new(UNIT_CUBE, grid.lines())?.areas();
     let total = compensated_sum(areas.iter().copied());

@@ -1,9 +1,10 @@
 //! Theorem 1 under fire: random refinements until one breaks a promise.
 //!
-//! Each case is a random refinement ([`strategies::refinement_draw`]); it must be buildable, gain `≥ 0`, and its gain must
-//! be the difference of the two mutual informations to [`tolerance::IDENTITY`]. A sample is recomputed at 256
-//! bits: there the gain must be right to [`tolerance::GAIN`] of itself, or, where an entry is below 1e-290 of
-//! the sum, to [`tolerance::TINY_GAIN`] bit. What fails is shrunk to few states and simple numbers.
+//! Each case is a random refinement ([`strategies::refinement_draw`]); it must be buildable, gain `≥ 0`, and
+//! its gain must be the difference of the two mutual informations to [`tolerance::IDENTITY`]. A
+//! sample is recomputed at 256 bits: there the gain must be right to [`tolerance::GAIN`] of itself,
+//! or, where an entry is below 1e-290 of the sum, to [`tolerance::TINY_GAIN`] bit. What fails is
+//! shrunk to few states and simple numbers.
 //!
 //! The cases depend on the seed alone, not on the number of threads.
 
@@ -18,7 +19,7 @@ use rayon::prelude::*;
 use std::cell::{Cell, RefCell};
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// How long and how large.
+/// The length and the size of a campaign.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Campaign {
     /// Cases to run.
@@ -27,7 +28,7 @@ pub struct Campaign {
     pub seed: u64,
     /// Most states before the division, ≥ 2.
     pub states: usize,
-    /// What is broken on purpose.
+    /// The promise broken on purpose.
     pub sabotage: Option<Sabotage>,
 }
 
@@ -42,14 +43,15 @@ pub enum Sabotage {
     Gain,
 }
 
-/// How often each kind of case came up.
+/// Counts of the kinds of cases.
 #[derive(Debug, Clone, PartialEq, Eq, Default, serde::Serialize)]
 pub struct Histograms {
     /// By states before the division: 0, 1, 2, ….
     pub states: Vec<u64>,
     /// By share of zero entries of the refined chain, in tenths.
     pub zero_tenths: Vec<u64>,
-    /// By `⌊log10 ΔI⌋`: the first for exactly 0, then below −60, −60 to −51, …, −10 to −1, 0 and above.
+    /// By `⌊log10 ΔI⌋`: the first for exactly 0, then below −60, −60 to −51, …, −10 to −1, 0 and
+    /// above.
     pub gain_decades: Vec<u64>,
     /// By family of chains, in the order of [`ChainFamily::ALL`].
     pub chain_families: Vec<u64>,
@@ -60,7 +62,7 @@ pub struct Histograms {
 /// A refinement that broke a promise.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Counterexample {
-    /// Which promise.
+    /// The broken promise.
     pub reason: String,
     /// Joint matrix of the refined chain, in rows.
     pub joint: Vec<Vec<f64>>,
@@ -70,7 +72,7 @@ pub struct Counterexample {
     pub source: String,
 }
 
-/// What a campaign found.
+/// The findings of a campaign.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Findings {
     /// Cases run.
@@ -79,11 +81,12 @@ pub struct Findings {
     pub minimum_gain: Option<f64>,
     /// The smallest gain above 0, in bits; none if no case gains anything.
     pub minimum_positive_gain: Option<f64>,
-    /// The largest error of a sampled gain, in units of what is promised: below 1 the promise holds.
+    /// The largest error of a sampled gain, in units of what is promised: below 1 the promise
+    /// holds.
     pub worst_margin: f64,
     /// Gains recomputed at 256 bits.
     pub recomputed: u64,
-    /// What came up how often.
+    /// Counts of the kinds of cases.
     pub histograms: Histograms,
     /// Shrunk counterexamples, one per block of cases that had any.
     pub counterexamples: Vec<Counterexample>,
@@ -99,9 +102,11 @@ const JUDGE: u32 = 256;
 /// One case in this many is recomputed at 256 bits.
 const SAMPLED: u64 = 500;
 
-/// Runs a campaign on all threads; `progress` is told the cases of each finished block.
+/// Runs a campaign on all threads; `progress` is called with the number of cases of each finished
+/// block.
 ///
-/// It ends at the first block with a counterexample: blocks behind it are left out, whoever ran them.
+/// It ends at the first block with a counterexample: blocks behind it are left out, whoever ran
+/// them.
 #[must_use]
 pub fn run(campaign: Campaign, progress: &dyn Progress) -> Findings {
     let first_failing = AtomicU32::new(u32::MAX);

@@ -1,18 +1,21 @@
-//! Product Gauss rules of a fixed order on triangles of both polygons: what an engine without error control does.
+//! Product Gauss rules of a fixed order on triangles of both polygons: what an engine without error
+//! control does.
 //!
 //! ```text
 //!   x(s, t) = a + s (b − a) + s t (c − b),   dA = 2 A s ds dt
 //!   A F ≈ Σ_x Σ_y w_x w_y cos⁺θ_x cos⁺θ_y / (π r²)
 //! ```
 //!
-//! No clip, no bound: an *estimate*. It converges fast only for polygons apart and in front of each other.
+//! No clip, no bound: an *estimate*. It converges fast only for polygons apart and in front of each
+//! other.
 
 use crate::form_factor::point_kernel;
 use crate::geometry::{Patch, triangulated};
 use crate::numeric::GaussLegendre;
 use glam::DVec3;
 
-/// The exchange area with `order × order` points on each triangle; `None` if two points coincide or the range of `f64` is left.
+/// The exchange area with `order × order` points on each triangle; `None` if two points coincide or
+/// the range of `f64` is left.
 pub(super) fn exchange_area([first, second]: &[Patch; 2], order: usize) -> Option<f64> {
     let [from, to] = [first, second].map(|patch| points(patch, order));
     let (n_x, n_y) = (first.normal(), second.normal());

@@ -1,7 +1,7 @@
-//! How the cuts of §4.2 approach their limits as the exponent grows.
+//! The approach of the cuts of §4.2 to their limits as the exponent grows.
 //!
-//! Both `n (1 − l)` and the [limit](GradientLimit) are enclosed with so many bits that their difference keeps its digits up to
-//! the largest exponent.
+//! Both `n (1 − l)` and the [limit](GradientLimit) are enclosed with so many bits that their
+//! difference keeps its digits up to the largest exponent.
 
 use crate::discretize::{DiscretizeError, GradientCut, GradientLimit, LimitingCut};
 use crate::numeric::{Interval, Scalar};
@@ -10,7 +10,7 @@ use std::time::Instant;
 /// A cut at one exponent, against its limit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LimitRow {
-    /// Which cut.
+    /// The cut.
     pub cut: GradientLimit,
     /// The exponent n.
     pub exponent: f64,

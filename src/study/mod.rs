@@ -1,12 +1,14 @@
-//! Campaigns: Theorem 1 fuzzed, what happens to numbers in stiff and extreme cases, error against run time.
+//! Campaigns: Theorem 1 fuzzed, digits kept in stiff and extreme cases, error against run time.
 //!
-//! `study::fuzz` (feature `proptest`) throws random refinements at Theorem 1 and at the gain's promised accuracy.
-//! [`accuracy`] sets the error of every route to a form factor against its run time, on the [families](polygon_pairs) of
-//! pairs too; [`stability`] measures what naive forms of the gain lose, [`extreme_pairs`] what the routes
-//! keep of stiff and extreme pairs, [`transport_stability`] what solvers keep of radiosities, [`precision`] what an enclosure costs. [`Truth`] judges.
-//! [`gradient_limits`] follows the cuts of §4.2 to their limits, [`profiles`] sets both cuts side by side for other radiosities,
-//! [`directions`] turns the cut. [`mod@refinement`] follows discrete mutual information to the continuous one, [`mod@sampling`] estimates
-//! it from random lines, as [`mod@figure_5`] reads fig. 5.
+//! `study::fuzz` (feature `proptest`) throws random refinements at Theorem 1 and at the gain's promised
+//! accuracy. [`accuracy`] sets the error of every route to a form factor against its run time, on
+//! the [families](polygon_pairs) of pairs too; [`stability`] measures the digits that naive forms
+//! of the gain lose, [`extreme_pairs`] those that the routes keep of stiff and extreme pairs,
+//! [`transport_stability`] those that solvers keep of radiosities, [`precision`] the cost of an
+//! enclosure. [`Truth`] judges. [`gradient_limits`] follows the cuts of §4.2 to their limits,
+//! [`profiles`] sets both cuts side by side for other radiosities, [`directions`] turns the cut.
+//! [`mod@refinement`] follows discrete mutual information to the continuous one, [`mod@sampling`]
+//! estimates it from random lines, as [`mod@figure_5`] reads fig. 5.
 //!
 //! **Not here**: printing.
 
@@ -14,6 +16,7 @@ pub mod accuracy;
 pub mod directions;
 mod error;
 mod exact_gain;
+mod extreme_cases;
 pub mod extreme_pairs;
 pub mod figure_5;
 #[cfg(feature = "proptest")]
@@ -37,9 +40,9 @@ pub use truth::Truth;
 /// One measurement of a study.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Row {
-    /// What was computed.
+    /// The quantity computed.
     pub case: String,
-    /// How it was computed.
+    /// The method.
     pub method: String,
     /// The exact value.
     pub value: f64,

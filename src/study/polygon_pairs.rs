@@ -1,16 +1,17 @@
-//! Families of random pairs of polygons, each aimed at one difficulty; a pair is named by its family and number.
+//! Families of random pairs of polygons, each aimed at one difficulty; a pair is named by its
+//! family and number.
 //!
-//! Triangles take any doubles as corners. Other polygons are `origin + i·a + j·b` with small whole numbers i, j and with
-//! a, b, origin short enough that every corner is an exact double: so they are planar exactly, and the
-//! input carries all digits of the answer. Each polygon is turned so that its front faces the farthest corner of the
-//! other, so that every pair exchanges something.
+//! Triangles take any doubles as corners. Other polygons are `origin + i·a + j·b` with small whole
+//! numbers i, j and with a, b, origin short enough that every corner is an exact double: so they
+//! are planar exactly, and the input carries all digits of the answer. Each polygon is turned so
+//! that its front faces the farthest corner of the other, so that every pair exchanges something.
 
 use crate::geometry::Patch;
 use glam::DVec3;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// What makes a pair difficult.
+/// A family of pairs that share a difficulty.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Family {
     /// Anywhere within a few sizes, of very different sizes too.
@@ -155,7 +156,8 @@ impl Draw {
         f64::from(self.0.random_range(lower..=upper)).exp2()
     }
 
-    /// A vector with components from −1 to 1 in steps of 2^−bits, at least a half long in one of them.
+    /// A vector with components from −1 to 1 in steps of 2^−bits, at least a half long in one of
+    /// them.
     fn vector(&mut self, bits: i32) -> DVec3 {
         let steps = f64::from(bits).exp2();
         let mut parts = [0; 3].map(|_: i32| (self.between(-1.0, 1.0) * steps).round() / steps);

@@ -1,9 +1,10 @@
-//! What certainty costs: width of an enclosure against its run time.
+//! The cost of certainty: width of an enclosure against its run time.
 //!
-//! Each quantity is the same source in every number type: `f64`; intervals with `f64` ends (53 bits); intervals
-//! with ends of 128, 256 and 512 bits. An enclosure's relative error is its width over its value, a bound; that
-//! of `f64` is the distance to an enclosure of 640 bits. Optima are searched with 53 bits and tightened at the precision
-//! named, proof of the global maximum included.
+//! Each quantity is the same source in every number type: `f64`; intervals with `f64` ends (53
+//! bits); intervals with ends of 128, 256 and 512 bits. An enclosure's relative error is its width
+//! over its value, a bound; that of `f64` is the distance to an enclosure of 640 bits. Optima are
+//! searched with 53 bits and tightened at the precision named, proof of the global maximum
+//! included.
 
 use super::Row;
 use crate::discretize::{

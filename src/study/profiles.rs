@@ -1,4 +1,5 @@
-//! The two best cuts beyond the powers of §4.2: other profiles of radiosity, each under three readings of the irradiance.
+//! The two best cuts beyond the powers of §4.2: other profiles of radiosity, each under three
+//! readings of the irradiance.
 
 use crate::discretize::{DiscretizeError, Irradiance, JudgedCut, Profile, ProfileCut};
 use std::time::Instant;
@@ -14,7 +15,7 @@ pub struct ProfileRow {
     pub information: Option<JudgedCut>,
     /// The cut of least mean square error.
     pub square: JudgedCut,
-    /// Is the patch turned round the same, so that each cut has a twin at 1 − l?
+    /// Whether the profile is symmetric, so that each cut has a twin at 1 − l.
     pub is_symmetric: bool,
     /// Time of each cut, in seconds.
     pub seconds: [f64; 2],
@@ -53,8 +54,8 @@ const fn bump(centre: f64, width: f64) -> Profile {
     Profile::Bump { centre, width }
 }
 
-/// Every profile, with irradiance proportional to radiosity, to what is left of it where half the lowest radiosity is emitted
-/// (left out where that is next to nothing), and constant.
+/// Every profile, with irradiance proportional to radiosity, to what is left of it where half the
+/// lowest radiosity is emitted (left out where that is next to nothing), and constant.
 ///
 /// # Errors
 /// [`DiscretizeError`] if a cut is not found.

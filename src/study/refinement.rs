@@ -1,13 +1,16 @@
-//! Corollary 1, seen: discrete mutual information along nested refinements, and what is left to the continuous one.
+//! Corollary 1, measured: discrete mutual information along nested refinements, and its gap to the
+//! continuous one.
 //!
 //! ```text
 //!   I^c − I = c h + o(h),      h the size of the patches
 //! ```
 //!
-//! Why first order: near an edge at which two faces meet, F is homogeneous of degree −2 in the distances s from the edge, and
-//! varies within a patch by a part h/s of itself. The pairs at distances s to 2s, the same from all patches along the edge, carry a
-//! flux ~ s per length; what they lose is its square's part, s (h/s)², and the sum over s = h, 2h, 4h, … is led by s = h:
-//! O(h) for a unit of edge. Pairs that do not touch lose O(h²), those around a vertex O(h²) up to a logarithm. So
+//! The order is first because, near an edge at which two faces meet, F is homogeneous of degree −2
+//! in the distances s from the edge, and varies within a patch by a part h/s of itself. The pairs
+//! at distances s to 2s, the same from all patches along the edge, carry a flux ~ s per length;
+//! what they lose is its square's part, s (h/s)², and the sum over s = h, 2h, 4h, … is led by s =
+//! h: O(h) for a unit of edge. Pairs that do not touch lose O(h²), those around a vertex O(h²) up
+//! to a logarithm. So
 //!
 //! ```text
 //!   c h = (1/A_T) Σ_e L_e h κ(angle at edge e, shape of the patches along it)
@@ -16,10 +19,11 @@
 //! with κ the larger the sharper the angle; a solid without edges has no first order.
 //!
 //! This is an argument, not a proof; the table measures it: quartering every patch halves the gap,
-//! `2 I(h/2) − I(h)` is nearer to `I^c` by an order, and κ is the same for rooms of the same angles and patches, whatever their shape
-//! (`rate_depends_on_the_edges_alone`).
+//! `2 I(h/2) − I(h)` is nearer to `I^c` by an order, and κ is the same for rooms of the same angles
+//! and patches, whatever their shape (`rate_depends_on_the_edges_alone`).
 //!
-//! **Not covered**: refinements that are finer at the edges, which the argument says are the better ones.
+//! **Not covered**: refinements that are finer at the edges, which the argument says are the better
+//! ones.
 
 use super::StudyError;
 use crate::form_factor::DEFAULT_TOLERANCE;
@@ -46,13 +50,14 @@ pub struct RefinementRow {
     pub continuous_mutual_information: f64,
     /// Estimated error of it.
     pub continuous_error: f64,
-    /// What the discrete one lacks.
+    /// The gap between the two.
     pub gap: f64,
     /// The gap before, over this one.
     pub ratio: Option<f64>,
     /// `I^c − (2 I − I before)`: what the extrapolated value lacks.
     pub extrapolated_gap: Option<f64>,
-    /// `gap · A_T/(Σ L_e √(A_T/n))` for n patches and edges of length `L_e`: on the way to the mean of κ, in bits.
+    /// `gap · A_T/(Σ L_e √(A_T/n))` for n patches and edges of length `L_e`: on the way to the mean
+    /// of κ, in bits.
     pub gap_per_edge: f64,
     /// Time of the discrete one, in seconds.
     pub seconds: f64,

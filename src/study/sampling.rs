@@ -1,13 +1,15 @@
 //! Error against run time of mutual information from sampled lines, beside the closed forms.
 //!
-//! For growing numbers N of lines, several seeds each: the mean error (bias) and the root of the mean square error of the plug-in
-//! estimate, less Miller and Madow's bias, and corrected; by local and by global lines. Where cells are met often the corrected
-//! error falls as `N^(−1/2)`; the plug-in has its bias of `(K − 1)/(2N ln 2)` on top, which governs until `N ≈ K²/(4 σ² ln² 2)`, K
+//! For growing numbers N of lines, several seeds each: the mean error (bias) and the root of the
+//! mean square error of the plug-in estimate, less Miller and Madow's bias, and corrected; by local
+//! and by global lines. Where cells are met often the corrected error falls as `N^(−1/2)`; the
+//! plug-in has its bias of `(K − 1)/(2N ln 2)` on top, which governs until `N ≈ K²/(4 σ² ln² 2)`, K
 //! cells, σ² the variance of one sample. [`slope`] measures it.
 //!
-//! Quasi-random lines (five dimensions, shifted at random) were tried and are not here. Where every cell is met a thousand times they
-//! came five to eight times nearer (cube of 6 and 24 patches, 10⁶ lines); where cells are met fifty times they came no nearer than the corrected
-//! estimate, whose correction and standard error do not hold for them.
+//! Quasi-random lines (five dimensions, shifted at random) were tried and are not here. Where every
+//! cell is met a thousand times they came five to eight times nearer (cube of 6 and 24 patches, 10⁶
+//! lines); where cells are met fifty times they came no nearer than the corrected estimate, whose
+//! correction and standard error do not hold for them.
 
 use super::StudyError;
 use crate::form_factor::DEFAULT_TOLERANCE;
@@ -17,7 +19,7 @@ use crate::information::{
 use crate::scene::{Congruence, Occlusion, Scene, ScenePairs};
 use std::time::Instant;
 
-/// How an estimate is made of a sample.
+/// The estimates made of a sample.
 pub const METHODS: [&str; 3] = ["plug-in", "miller-madow", "corrected"];
 
 /// One method with one number of lines, or the closed forms.
@@ -29,7 +31,7 @@ pub struct SamplingRow {
     pub patches: usize,
     /// `"closed-forms"`, or one of [`METHODS`].
     pub method: &'static str,
-    /// How lines are drawn.
+    /// The kind of the lines.
     pub kind: Option<&'static str>,
     /// Lines.
     pub lines: Option<u32>,
@@ -43,13 +45,13 @@ pub struct SamplingRow {
     pub relative_error: f64,
     /// The mean error.
     pub bias: Option<f64>,
-    /// Of the plug-in estimate: its bias by the exact probabilities.
+    /// The bias of the plug-in estimate by the exact probabilities.
     pub expected_bias: Option<f64>,
     /// The root of the mean square of the standard errors.
     pub standard_error: Option<f64>,
     /// The mean part of the samples that are alone in their cell.
     pub unseen: Option<f64>,
-    /// Do all the samples have an interval?
+    /// Whether all the samples have an interval.
     pub has_interval: bool,
     /// Time of one estimate, in seconds.
     pub seconds: f64,
@@ -114,54 +116,94 @@ pub fn sampling(quick: bool) -> Result<Vec<SamplingRow>, StudyError> {
             has_interval: false,
             seconds: start.elapsed().as_secs_f64(),
         };
-        rows.push(plain.clone());
+        let mut estimated = Vec::new();
         for kind in [LineKind::Local, LineKind::Global] {
             for (lines, seeds) in lines {
                 let seeds = if quick { 4 } else { *seeds };
+                let sums = Sums::over_seeds(&scene, kind, *lines, seeds, value)?;
                 let expected = expected_bias_of_scene(&pairs, (*lines).into())?;
-                let start = Instant::now();
-                let mut sums = [[0.0; 2]; METHODS.len()];
-                let ([mut squares, mut unseen], mut has_interval) = ([0.0; 2], true);
-                for seed in 0..seeds {
-                    let counts = LineSample::draw(&scene, kind, *lines, seed)?.counts;
-                    let found = [counts.plug_in(), counts.miller_madow(), counts.corrected()];
-                    for ([error, square], found) in sums.iter_mut().zip(found) {
-                        *error += found - value;
-                        *square += (found - value).powi(2);
-                    }
-                    squares += counts.standard_error().powi(2);
-                    unseen += counts.unseen();
-                    has_interval &= counts.confidence_interval().is_some();
-                }
-                #[allow(clippy::cast_precision_loss, reason = "a hundred")]
-                let count = seeds as f64;
-                let seconds = start.elapsed().as_secs_f64() / count;
-                for (method, [error, square]) in METHODS.into_iter().zip(sums) {
-                    let root_mean_square = (square / count).sqrt();
-                    rows.push(SamplingRow {
-                        method,
+                for method in 0..METHODS.len() {
+                    estimated.push(SamplingRow {
                         kind: Some(kind.name()),
                         lines: Some(*lines),
                         seeds: Some(seeds),
-                        error: root_mean_square,
-                        relative_error: root_mean_square / value,
-                        bias: Some(error / count),
-                        expected_bias: (method == METHODS[0]).then_some(expected),
-                        standard_error: Some((squares / count).sqrt()),
-                        unseen: Some(unseen / count),
-                        has_interval,
-                        seconds,
-                        ..plain.clone()
+                        expected_bias: (method == 0).then_some(expected),
+                        ..sums.row(method, &plain)
                     });
                 }
             }
         }
+        rows.push(plain);
+        rows.append(&mut estimated);
     }
     Ok(rows)
 }
 
-/// The slope of the logarithm of the error over that of the lines, by least squares with the seeds as weights, over the rows that
-/// have an interval; `None` for fewer than two.
+/// Sums over the samples of several seeds.
+struct Sums {
+    /// Errors and their squares, by method.
+    errors: [[f64; 2]; METHODS.len()],
+    standard_squares: f64,
+    unseen: f64,
+    has_interval: bool,
+    count: f64,
+    seconds: f64,
+}
+
+impl Sums {
+    fn over_seeds(
+        scene: &Scene,
+        kind: LineKind,
+        lines: u32,
+        seeds: u64,
+        value: f64,
+    ) -> Result<Self, StudyError> {
+        let start = Instant::now();
+        #[allow(clippy::cast_precision_loss, reason = "a hundred")]
+        let count = seeds as f64;
+        let mut sums = Self {
+            errors: [[0.0; 2]; METHODS.len()],
+            standard_squares: 0.0,
+            unseen: 0.0,
+            has_interval: true,
+            count,
+            seconds: 0.0,
+        };
+        for seed in 0..seeds {
+            let counts = LineSample::draw(scene, kind, lines, seed)?.counts;
+            let found = [counts.plug_in(), counts.miller_madow(), counts.corrected()];
+            for ([error, square], found) in sums.errors.iter_mut().zip(found) {
+                *error += found - value;
+                *square += (found - value).powi(2);
+            }
+            sums.standard_squares += counts.standard_error().powi(2);
+            sums.unseen += counts.unseen();
+            sums.has_interval &= counts.confidence_interval().is_some();
+        }
+        sums.seconds = start.elapsed().as_secs_f64();
+        Ok(sums)
+    }
+
+    /// The row of a method, by its place in [`METHODS`].
+    fn row(&self, method: usize, plain: &SamplingRow) -> SamplingRow {
+        let [error, square] = self.errors[method];
+        let root_mean_square = (square / self.count).sqrt();
+        SamplingRow {
+            method: METHODS[method],
+            error: root_mean_square,
+            relative_error: root_mean_square / plain.value,
+            bias: Some(error / self.count),
+            standard_error: Some((self.standard_squares / self.count).sqrt()),
+            unseen: Some(self.unseen / self.count),
+            has_interval: self.has_interval,
+            seconds: self.seconds / self.count,
+            ..plain.clone()
+        }
+    }
+}
+
+/// The slope of the logarithm of the error over that of the lines, by least squares with the seeds
+/// as weights, over the rows that have an interval; `None` for fewer than two.
 #[must_use]
 pub fn slope<'r>(rows: impl IntoIterator<Item = &'r SamplingRow>) -> Option<f64> {
     let seen = rows.into_iter().filter(|row| row.has_interval);

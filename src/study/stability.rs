@@ -1,8 +1,9 @@
-//! What a gain loses when it is written naively.
+//! Digits that a gain loses when it is written naively.
 //!
-//! A state in two halves shares `p = 1 + d` and `q = 1 − d` with one state, `q` and `p` with another, so that both
-//! halves weigh the same and `ΔI = ½ (φ(d) + φ(−d))/ln 2`, nearly `0.72 d²`: d from 1 to 1e-15 takes ΔI from 1 bit to
-//! 1e-30. Each form is judged by an enclosure with 256 bits of the gain of the numbers it was given:
+//! A state in two halves shares `p = 1 + d` and `q = 1 − d` with one state, `q` and `p` with
+//! another, so that both halves weigh the same and `ΔI = ½ (φ(d) + φ(−d))/ln 2`, nearly `0.72 d²`:
+//! d from 1 to 1e-15 takes ΔI from 1 bit to 1e-30. Each form is judged by an enclosure with 256
+//! bits of the gain of the numbers it was given:
 //!
 //! * `difference`: `I′ − I` of the two chains, each by eq. (3), itself a stable sum;
 //! * `equation-5`: eq. (5), second line, as it is printed;
@@ -90,7 +91,7 @@ fn equation_5(p: f64, q: f64) -> f64 {
     (x_log2_ratio(p, weight) + x_log2_ratio(q, weight) - weight * 0.5f64.log2()) / weight
 }
 
-/// The same in single precision.
+/// Eq. (5), second line, in single precision.
 fn equation_5_single(p: f32, q: f32) -> f32 {
     let weight = p + q;
     let term = |flux: f32| {

@@ -1,12 +1,14 @@
-//! What solvers keep of radiosities in stiff scenes.
+//! Digits that solvers keep of radiosities in stiff scenes.
 //!
-//! Reflectances up to 1 − 1e-12, two rooms that hardly see each other, emission over thirty orders of magnitude. Each
-//! method is given the same joint matrix in `f64`, and judged by the [enclosure](exact_radiosities) of its exact solution; the error is
-//! that of the worst patch, relative to its own radiosity.
+//! Reflectances up to 1 − 1e-12, two rooms that hardly see each other, emission over thirty orders
+//! of magnitude. Each method is given the same joint matrix in `f64`, and judged by the
+//! [enclosure](exact_radiosities) of its exact solution; the error is that of the worst patch,
+//! relative to its own radiosity.
 //!
 //! * `chosen`: [`RadiositySystem::radiosity`];
 //! * `elimination`: LU with pivots of `I − R F`, the usual way for few patches;
-//! * `bounces`: `B ← E + R F B` until no patch changes by 1e-14 of itself, the usual way for many, 10,000 times at most.
+//! * `bounces`: `B ← E + R F B` until no patch changes by 1e-14 of itself, the usual way for many,
+//!   10,000 times at most.
 
 use super::StudyError;
 use super::extreme_pairs::{CHOSEN, StabilityRow};
@@ -23,7 +25,7 @@ const JUDGE: u32 = 256;
 /// A closed scene: what its patches exchange, reflect and emit.
 #[derive(Debug, Clone)]
 pub struct StiffScene {
-    /// What makes it stiff.
+    /// The property that makes it stiff.
     pub name: String,
     /// Exchange areas, symmetric.
     pub exchange: DMatrix<f64>,
@@ -39,88 +41,118 @@ pub struct StiffScene {
 /// None that is known: the cubes are built in.
 pub fn stiff_scenes() -> Result<Vec<StiffScene>, StudyError> {
     let cube = Scene::built_in("cube:2")?.exchange_areas()?.into_values();
-    let count = cube.nrows();
-    let mut scenes = Vec::new();
-    let uneven = |patch: usize| 1.0 + (patch * 7 % 11) as f64 / 8.0;
-    for exponent in [1, 3, 6, 9, 12, 15] {
-        let absorbed = 10f64.powi(-exponent);
-        let reflectances = (0..count).map(|patch| 1.0 - absorbed * uneven(patch) / 3.0);
-        scenes.push(StiffScene {
-            name: format!("cube, one patch emits, R = 1 − 1e-{exponent} and less"),
-            exchange: cube.clone(),
-            reflectances: reflectances.collect(),
-            emittances: (0..count).map(|patch| f64::from(patch == 3)).collect(),
-        });
-    }
-    for (exponent, mirror) in [(12, 0.5), (12, 1.0 - 1e-9), (100, 0.5)] {
-        // two rooms, every patch of one sees every patch of the other a little
-        let coupling = 10f64.powi(-exponent);
-        let rooms = DMatrix::from_fn(2 * count, 2 * count, |i, j| {
-            if (i < count) == (j < count) {
-                cube[(i % count, j % count)]
-            } else {
-                coupling * f64::sqrt(uneven(i % count) * uneven(j % count)) / 24.0
-            }
-        });
-        let reflectances = (0..2 * count).map(|patch| mirror * (1.0 - 1e-10 * uneven(patch)));
-        scenes.push(StiffScene {
-            name: format!(
-                "two rooms, form factors of 1e-{exponent} between them, R = {}",
-                if mirror > 0.9 { "1 − 1e-9" } else { "0.5" }
-            ),
-            exchange: rooms,
-            reflectances: reflectances.collect(),
-            emittances: (0..2 * count)
-                .map(|patch| f64::from(patch == 3) * 0.7)
-                .collect(),
-        });
-    }
-    for mirror in [0.5, 1.0 - 1e-9] {
-        // no light from one room to the other
-        let rooms = DMatrix::from_fn(2 * count, 2 * count, |i, j| {
-            if (i < count) == (j < count) {
-                cube[(i % count, j % count)]
-            } else {
-                0.0
-            }
-        });
-        let emits = |patch: usize| match patch {
-            3 => 1.0,
-            40 => 1e-30,
-            _ => 0.0,
-        };
-        scenes.push(StiffScene {
-            name: format!(
-                "two closed rooms, lights of 1 and 1e-30, R = {}",
-                if mirror > 0.9 { "1 − 1e-9" } else { "0.5" }
-            ),
-            exchange: rooms,
-            reflectances: vec![mirror; 2 * count],
-            emittances: (0..2 * count).map(emits).collect(),
-        });
-    }
-    let spans = |patch: usize| 10f64.powi(-30 * i32::try_from(patch).unwrap_or(0) / 23);
-    scenes.push(StiffScene {
-        name: "cube, emittances from 1e-30 to 1, R from 0 to 0.99".to_owned(),
-        exchange: cube.clone(),
-        reflectances: (0..count)
-            .map(|patch| 0.99 * (patch * 5 % 24) as f64 / 23.0)
-            .collect(),
-        emittances: (0..count).map(spans).collect(),
-    });
-    scenes.push(StiffScene {
-        name: "cube, black but for one patch, R = 1e-100 there".to_owned(),
-        exchange: cube.clone(),
-        reflectances: (0..count)
-            .map(|patch| f64::from(patch == 7) * 1e-100)
-            .collect(),
-        emittances: (0..count).map(|patch| f64::from(patch == 20)).collect(),
-    });
+    let mut scenes = reflecting_cubes(&cube);
+    scenes.extend(coupled_rooms(&cube));
+    scenes.extend(separate_rooms(&cube));
+    scenes.extend(uneven_cubes(&cube));
     Ok(scenes)
 }
 
-/// The radiosities of a closed scene, enclosed: elimination without pivots of `A_i B_i − R_i Σ_j J_ij B_j = A_i E_i` with ends
-/// of `bits` bits.
+/// Numbers around 1, a little different from patch to patch.
+fn uneven(patch: usize) -> f64 {
+    1.0 + (patch * 7 % 11) as f64 / 8.0
+}
+
+/// Cubes that absorb less and less.
+fn reflecting_cubes(cube: &DMatrix<f64>) -> Vec<StiffScene> {
+    let patches = 0..cube.nrows();
+    let scene = |exponent: i32| {
+        let absorbed = 10f64.powi(-exponent);
+        let reflectance = |patch| 1.0 - absorbed * uneven(patch) / 3.0;
+        StiffScene {
+            name: format!("cube, one patch emits, R = 1 − 1e-{exponent} and less"),
+            exchange: cube.clone(),
+            reflectances: patches.clone().map(reflectance).collect(),
+            emittances: patches.clone().map(|patch| f64::from(patch == 3)).collect(),
+        }
+    };
+    [1, 3, 6, 9, 12, 15].map(scene).to_vec()
+}
+
+/// Two cubes whose patches exchange `between` with those of the other.
+fn two_rooms(cube: &DMatrix<f64>, between: impl Fn(usize, usize) -> f64) -> DMatrix<f64> {
+    let count = cube.nrows();
+    DMatrix::from_fn(2 * count, 2 * count, |i, j| {
+        let (own, other) = (i % count, j % count);
+        if (i < count) == (j < count) {
+            cube[(own, other)]
+        } else {
+            between(own, other)
+        }
+    })
+}
+
+fn reflectance_in_words(mirror: f64) -> &'static str {
+    if mirror > 0.9 { "1 − 1e-9" } else { "0.5" }
+}
+
+/// Two rooms, every patch of one sees every patch of the other a little.
+fn coupled_rooms(cube: &DMatrix<f64>) -> Vec<StiffScene> {
+    let patches = 0..2 * cube.nrows();
+    let scene = |(exponent, mirror): (i32, f64)| {
+        let coupling = 10f64.powi(-exponent);
+        let between = |i, j| coupling * f64::sqrt(uneven(i) * uneven(j)) / 24.0;
+        let reflectance = |patch| mirror * (1.0 - 1e-10 * uneven(patch));
+        let emittance = |patch| f64::from(patch == 3) * 0.7;
+        StiffScene {
+            name: format!(
+                "two rooms, form factors of 1e-{exponent} between them, R = {}",
+                reflectance_in_words(mirror)
+            ),
+            exchange: two_rooms(cube, between),
+            reflectances: patches.clone().map(reflectance).collect(),
+            emittances: patches.clone().map(emittance).collect(),
+        }
+    };
+    [(12, 0.5), (12, 1.0 - 1e-9), (100, 0.5)]
+        .map(scene)
+        .to_vec()
+}
+
+/// Two rooms, no light from one to the other.
+fn separate_rooms(cube: &DMatrix<f64>) -> Vec<StiffScene> {
+    let patches = 0..2 * cube.nrows();
+    let emittance = |patch: usize| match patch {
+        3 => 1.0,
+        40 => 1e-30,
+        _ => 0.0,
+    };
+    let scene = |mirror: f64| StiffScene {
+        name: format!(
+            "two closed rooms, lights of 1 and 1e-30, R = {}",
+            reflectance_in_words(mirror)
+        ),
+        exchange: two_rooms(cube, |_, _| 0.0),
+        reflectances: vec![mirror; 2 * cube.nrows()],
+        emittances: patches.clone().map(emittance).collect(),
+    };
+    [0.5, 1.0 - 1e-9].map(scene).to_vec()
+}
+
+/// Cubes whose patches differ by many orders of magnitude.
+fn uneven_cubes(cube: &DMatrix<f64>) -> [StiffScene; 2] {
+    let patches = 0..cube.nrows();
+    let spans = |patch: usize| 10f64.powi(-30 * i32::try_from(patch).unwrap_or(0) / 23);
+    let reflectance = |patch: usize| 0.99 * (patch * 5 % 24) as f64 / 23.0;
+    let nearly_black = |patch: usize| f64::from(patch == 7) * 1e-100;
+    [
+        StiffScene {
+            name: "cube, emittances from 1e-30 to 1, R from 0 to 0.99".to_owned(),
+            exchange: cube.clone(),
+            reflectances: patches.clone().map(reflectance).collect(),
+            emittances: patches.clone().map(spans).collect(),
+        },
+        StiffScene {
+            name: "cube, black but for one patch, R = 1e-100 there".to_owned(),
+            exchange: cube.clone(),
+            reflectances: patches.clone().map(nearly_black).collect(),
+            emittances: patches.map(|patch| f64::from(patch == 20)).collect(),
+        },
+    ]
+}
+
+/// The radiosities of a closed scene, enclosed: elimination without pivots of
+/// `A_i B_i − R_i Σ_j J_ij B_j = A_i E_i` with ends of `bits` bits.
 ///
 /// **Returns** `None` if a pivot may be 0 at this precision.
 #[must_use]

@@ -1,8 +1,8 @@
 //! The exact value of an exchange area, to judge others by.
 //!
-//! Aligned rectangles whose coordinates are exact in a common frame: the closed form's enclosure with 256 bits. All other
-//! polygons: the slow [reference], with significands of 256 bits and an error *estimate* of 1e-18, no bound. Both are of the
-//! corners as they are in `f64`.
+//! Aligned rectangles whose coordinates are exact in a common frame: the closed form's enclosure
+//! with 256 bits. All other polygons: the slow [reference], with significands of 256 bits and an
+//! error *estimate* of 1e-18, no bound. Both are of the corners as they are in `f64`.
 
 use crate::form_factor::{FormFactorError, Polygon, RectanglePair, Route, reference};
 use crate::geometry::{Patch, Rectangle};
@@ -22,7 +22,7 @@ pub struct Truth {
 }
 
 impl Truth {
-    /// Of the corners as given.
+    /// Computes the exchange area of the corners as given.
     ///
     /// # Errors
     /// [`FormFactorError`] if the value leaves the range of `f64`.
@@ -49,7 +49,8 @@ impl Truth {
         })
     }
 
-    /// By the contour in double-double, with its bound: hundreds of times faster than the reference, no judge of itself.
+    /// Computes it by the contour in double-double, with its bound: hundreds of times faster than
+    /// the reference, no judge of itself.
     ///
     /// # Errors
     /// [`FormFactorError`] if the route does not serve the pair.
@@ -65,7 +66,7 @@ impl Truth {
         })
     }
 
-    /// From its decimals, to half a unit of the last of `digits`; `None` if they are none.
+    /// Reads its decimals, to half a unit of the last of `digits`; `None` if they are none.
     #[must_use]
     pub fn from_decimals(text: &str, digits: i32) -> Option<Self> {
         Some(Self {
@@ -95,13 +96,13 @@ impl Truth {
         difference.abs().to_f64()
     }
 
-    /// How far the value may be off, relative: an enclosure's width, a reference's estimate.
+    /// The relative uncertainty of the value: an enclosure's width, a reference's estimate.
     #[must_use]
     pub const fn uncertainty(&self) -> f64 {
         self.uncertainty
     }
 
-    /// Where it comes from.
+    /// The origin of the value.
     #[must_use]
     pub const fn origin(&self) -> &'static str {
         self.origin

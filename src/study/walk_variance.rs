@@ -1,19 +1,21 @@
-//! How much variance random walks have, by what steers them (§3.4, §3.5).
+//! The variance of random walks, by the probabilities that steer them (§3.4, §3.5).
 //!
-//! A cube of 150 patches, each with a reflectance and an emittance of its own. Walks are steered by the form factors alone, and
-//! by the null-variance probabilities of a solution that is a share off at random, from all digits right to none. The error is the
-//! standard deviation of one walk, relative to the exact value: so many times less is that of the mean of so many walks, squared.
+//! A cube of 150 patches, each with a reflectance and an emittance of its own. Walks are steered by
+//! the form factors alone, and by the null-variance probabilities of a solution that is a share off
+//! at random, from all digits right to none. The error is the standard deviation of one walk,
+//! relative to the exact value: so many times less is that of the mean of so many walks, squared.
 
 use super::{Row, StudyError};
 use crate::numeric::compensated_sum;
 use crate::scene::{Material, Scene};
+use crate::transport::{DenseExchange, RadiositySystem};
 use crate::transport::walks::{Steering, Walks};
-use crate::transport::{RadiositySystem, TransportError};
+use crate::transport::{Importance, TransportError};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::time::Instant;
 
-/// How far the solution that steers is off, at most, relative to itself.
+/// The largest relative errors of the solution that steers.
 const OFF: [f64; 7] = [0.0, 1e-8, 1e-6, 1e-4, 1e-2, 0.1, 0.5];
 
 /// The patch that walks gather at, and the one that is looked at.
@@ -43,44 +45,26 @@ pub fn walk_variance(walks: u32) -> Result<Vec<Row>, StudyError> {
         (0..count).map(|i| exchange.areas()[i] * emittances[i] * importance.values[i]),
     );
 
-    let mut rows = Vec::new();
-    let mut add = |case: String,
-                   method: &str,
-                   value: f64,
-                   run: &dyn Fn() -> Result<Walks, TransportError>|
-     -> Result<(), TransportError> {
-        let start = Instant::now();
-        let found = run()?;
-        rows.push(Row {
-            case,
-            method: method.to_owned(),
-            value,
-            relative_error: found.variance.sqrt() / value,
-            seconds: start.elapsed().as_secs_f64() / f64::from(walks.max(1)),
-        });
-        Ok(())
+    let study = Study {
+        walks,
+        room: &room,
+        emittances: &emittances,
+        looked_at: &looked_at,
+        exact: [radiosity.values[PATCH], response],
     };
-    let exact = radiosity.values[PATCH];
-    let plain = "steered by form factors".to_owned();
-    add(plain.clone(), "gathering", exact, &|| {
-        room.gathering_walks(PATCH, &emittances, Steering::FormFactors, walks, 1)
-    })?;
-    add(plain, "shooting", response, &|| {
-        room.shooting_walks(&emittances, &looked_at, Steering::FormFactors, walks, 1)
-    })?;
+    let plain = "steered by form factors";
+    let mut rows = vec![
+        study.gathering(plain, Steering::FormFactors, 1)?,
+        study.shooting(plain, Steering::FormFactors, 1)?,
+    ];
     for off in OFF {
         let case = format!("steered by a solution {off:e} off");
         let mut random = ChaCha8Rng::seed_from_u64(34);
         let mut flaw = || 1.0 + off * random.random_range(-1.0..=1.0);
-        let guess: Vec<f64> = radiosity
-            .values
-            .iter()
-            .map(|value| value * flaw())
-            .collect();
-        add(case.clone(), "gathering", exact, &|| {
-            let towards = Steering::Towards(guess.as_slice());
-            room.gathering_walks(PATCH, &emittances, towards, walks, 2)
-        })?;
+        let values = radiosity.values.iter();
+        let guess: Vec<f64> = values.map(|value| value * flaw()).collect();
+        let towards = Steering::Towards(guess.as_slice());
+        rows.push(study.gathering(&case, towards, 2)?);
         let mut guess = importance.clone();
         let both = guess.values.iter_mut().zip(&mut guess.reflected.values);
         for (value, reflected) in both {
@@ -88,10 +72,53 @@ pub fn walk_variance(walks: u32) -> Result<Vec<Row>, StudyError> {
             *value *= flaw;
             *reflected *= flaw;
         }
-        add(case, "shooting", response, &|| {
-            let towards = Steering::Towards(&guess);
-            room.shooting_walks(&emittances, &looked_at, towards, walks, 2)
-        })?;
+        rows.push(study.shooting(&case, Steering::Towards(&guess), 2)?);
     }
     Ok(rows)
+}
+
+/// A lit room, and the exact values that gathering and shooting walks estimate.
+struct Study<'r> {
+    walks: u32,
+    room: &'r RadiositySystem<DenseExchange<'r>>,
+    emittances: &'r [f64],
+    looked_at: &'r [f64],
+    exact: [f64; 2],
+}
+
+impl Study<'_> {
+    fn gathering(
+        &self,
+        case: &str,
+        steering: Steering<'_, [f64]>,
+        seed: u64,
+    ) -> Result<Row, TransportError> {
+        let start = Instant::now();
+        let (room, emittances) = (self.room, self.emittances);
+        let walks = room.gathering_walks(PATCH, emittances, steering, self.walks, seed)?;
+        Ok(self.row(case, "gathering", self.exact[0], &walks, start))
+    }
+
+    fn shooting(
+        &self,
+        case: &str,
+        steering: Steering<'_, Importance>,
+        seed: u64,
+    ) -> Result<Row, TransportError> {
+        let start = Instant::now();
+        let (emittances, looked_at) = (self.emittances, self.looked_at);
+        let room = self.room;
+        let walks = room.shooting_walks(emittances, looked_at, steering, self.walks, seed)?;
+        Ok(self.row(case, "shooting", self.exact[1], &walks, start))
+    }
+
+    fn row(&self, case: &str, method: &str, value: f64, found: &Walks, start: Instant) -> Row {
+        Row {
+            case: case.to_owned(),
+            method: method.to_owned(),
+            value,
+            relative_error: found.variance.sqrt() / value,
+            seconds: start.elapsed().as_secs_f64() / f64::from(self.walks.max(1)),
+        }
+    }
 }

@@ -1,6 +1,6 @@
 //! No claim of the paper is missing from the registry.
 
-use infoscene::claims::registry;
+use infoscene::claims::{Case, Computation, Context, Inputs, registry};
 
 /// Every claim, in paper order.
 const CLAIMS: [&str; 96] = [
@@ -142,4 +142,27 @@ fn every_claim_has_its_place() {
             claim.id
         );
     }
+}
+
+/// A name in the data that no function has fails when the data are read.
+#[test]
+fn computations_are_known_by_their_names_alone() {
+    for computation in Computation::ALL {
+        let found = Computation::try_from(computation.name().to_owned());
+        assert_eq!(found.as_ref(), Ok(computation));
+    }
+    assert!(Computation::try_from("theorem_2".to_owned()).is_err());
+}
+
+/// A switch is `true` or `false`, never a number, and no number is a switch.
+#[test]
+fn switches_and_numbers_are_told_apart() {
+    let inputs: Inputs = serde_json::from_str(r#"{"uniform": true, "line": 1}"#).unwrap();
+    let context = Context::default();
+    let case = Case::new(inputs, &context);
+    assert_eq!(case.switch("uniform"), Ok(true));
+    assert_eq!(case.count("line"), Ok(1));
+    assert!(case.switch("line").is_err());
+    assert!(case.number("uniform").is_err());
+    assert!(case.number("missing").is_err());
 }

@@ -1,7 +1,8 @@
 //! Every printed number that has a closed form is enclosed, narrowly.
 
 use super::JUDGEMENTS;
-use infoscene::claims::{Evidence, Judgement, Task, judge, registry};
+use infoscene::claims::{Context, Judgement, Task, judge, registry};
+use infoscene::numeric::Grade;
 
 fn enclosed(judgement: &Judgement) -> Option<(&str, f64)> {
     let enclosure = judgement.finding.as_ref()?.enclosure.as_ref()?;
@@ -22,8 +23,9 @@ fn enclosures_are_narrow() {
 #[test]
 #[ignore = "a minute unoptimised: cargo test --release --test library claims -- --ignored"]
 fn more_bits_make_enclosures_narrower() {
+    let context = Context::new(256);
     for judgement in JUDGEMENTS.iter().filter(|j| enclosed(j).is_some()) {
-        let finer = judge(&judgement.claim, 256).unwrap();
+        let finer = judge(&judgement.claim, &context).unwrap();
         let (id, width) = enclosed(&finer).unwrap();
         assert!(width <= 1e-60, "{id}: {width:e}");
         let of = |judgement: &Judgement| {
@@ -42,7 +44,7 @@ fn every_printed_number_is_enclosed() {
         let is_computed = matches!(judgement.claim.task, Task::Compute { .. });
         if judgement.claim.printed.is_some() && is_computed {
             assert!(enclosed(judgement).is_some(), "{}", judgement.claim.id);
-            assert!(judgement.evidence() >= Some(Evidence::Enclosure));
+            assert!(judgement.evidence() >= Some(Grade::Enclosure));
         }
     }
 }
@@ -58,7 +60,7 @@ fn the_computed_double_lies_at_the_enclosure() {
             continue;
         };
         let (lower, upper) = enclosure.to_doubles();
-        let value = finding.measure.number();
+        let value = finding.quantity.number();
         assert!(
             lower.next_down() <= value && value <= upper.next_up(),
             "{}: {value} outside {lower} … {upper}",

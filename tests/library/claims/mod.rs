@@ -6,12 +6,12 @@ mod enclosures;
 mod tables;
 mod verdicts;
 
-use infoscene::claims::{DEFAULT_PRECISION, Judgement, judge_all, registry};
+use infoscene::claims::{Context, Judgement, judge_all, registry};
 use std::sync::LazyLock;
 
 /// Every claim, judged once for all tests.
 static JUDGEMENTS: LazyLock<Vec<Judgement>> = LazyLock::new(judgements);
 
 fn judgements() -> Vec<Judgement> {
-    judge_all(&registry().unwrap(), DEFAULT_PRECISION, || ()).unwrap()
+    judge_all(&registry().unwrap(), &Context::default(), || ()).unwrap()
 }

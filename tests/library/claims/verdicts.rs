@@ -2,10 +2,10 @@
 
 use super::JUDGEMENTS;
 use infoscene::claims::{
-    Claim, DEFAULT_PRECISION, Evidence, Finding, Inputs, Printed, Task, Verdict, computations,
-    judge_control, registry,
+    Case, Claim, Computation, Context, Finding, Inputs, Printed, Task, Verdict, judge_control,
+    registry,
 };
-use infoscene::numeric::Interval;
+use infoscene::numeric::{Grade, Interval};
 
 fn computed() -> Vec<Claim> {
     let claims = registry().unwrap().into_iter();
@@ -30,9 +30,10 @@ fn every_verdict_is_the_recorded_one() {
 /// The control of each claim breaks its premise, or takes another printed number.
 #[test]
 fn every_verdict_turns_under_its_control() {
+    let context = Context::default();
     for plain in JUDGEMENTS.iter() {
         if let Task::Compute { .. } = plain.claim.task {
-            let control = judge_control(&plain.claim, DEFAULT_PRECISION).unwrap();
+            let control = judge_control(&plain.claim, &context).unwrap();
             assert_ne!(
                 plain.verdict, control.verdict,
                 "{}: {:?}",
@@ -103,34 +104,21 @@ fn curves_are_where_the_data_say() {
 /// Every function is used by a claim.
 #[test]
 fn every_computation_has_a_claim() {
-    let computed = computed();
-    for (name, _) in computations() {
+    let context = Context::default();
+    let nothing = Case::new(Inputs::default(), &context);
+    for computation in Computation::ALL {
         let uses = |claim: &Claim| match &claim.task {
-            Task::Compute { computation, .. } => computation == name,
-            Task::Proved { .. } | Task::NotChecked { .. } => false,
-        };
-        assert!(computed.iter().any(uses), "{name} has no claim");
-    }
-}
-
-/// Every function that a claim gives numbers to refuses to go without them.
-#[test]
-fn every_computation_uses_its_input() {
-    let (mut tried, computed) = (0, computed());
-    for (name, compute) in computations() {
-        let takes_numbers = |claim: &Claim| match &claim.task {
             Task::Compute {
-                computation, input, ..
-            } => computation == name && *input != Inputs::default(),
+                computation: used, ..
+            } => used == computation,
             Task::Proved { .. } | Task::NotChecked { .. } => false,
         };
-        if computed.iter().any(takes_numbers) {
-            assert!(
-                compute(&Inputs::default()).is_err(),
-                "{name} ignores its input"
-            );
-            tried += 1;
-        }
+        let name = computation.name();
+        assert!(computed().iter().any(uses), "{name} has no claim");
+        assert!(
+            computation.compute(&nothing).is_err(),
+            "{name} ignores its input"
+        );
     }
     assert!(tried > 10, "{tried} functions take numbers");
 }
@@ -149,60 +137,42 @@ const OPEN: bool = false;
 
 /// A number beside the printed 0.40, which stands for [0.395, 0.405]: value, error, evidence,
 /// verdict.
-const NUMBERS: [(bool, f64, f64, Evidence, Verdict); 8] = [
-    (
-        COMPLETE,
-        0.399,
-        1e-3,
-        Evidence::Estimate,
-        Verdict::Supported,
-    ),
-    (COMPLETE, 0.399, 1e-3, Evidence::Bound, Verdict::Supported),
-    (
-        COMPLETE,
-        0.399,
-        1e-3,
-        Evidence::Enclosure,
-        Verdict::Confirmed,
-    ),
-    (COMPLETE, 0.399, 1e-3, Evidence::Proof, Verdict::Confirmed),
+const NUMBERS: [(bool, f64, f64, Grade, Verdict); 8] = [
+    (COMPLETE, 0.399, 1e-3, Grade::Estimate, Verdict::Supported),
+    (COMPLETE, 0.399, 1e-3, Grade::Bound, Verdict::Supported),
+    (COMPLETE, 0.399, 1e-3, Grade::Enclosure, Verdict::Confirmed),
+    (COMPLETE, 0.399, 1e-3, Grade::Proof, Verdict::Confirmed),
     // it overlaps
-    (
-        COMPLETE,
-        0.394,
-        2e-3,
-        Evidence::Enclosure,
-        Verdict::Undecided,
-    ),
-    (COMPLETE, 0.38, 1e-3, Evidence::Estimate, Verdict::Undecided),
-    (COMPLETE, 0.38, 1e-3, Evidence::Enclosure, Verdict::Refuted),
-    (OPEN, 0.38, 1e-3, Evidence::Enclosure, Verdict::Undecided),
+    (COMPLETE, 0.394, 2e-3, Grade::Enclosure, Verdict::Undecided),
+    (COMPLETE, 0.38, 1e-3, Grade::Estimate, Verdict::Undecided),
+    (COMPLETE, 0.38, 1e-3, Grade::Enclosure, Verdict::Refuted),
+    (OPEN, 0.38, 1e-3, Grade::Enclosure, Verdict::Undecided),
 ];
 
 #[test]
 fn a_number_is_judged_by_its_evidence() {
     for (complete, value, error, evidence, verdict) in NUMBERS {
         let mut finding = Finding::value(value, error);
-        finding.evidence = evidence;
+        finding.grade = evidence;
         let found = Verdict::of(&example(Some("0.40"), complete), &finding);
         assert_eq!(found, verdict, "{complete} {finding:?}");
     }
 }
 
 /// A statement in words: whether it holds, evidence, verdict.
-const STATEMENTS: [(bool, bool, Evidence, Verdict); 5] = [
-    (COMPLETE, true, Evidence::Sample, Verdict::Supported),
-    (COMPLETE, true, Evidence::Proof, Verdict::Confirmed),
-    (COMPLETE, false, Evidence::Sample, Verdict::Undecided),
-    (COMPLETE, false, Evidence::Enclosure, Verdict::Refuted),
-    (OPEN, false, Evidence::Enclosure, Verdict::Undecided),
+const STATEMENTS: [(bool, bool, Grade, Verdict); 5] = [
+    (COMPLETE, true, Grade::Sample, Verdict::Supported),
+    (COMPLETE, true, Grade::Proof, Verdict::Confirmed),
+    (COMPLETE, false, Grade::Sample, Verdict::Undecided),
+    (COMPLETE, false, Grade::Enclosure, Verdict::Refuted),
+    (OPEN, false, Grade::Enclosure, Verdict::Undecided),
 ];
 
 #[test]
 fn a_statement_is_judged_by_its_evidence() {
     for (complete, holds, evidence, verdict) in STATEMENTS {
         let mut finding = Finding::statement(holds, 0.0, 0.0);
-        finding.evidence = evidence;
+        finding.grade = evidence;
         let found = Verdict::of(&example(None, complete), &finding);
         assert_eq!(found, verdict, "{complete} {finding:?}");
     }
@@ -228,4 +198,15 @@ fn enclosures_are_compared_with_the_exact_decimal_ends() {
 fn a_number_without_a_printed_one_decides_nothing() {
     let found = Verdict::of(&example(None, COMPLETE), &Finding::value(1.0, 0.0));
     assert_eq!(found, Verdict::Undecided);
+}
+
+/// The grades are ordered as listed, and JSON has their names.
+#[test]
+fn grades_rise_and_are_written_by_name() {
+    assert!(Grade::ALL.windows(2).all(|pair| pair[0] < pair[1]));
+    let words = ["sample", "estimate", "bound", "enclosure", "proof"];
+    for (grade, word) in Grade::ALL.into_iter().zip(words) {
+        assert_eq!(grade.name(), word);
+        assert_eq!(serde_json::to_value(grade).unwrap(), word);
+    }
 }

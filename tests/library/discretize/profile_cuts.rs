@@ -239,9 +239,9 @@ fn mutual_information_moves_with_a_narrow_bump_and_mean_square_does_not() {
     assert!(cuts[1][1] - cuts[2][1] > 0.05, "{cuts:?}");
 }
 
-/// What the README says of e^(3l) and e^(4l), and that nothing monotone in the study lies farther apart.
+/// The findings about e^(3l) and e^(4l), and that nothing monotone in the study lies farther apart.
 #[test]
-fn monotone_profiles_differ_as_the_readme_says() {
+fn monotone_profiles_differ_as_the_findings_say() {
     for (case, profile) in PROFILES {
         if matches!(profile, Profile::Bump { centre, .. } if centre < 1.0) {
             continue;

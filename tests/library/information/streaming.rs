@@ -4,10 +4,10 @@ use crate::support::references::value;
 use infoscene::chain::{ChainError, ReversibleChain, open_visibility_chain, visibility_chain};
 use infoscene::form_factor::DEFAULT_TOLERANCE;
 use infoscene::information::{
-    ErrorGrade, OpenScene, SceneInformation, entropy_rate, mutual_information, positional_entropy,
+    OpenScene, SceneInformation, entropy_rate, mutual_information, positional_entropy,
     scene_information,
 };
-use infoscene::numeric::{tolerance, x_log2_ratio};
+use infoscene::numeric::{Grade, tolerance, x_log2_ratio};
 use infoscene::scene::{Congruence, ExchangeError, NamedPatch, Occlusion, Scene, ScenePairs};
 
 fn pairs(scene: &Scene, occlusion: Occlusion) -> ScenePairs<'static> {
@@ -77,7 +77,7 @@ fn streamed_measures_of_an_open_scene_are_those_of_its_matrix() {
         let chain = open_visibility_chain(&scene).unwrap();
         let found = measured(&scene, OpenScene::AddOutsideState).unwrap();
         assert_equal(&found, &chain);
-        assert_eq!(found.error_grade, ErrorGrade::Estimate);
+        assert_eq!(found.error_grade, Grade::Estimate);
         assert!(found.outside_contribution.unwrap() > 0.0);
         // the weights of patches are their areas
         for (weight, patch) in chain.weights().iter().zip(scene.patches()) {
@@ -102,7 +102,7 @@ fn information_errors_are_bounds() {
     for cells in [1, 2, 3, 4, 6] {
         let found = measured(&cube(cells), OpenScene::Refuse).unwrap();
         let exact = value("cube_grids.csv", &format!("cube_regular_{cells}"));
-        assert_eq!(found.error_grade, ErrorGrade::Bound);
+        assert_eq!(found.error_grade, Grade::Bound);
         let off = (found.mutual_information - exact).abs();
         assert!(
             off <= found.error && off <= 1e-13,

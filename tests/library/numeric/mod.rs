@@ -7,6 +7,7 @@ mod digamma;
 mod dilogarithms;
 mod dual_numbers;
 mod elementary;
+mod extremes;
 mod interval_ends;
 mod intervals;
 mod optimisers;

@@ -1,0 +1,173 @@
+//! The judgement of claims: compute, let theorems raise the evidence, apply the rule.
+
+use super::claim::{Claim, Task};
+use super::verdict::Agreement;
+use super::{Case, ClaimError, Context, Finding, Inputs, Verdict};
+use crate::numeric::Grade;
+use rayon::prelude::*;
+
+/// A claim with its finding and its verdict.
+#[derive(Debug, Clone)]
+pub struct Judgement {
+    /// The claim.
+    pub claim: Claim,
+    /// The finding; `None` if the claim is not computed.
+    pub finding: Option<Finding>,
+    /// The verdict by the rule.
+    pub verdict: Verdict,
+}
+
+impl Judgement {
+    /// The verdict on record.
+    #[must_use]
+    pub const fn recorded(&self) -> Verdict {
+        match &self.claim.task {
+            Task::Compute { recorded, .. } => *recorded,
+            Task::Proved { is_refuted, .. } => Verdict::of_proof(*is_refuted),
+            Task::NotChecked { .. } => Verdict::NotChecked,
+        }
+    }
+
+    /// The grade of the evidence, if there is any.
+    #[must_use]
+    pub fn evidence(&self) -> Option<Grade> {
+        match (&self.finding, &self.claim.task) {
+            (Some(finding), _) => Some(finding.grade),
+            (None, Task::Proved { .. }) => Some(Grade::Proof),
+            (None, _) => None,
+        }
+    }
+
+    /// The finding's note, or the reason why there is none.
+    #[must_use]
+    pub fn note(&self) -> &str {
+        match (&self.finding, &self.claim.task) {
+            (Some(finding), _) => &finding.note,
+            (None, Task::NotChecked { reason }) => reason,
+            (None, Task::Proved { note, .. }) => note,
+            (None, Task::Compute { .. }) => "",
+        }
+    }
+}
+
+/// Computes a claim and judges it.
+///
+/// # Errors
+/// [`ClaimError`] if the computation fails.
+pub fn judge(claim: &Claim, context: &Context) -> Result<Judgement, ClaimError> {
+    judge_with(claim.clone(), &Inputs::default(), Theorems::Count, context)
+}
+
+/// Judges a claim with its control's changes; a sound computation gives another verdict.
+///
+/// # Errors
+/// [`ClaimError`] if the computation fails.
+pub fn judge_control(claim: &Claim, context: &Context) -> Result<Judgement, ClaimError> {
+    let mut changed = claim.clone();
+    let Task::Compute { control, .. } = &claim.task else {
+        return judge(claim, context);
+    };
+    if control.printed.is_some() {
+        changed.printed.clone_from(&control.printed);
+    }
+    judge_with(changed, &control.inputs, Theorems::AreElsewhere, context)
+}
+
+/// Judges all these claims, in parallel; `progress` is called after each.
+///
+/// # Errors
+/// [`ClaimError`] of a claim whose computation fails.
+pub fn judge_all(
+    claims: &[Claim],
+    context: &Context,
+    progress: impl Fn() + Sync,
+) -> Result<Vec<Judgement>, ClaimError> {
+    let judged = tasks(claims, context)
+        .into_par_iter()
+        .with_max_len(1)
+        .map(|task| {
+            let judged = task.into_iter().map(|index| {
+                let judgement = judge(&claims[index], context)?;
+                progress();
+                Ok((index, judgement))
+            });
+            judged.collect::<Result<Vec<_>, ClaimError>>()
+        })
+        .collect::<Result<Vec<_>, ClaimError>>()?;
+    let mut judged = judged.concat();
+    judged.sort_by_key(|(index, _)| *index);
+    Ok(judged.into_iter().map(|(_, judgement)| judgement).collect())
+}
+
+/// Indices of the claims, those that share a grid together: one thread judges them, no other waits
+/// for the grid.
+fn tasks(claims: &[Claim], context: &Context) -> Vec<Vec<usize>> {
+    let mut tasks: Vec<(Option<u32>, Vec<usize>)> = Vec::new();
+    for (index, claim) in claims.iter().enumerate() {
+        let grid = match &claim.task {
+            Task::Compute {
+                computation, input, ..
+            } => computation.shared_grid(&Case::new(input.clone(), context)),
+            Task::Proved { .. } | Task::NotChecked { .. } => None,
+        };
+        match tasks
+            .iter_mut()
+            .find(|(of, _)| grid.is_some() && *of == grid)
+        {
+            Some((_, task)) => task.push(index),
+            None => tasks.push((grid, vec![index])),
+        }
+    }
+    tasks.into_iter().map(|(_, task)| task).collect()
+}
+
+/// Whether the theorems that a claim names bear on the case at hand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Theorems {
+    /// The case is the claim itself.
+    Count,
+    /// The case is a control, of which the theorems say nothing.
+    AreElsewhere,
+}
+
+fn judge_with(
+    claim: Claim,
+    changes: &Inputs,
+    theorems: Theorems,
+    context: &Context,
+) -> Result<Judgement, ClaimError> {
+    let (finding, verdict) = match &claim.task {
+        Task::Proved { is_refuted, .. } => (None, Verdict::of_proof(*is_refuted)),
+        Task::NotChecked { .. } => (None, Verdict::NotChecked),
+        Task::Compute {
+            computation,
+            input,
+            recorded,
+            ..
+        } => {
+            let case = Case::new(input.changed_by(changes), context);
+            let mut finding = computation.compute(&case)?;
+            if theorems == Theorems::Count && is_proved(&claim, *recorded, &finding) {
+                finding.grade = Grade::Proof;
+            }
+            let verdict = Verdict::of(&claim, &finding);
+            (Some(finding), verdict)
+        }
+    };
+    Ok(Judgement {
+        claim,
+        finding,
+        verdict,
+    })
+}
+
+/// Whether a theorem stands behind a finding: one that contradicts the theorem is not hidden by it.
+///
+/// The theorems of a claim on record as refuted prove its contrary.
+fn is_proved(claim: &Claim, recorded: Verdict, finding: &Finding) -> bool {
+    let proved = match recorded {
+        Verdict::Refuted => Agreement::Outside,
+        _ => Agreement::Inside,
+    };
+    !claim.proof.is_empty() && Agreement::of(claim, finding) == proved
+}
