@@ -3,7 +3,7 @@
 use super::Answer;
 use super::output::{Output, check_place, write_file};
 use super::reproduce::selected;
-use infoscene::claims::{Context, DEFAULT_PRECISION, judge, registry};
+use infoscene::claims::{Context, judge, registry};
 use infoscene::report::{curve_figure, curve_report};
 use std::path::PathBuf;
 

@@ -8,8 +8,8 @@
 use super::{Row, StudyError};
 use crate::numeric::compensated_sum;
 use crate::scene::{Material, Scene};
-use crate::transport::{DenseExchange, RadiositySystem};
 use crate::transport::walks::{Steering, Walks};
+use crate::transport::{DenseExchange, RadiositySystem};
 use crate::transport::{Importance, TransportError};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;

@@ -227,7 +227,7 @@ fn what_is_not_known_is_undecided() {
 #[test]
 fn a_jump_of_the_angle_is_no_root() {
     struct Jump;
-    impl Function for Jump {
+    impl IntervalFunction for Jump {
         fn value<S: Scalar>(&self, y: &S) -> Option<S> {
             let angle = y.atan2(&y.constant(-1.0));
             Some(angle * &y.constant(0.01) + y)
