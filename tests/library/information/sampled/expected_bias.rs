@@ -7,7 +7,7 @@ use infoscene::information::{
     scene_information_and_bias,
 };
 use infoscene::numeric::divergence_kernel;
-use infoscene::scene::{Congruence, Scene, ScenePairs};
+use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::LN_2;
@@ -165,7 +165,7 @@ fn one_sample_knows_its_cell() {
 #[test]
 fn one_pass_gives_the_information_and_its_bias() {
     let cube = Scene::built_in("cube:3").unwrap();
-    let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared).unwrap();
+    let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse).unwrap();
     let (information, bias) = scene_information_and_bias(&pairs, 1000).unwrap();
     assert_eq!(
         information,
@@ -175,6 +175,6 @@ fn one_pass_gives_the_information_and_its_bias() {
     assert_eq!(bias.to_bits(), alone.to_bits());
     assert!(bias > 0.0);
     let open = Scene::built_in("two-squares").unwrap();
-    let open = ScenePairs::try_new(&open, 1e-12, Congruence::Shared).unwrap();
+    let open = ScenePairs::try_new(&open, 1e-12, Congruence::Shared, Occlusion::Refuse).unwrap();
     assert!(scene_information_and_bias(&open, 1000).is_err());
 }
