@@ -8,8 +8,8 @@
 mod textbook;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use infoscene::form_factor::perpendicular::Plate;
-use infoscene::form_factor::{parallel, perpendicular};
+use infoscene::form_factor::rectangles::perpendicular::Plate;
+use infoscene::form_factor::rectangles::{parallel, perpendicular};
 use infoscene::geometry::Span;
 use std::hint::black_box;
 use textbook::textbook_parallel;

@@ -10,8 +10,8 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use infoscene::discretize::GradientCut;
-use infoscene::form_factor::perpendicular::Plate;
-use infoscene::form_factor::{parallel, perpendicular};
+use infoscene::form_factor::rectangles::perpendicular::Plate;
+use infoscene::form_factor::rectangles::{parallel, perpendicular};
 use infoscene::geometry::Span;
 use infoscene::information::relative_entropy;
 use infoscene::numeric::{divergence_kernel, tolerance};

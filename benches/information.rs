@@ -9,12 +9,13 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use infoscene::chain::{ReversibleChain, visibility_chain};
 use infoscene::claims::{Context, judge, judge_all, registry};
 use infoscene::discretize::{BestGrid, BoxGrid, GradientCut, PatchSplit, UNIT_CUBE};
+use infoscene::exchange::{Congruence, ScenePairs};
 use infoscene::form_factor::DEFAULT_TOLERANCE;
 use infoscene::geometry::SplitAxis;
 use infoscene::information::{
     OpenScene, divergence, entropy_rate, mutual_information, positional_entropy, scene_information,
 };
-use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs};
+use infoscene::scene::{Occlusion, Scene};
 use std::hint::black_box;
 
 fn measures(criterion: &mut Criterion) {

@@ -12,9 +12,10 @@ mod textbook;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use glam::{DMat3, DVec3};
+use infoscene::exchange::{Congruence, ScenePairs};
 use infoscene::form_factor::{DEFAULT_TOLERANCE, Polygon, Route};
 use infoscene::geometry::Patch;
-use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs};
+use infoscene::scene::{Occlusion, Scene};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::{PI, TAU};

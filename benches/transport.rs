@@ -6,7 +6,8 @@
 #![allow(clippy::unwrap_used, reason = "a bench may panic")]
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use infoscene::scene::{ExchangeAreas, Material, Scene};
+use infoscene::exchange::ExchangeAreas;
+use infoscene::scene::{Material, Scene};
 use infoscene::transport::RadiositySystem;
 use std::hint::black_box;
 

@@ -17,8 +17,8 @@
 
 use super::error::ChainError;
 use super::reversible::ReversibleChain;
+use crate::exchange::ExchangeAreas;
 use crate::numeric::Scaled;
-use crate::scene::ExchangeAreas;
 use nalgebra::DMatrix;
 
 /// The chain of a scene under one brightness per patch: radiosities, or importances times

@@ -17,10 +17,11 @@
 
 use super::error::ChainError;
 use super::reversible::ReversibleChain;
+use crate::exchange::{Congruence, ScenePairs};
 use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::geometry::centroid;
 use crate::numeric::compensated_sum;
-use crate::scene::{Congruence, NamedPatch, Occlusion, Scene, SceneError, ScenePairs};
+use crate::scene::{NamedPatch, Occlusion, Scene, SceneError};
 use glam::DVec3;
 use nalgebra::DMatrix;
 

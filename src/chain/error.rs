@@ -1,6 +1,7 @@
 //! The error of this room: input that is not a reversible chain, or not a refinement of one.
 
-use crate::scene::{ExchangeError, SceneError};
+use crate::exchange::ExchangeError;
+use crate::scene::SceneError;
 
 /// A chain or a refinement was refused; the message names the entry.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -14,11 +14,8 @@ mod brightness;
 mod continuous;
 mod error;
 pub mod random;
-pub mod recipe;
 mod refinement;
 mod reversible;
-#[cfg(feature = "proptest")]
-pub mod strategies;
 mod visibility;
 
 pub use brightness::brightness_chain;

@@ -9,7 +9,8 @@
 
 use super::error::ChainError;
 use super::reversible::ReversibleChain;
-use crate::scene::{Closure, Scene};
+use crate::exchange::Closure;
+use crate::scene::Scene;
 use nalgebra::DMatrix;
 
 /// The visibility chain of a closed scene.

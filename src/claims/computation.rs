@@ -1,7 +1,7 @@
 //! The computations by name: one list, from which the names in the data and the calls are made.
 
 use super::{Case, ClaimError, Finding};
-use super::{
+use crate::claims::sections::{
     appendix, continuous_limit, figure_5, section_2, section_3, section_3_light, section_4_1,
     section_4_2, section_5,
 };

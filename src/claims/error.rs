@@ -2,10 +2,11 @@
 
 use crate::chain::ChainError;
 use crate::discretize::DiscretizeError;
+use crate::exchange::ExchangeError;
 use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
 use crate::numeric::NumericError;
-use crate::scene::{ExchangeError, SceneError};
+use crate::scene::SceneError;
 use crate::transport::TransportError;
 
 /// A claim's data or its computation failed.

@@ -26,24 +26,16 @@
 //!
 //! **Not here**: printing.
 
-mod appendix;
 mod case;
 mod claim;
 mod computation;
 mod context;
-mod continuous_limit;
 mod error;
-mod figure_5;
 mod finding;
 mod inputs;
 mod judge;
 mod registry;
-mod section_2;
-mod section_3;
-mod section_3_light;
-mod section_4_1;
-mod section_4_2;
-mod section_5;
+mod sections;
 mod verdict;
 
 pub use case::Case;
@@ -51,9 +43,9 @@ pub use claim::{Claim, Control, Printed, Task};
 pub use computation::Computation;
 pub use context::{Context, DEFAULT_PRECISION};
 pub use error::ClaimError;
-pub use figure_5::samples_for;
 pub use finding::{Finding, Quantity};
 pub use inputs::Inputs;
 pub use judge::{Judgement, judge, judge_all, judge_control};
 pub use registry::registry;
+pub use sections::figure_5::samples_for;
 pub use verdict::Verdict;

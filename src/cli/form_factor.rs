@@ -3,10 +3,10 @@
 use super::Answer;
 use super::output::{Output, check_place, replace_with};
 use super::scene_pairs::{ScenePairsOptions, outcome};
+use infoscene::exchange::{Entry, ExchangeAreas, PassSummary, ScenePairs};
 use infoscene::report::{
     FormFactorRecord, PatchRecord, write_form_factors, write_npy_head, write_npy_row,
 };
-use infoscene::scene::{Entry, ExchangeAreas, PassSummary, ScenePairs};
 use std::error::Error;
 use std::path::{Path, PathBuf};
 

@@ -3,7 +3,7 @@
 use super::output::{Output, progress_bar};
 use super::{Answer, Outcome};
 use infoscene::report::{fuzz_report, json_text};
-use infoscene::study::fuzz::{Campaign, Sabotage, run};
+use infoscene::study::gain::fuzz::{Campaign, Sabotage, run};
 use std::time::Instant;
 
 #[derive(Debug, clap::Args)]

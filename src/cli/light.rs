@@ -1,7 +1,8 @@
 //! Which chain of a scene is meant, and the light that it takes.
 
 use super::patch_values::{Materials, PatchValue, values};
-use infoscene::scene::{ExchangeAreas, Material, Scene};
+use infoscene::exchange::ExchangeAreas;
+use infoscene::scene::{Material, Scene};
 use infoscene::transport::{RadiositySolution, RadiositySystem};
 use std::error::Error;
 

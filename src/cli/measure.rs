@@ -5,12 +5,13 @@ use super::output::{Output, progress_bar};
 use super::scene_pairs::{PairsBar, ScenePairsOptions, outcome};
 use super::{Answer, Outcome};
 use infoscene::chain::ChainError;
+use infoscene::exchange::{ExchangeError, ScenePairs};
 use infoscene::information::{
     LineKind, LineSample, OpenScene, brightness_information, continuous_information, pair_losses,
     scene_information, scene_information_and_bias,
 };
 use infoscene::report::{measure_report, sample_report};
-use infoscene::scene::{ExchangeError, NamedPatch, Scene, SceneError, ScenePairs};
+use infoscene::scene::{NamedPatch, Scene, SceneError};
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]

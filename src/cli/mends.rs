@@ -6,9 +6,10 @@
 use infoscene::chain::ChainError;
 use infoscene::claims::ClaimError;
 use infoscene::discretize::DiscretizeError;
+use infoscene::exchange::ExchangeError;
 use infoscene::geometry::GeometryError;
+use infoscene::scene::SceneError;
 use infoscene::scene::files::Fault;
-use infoscene::scene::{ExchangeError, SceneError};
 use infoscene::study::StudyError;
 use infoscene::transport::TransportError;
 use std::error::Error;

@@ -5,11 +5,11 @@ use super::output::progress_bar;
 use super::scene::SceneArgument;
 use indicatif::ProgressBar;
 use indicatif::style::TemplateError;
-use infoscene::form_factor::DEFAULT_TOLERANCE;
-use infoscene::scene::{
-    Congruence, ExchangeError, Occlusion, PassSummary, Progress, Scene, SceneError, ScenePairs,
-    Unreached,
+use infoscene::exchange::{
+    Congruence, ExchangeError, PassSummary, Progress, ScenePairs, Unreached,
 };
+use infoscene::form_factor::DEFAULT_TOLERANCE;
+use infoscene::scene::{Occlusion, Scene, SceneError};
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]

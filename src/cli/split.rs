@@ -5,12 +5,13 @@ use super::light::Light;
 use super::output::{MOST_DECIMALS, Output, between, precision};
 use super::scene::SceneArgument;
 use infoscene::discretize::{DiscretizeError, PatchSplit, regular_positions};
+use infoscene::exchange::{Congruence, ScenePairs};
 use infoscene::form_factor::DEFAULT_TOLERANCE;
 use infoscene::geometry::SplitAxis;
 use infoscene::numeric::interval::DecimalBounds;
 use infoscene::numeric::{Interval, compensated_sum, tolerance};
 use infoscene::report::{Report, Table, certain_digits, scientific};
-use infoscene::scene::{Congruence, Scene, ScenePairs};
+use infoscene::scene::Scene;
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]

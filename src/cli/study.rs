@@ -6,18 +6,18 @@ use infoscene::report::{
     accuracy_report, directions_report, figure_5_report, limits_report, profiles_report,
     refinements_figure, refinements_report, sampling_report, stability_report, study_report,
 };
-use infoscene::study::accuracy::accuracy;
-use infoscene::study::directions::directions;
-use infoscene::study::extreme_pairs::{StabilityRow, route_stability};
-use infoscene::study::figure_5::figure_5;
-use infoscene::study::gradient_limits::gradient_limits;
-use infoscene::study::precision::work_precision;
-use infoscene::study::profiles::profiles;
+use infoscene::study::cuts::directions::directions;
+use infoscene::study::cuts::limits::gradient_limits;
+use infoscene::study::cuts::profiles::profiles;
+use infoscene::study::enclosures::work_precision;
+use infoscene::study::form_factors::accuracy::accuracy;
+use infoscene::study::form_factors::extreme_pairs::{StabilityRow, route_stability};
+use infoscene::study::gain::stability::gain_stability;
+use infoscene::study::light::stability::transport_stability;
+use infoscene::study::light::walks::walk_variance;
+use infoscene::study::lines::figure_5::figure_5;
+use infoscene::study::lines::sampling::sampling;
 use infoscene::study::refinement::refinements;
-use infoscene::study::sampling::sampling;
-use infoscene::study::stability::gain_stability;
-use infoscene::study::transport_stability::transport_stability;
-use infoscene::study::walk_variance::walk_variance;
 
 use std::path::PathBuf;
 

@@ -1,10 +1,11 @@
 //! The error of this room: a cut or a grid that could not be found.
 
 use crate::chain::ChainError;
+use crate::exchange::ExchangeError;
 use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
 use crate::numeric::NumericError;
-use crate::scene::{ExchangeError, SceneError};
+use crate::scene::SceneError;
 
 /// A discretization was refused or not found.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

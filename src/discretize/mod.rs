@@ -19,42 +19,26 @@
 //!
 //! so that the best cut is where `G′/W′` is the logarithmic mean of a and b.
 
-mod best_grid;
-mod box_grid;
-mod cell_classes;
-mod cell_pair;
-mod certified_grid;
 mod contact_shadow;
-mod cut_comparison;
-mod cut_pair;
-mod cut_search;
 mod division;
 mod error;
-mod gradient_cut;
-mod gradient_limit;
-mod grid_axis;
-mod grid_derivatives;
-mod grid_sample;
-mod part_exchange;
-mod patch_split;
-mod profile;
-mod profile_cut;
-mod rectangle_split;
+mod gradient;
+mod grid;
+mod patch;
 mod stationarity;
-mod straight_cut;
 
-pub use best_grid::{BestGrid, Search};
-pub use box_grid::{BoxGrid, GridInformation, LARGEST_ASPECT, MOST_CELLS, UNIT_CUBE};
-pub use certified_grid::CertifiedGrid;
 pub use contact_shadow::ContactShadow;
-pub use cut_comparison::CutComparison;
 pub use division::regular_positions;
 pub use error::DiscretizeError;
-pub use gradient_cut::{CertifiedCut, Cut, GradientCut};
-pub use gradient_limit::{GradientLimit, LimitingCut};
-pub use grid_axis::Spacing;
-pub use patch_split::{PatchSplit, SplitOptimum};
-pub use profile::Profile;
-pub use profile_cut::{Irradiance, JudgedCut, ProfileCut};
-pub use rectangle_split::RectangleSplit;
-pub use straight_cut::{BestStraightCut, StraightCut};
+pub use gradient::comparison::CutComparison;
+pub use gradient::cut::{CertifiedCut, Cut, GradientCut};
+pub use gradient::limit::{GradientLimit, LimitingCut};
+pub use gradient::profile::Profile;
+pub use gradient::profile_cut::{Irradiance, JudgedCut, ProfileCut};
+pub use gradient::straight::{BestStraightCut, StraightCut};
+pub use grid::axis::Spacing;
+pub use grid::best::{BestGrid, Search};
+pub use grid::certified::CertifiedGrid;
+pub use grid::{BoxGrid, GridInformation, LARGEST_ASPECT, MOST_CELLS, UNIT_CUBE};
+pub use patch::rectangles::RectangleSplit;
+pub use patch::split::{PatchSplit, SplitOptimum};

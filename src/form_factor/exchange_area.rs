@@ -10,7 +10,7 @@ pub struct ExchangeArea {
     /// Bound on the absolute error, in the same unit: for corners as given
     /// ([`Polygon`](super::Polygon)), or for rectangles as placed in the frame of the first
     /// ([`RectanglePair`](super::RectanglePair)). It rests on the error bounds of
-    /// [`elementary`](crate::numeric::elementary).
+    /// [`elementary`](crate::numeric::functions::elementary).
     pub error_bound: f64,
 }
 

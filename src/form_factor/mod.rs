@@ -19,7 +19,7 @@
 //! ```
 //!
 //! `horizon` clips what lies behind the other's plane, `view` measures what is left, `choice`
-//! chooses. [`mod@reference`] is a slow road of its own to judge them by, [`sampling`] another. A
+//! chooses. [`crate::reference`] is a slow road of its own to judge them by, [`sampling`] another. A
 //! bound holds for corners as given: what their rounding does to a polygon that is not quite planar
 //! is in it.
 //!
@@ -30,45 +30,27 @@
 //! References: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-11 to C-15;
 //! Cohen and Wallace, *Radiosity and Realistic Image Synthesis*, 1993, ch. 4.
 
-mod aligned;
-mod choice;
+mod chooser;
+mod clipped_pair;
 mod contour;
-mod coplanar_edges;
-mod corners;
-mod edge;
 mod error;
-mod exchange;
 mod exchange_area;
-mod gauss_points;
-mod horizon;
-mod kernel;
-mod layout;
+mod gauss;
 mod logarithms;
-mod panels;
-pub mod parallel;
-pub mod perpendicular;
-mod point_to_polygon;
 mod polygon;
-mod potential;
-mod precise_contour;
-mod rectangle_kernel;
-mod rectangle_pair;
-pub mod reference;
+pub mod rectangles;
 mod route;
 pub mod sampling;
-mod shape;
-mod strip_exchange;
-mod view;
 mod workspace;
 
-pub use choice::DEFAULT_TOLERANCE;
-pub(crate) use corners::EdgeSlopes;
+pub use chooser::DEFAULT_TOLERANCE;
 pub use error::FormFactorError;
-pub use exchange::Exchange;
 pub use exchange_area::{Answer, ExchangeArea};
-pub(crate) use layout::Layout;
+pub use gauss::lambert::{point_form_factor, point_kernel};
 pub use logarithms::Logarithms;
-pub use point_to_polygon::{point_form_factor, point_kernel};
 pub use polygon::Polygon;
-pub use rectangle_pair::RectanglePair;
+pub use rectangles::corner_sum::Exchange;
+pub(crate) use rectangles::derivatives::EdgeSlopes;
+pub(crate) use rectangles::layout::Layout;
+pub use rectangles::pair::RectanglePair;
 pub use route::Route;

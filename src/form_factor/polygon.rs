@@ -1,6 +1,6 @@
 //! A patch made ready for form factors: what every route needs of it, computed once.
 
-use super::shape::Shape;
+use crate::form_factor::clipped_pair::shape::Shape;
 use crate::geometry::{AlignedRectangle, Patch, Rectangle, Vector};
 use crate::numeric::{DoubleDouble, Scalar, power_of_two_below, vector_value};
 use glam::DVec3;

@@ -60,7 +60,8 @@ impl Sample {
 /// # Examples
 /// ```
 /// use glam::DVec3;
-/// use infoscene::{form_factor::sampling::local_lines, geometry::Patch};
+/// use infoscene::form_factor::sampling::local_lines;
+/// use infoscene::geometry::Patch;
 /// // the corner of a cube cut off: from one leg to another, (1 − 1/√3)/2
 /// let (o, x, y, z) = (DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z);
 /// let (floor, wall) = (Patch::try_new(vec![o, x, y])?, Patch::try_new(vec![o, y, z])?);

@@ -1,8 +1,8 @@
 //! Memory for the work on a pair, kept from one pair to the next.
 
 use super::contour::Scratch;
-use super::gauss_points::Block;
-use super::point_to_polygon::Side;
+use crate::form_factor::gauss::lambert::Side;
+use crate::form_factor::gauss::points::Block;
 use std::cell::RefCell;
 
 thread_local! {

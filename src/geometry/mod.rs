@@ -6,44 +6,32 @@
 //!
 //! **Not here**: anything radiometric.
 
-mod aligned_rectangle;
-mod centroid;
-mod clip;
-mod containment;
-mod convex_pieces;
-mod convexity;
-mod cut_lines;
-mod ears;
 mod error;
 mod local_line;
-mod offsets;
 mod patch;
-mod placement;
-mod quarters;
+mod polygon;
 mod rectangle;
 mod shaft;
-mod span;
-mod triangulation;
 mod uniform_line;
 mod vector;
 
-pub use aligned_rectangle::{AlignedRectangle, FlatBox};
-pub use centroid::centroid;
-pub(crate) use clip::{ClippedCorner, clip, clipped};
-pub(crate) use containment::{NotContained, check_contained, distance_from_plane};
-pub use convexity::convex_hull;
-pub(crate) use convexity::is_convex;
-pub use cut_lines::CutLines;
-pub(crate) use ears::EarClipper;
 pub use error::GeometryError;
 pub(crate) use local_line::{Facet, LocalLine, Slope};
-pub use offsets::Offsets;
 pub use patch::Patch;
-pub use placement::{Extent, Placement};
-pub use quarters::quartered;
+pub use polygon::centroid::centroid;
+pub(crate) use polygon::clip::{ClippedCorner, clip, clipped};
+pub(crate) use polygon::containment::{NotContained, check_contained, distance_from_plane};
+pub use polygon::convexity::convex_hull;
+pub(crate) use polygon::convexity::is_convex;
+pub use polygon::cut_lines::CutLines;
+pub(crate) use polygon::ears::EarClipper;
+pub use polygon::quarters::quartered;
+pub use polygon::triangulation::triangulated;
+pub use rectangle::aligned::{AlignedRectangle, FlatBox};
+pub use rectangle::offsets::Offsets;
+pub use rectangle::placement::{Extent, Placement};
+pub use rectangle::span::Span;
 pub use rectangle::{Rectangle, SplitAxis};
 pub use shaft::{Outline, Plane, Shaft};
-pub use span::Span;
-pub use triangulation::triangulated;
 pub(crate) use uniform_line::line_through_sphere;
 pub use vector::Vector;

@@ -9,7 +9,7 @@
 //! **Not covered**: holes; curved surfaces.
 
 use super::GeometryError;
-use crate::geometry::Vector;
+use super::Vector;
 use crate::numeric::{DoubleDouble, Scalar, power_of_two_near, tolerance};
 use glam::{DVec2, DVec3};
 

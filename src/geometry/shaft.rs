@@ -39,8 +39,8 @@
 //! difference body.
 
 use super::Patch;
-use super::clip::clipped;
-use super::convex_pieces::convex_pieces;
+use crate::geometry::polygon::clip::clipped;
+use crate::geometry::polygon::convex_pieces::convex_pieces;
 use glam::DVec3;
 
 /// A plane with a front.

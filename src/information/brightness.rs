@@ -10,11 +10,11 @@
 //! error of the answer is an *estimate*.
 
 use super::SceneInformation;
-use super::measures::{pair_divergence, positional_entropy};
+use super::chain::{pair_divergence, positional_entropy};
 use super::scene::divergence_error;
 use crate::chain::{ChainError, brightness_chain};
+use crate::exchange::{Closure, ExchangeAreas};
 use crate::numeric::{Grade, compensated_sum, parallel_map, tolerance};
-use crate::scene::{Closure, ExchangeAreas};
 use crate::transport::RadiositySolution;
 use std::f64::consts::LN_2;
 
@@ -26,7 +26,8 @@ use std::f64::consts::LN_2;
 /// # Examples
 /// ```
 /// use infoscene::information::{OpenScene, brightness_information, scene_information};
-/// use infoscene::scene::{Congruence, Material, Occlusion, Scene, ScenePairs};
+/// use infoscene::exchange::{Congruence, ScenePairs};
+/// use infoscene::scene::{Material, Occlusion, Scene};
 /// use infoscene::transport::RadiositySystem;
 /// // with E = k (1 − R) everywhere the radiosity chain is the visibility chain (§3.4)
 /// let cube = Scene::built_in("cube:2")?;

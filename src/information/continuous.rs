@@ -21,10 +21,11 @@
 //! [`chord_information`](super::chord_information) samples closed ones.
 
 use crate::chain::ChainError;
+use crate::exchange::ExchangeError;
 use crate::form_factor::Logarithms;
 use crate::geometry::{GeometryError, Patch};
 use crate::numeric::{CompensatedSum, Grade, compensated_sum, tolerance, try_parallel_map};
-use crate::scene::{ExchangeError, Occlusion, Scene};
+use crate::scene::{Occlusion, Scene};
 use std::f64::consts::LN_2;
 
 /// The contribution of a pair of faces to the continuous mutual information, in both directions
@@ -71,7 +72,8 @@ pub struct ContinuousInformation {
 ///
 /// # Examples
 /// ```
-/// use infoscene::{information::continuous_information, scene::Scene};
+/// use infoscene::information::continuous_information;
+/// use infoscene::scene::Scene;
 /// let cube = continuous_information(&Scene::built_in("cube:2")?)?;
 /// // from an independent evaluation to 37 digits
 /// assert!((cube.mutual_information - 1.610_473_346_468_777_7).abs() < 2e-12);

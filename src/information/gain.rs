@@ -15,7 +15,7 @@
 //! **Not covered**: relative precision where an entry is below 1e-290 of the largest; an absolute
 //! error of [`tolerance::TINY_GAIN`](crate::numeric::tolerance::TINY_GAIN) bits remains.
 
-use super::measures::LOGARITHMIC_FROM;
+use super::chain::LOGARITHMIC_FROM;
 use crate::chain::Refinement;
 use crate::numeric::{Expansion, Scalar, Scaled, common_scale, compensated_sum, divergence_kernel};
 use std::cell::OnceCell;

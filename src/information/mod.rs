@@ -14,27 +14,24 @@
 //! | their expected bias | [`expected_bias`], [`scene_information_and_bias`] |
 
 mod brightness;
-mod chords;
+mod chain;
 mod continuous;
-mod expected_bias;
 mod gain;
-mod line_sample;
-mod measures;
-mod pair_counts;
 mod pair_losses;
+mod sampled;
 mod scene;
 
 pub use brightness::brightness_information;
-pub use chords::ChordInformation;
+pub(crate) use chain::pair_divergence;
+pub use chain::{entropy_rate, mutual_information, positional_entropy};
 pub use continuous::{ContinuousInformation, FacePair, continuous_information};
-pub use expected_bias::{
+pub use gain::{divergence, refinement_gain, relative_entropy, subdivision_bound};
+pub use pair_losses::{PairLoss, pair_losses};
+pub use sampled::chords::ChordInformation;
+pub use sampled::expected_bias::{
     expected_bias, expected_bias_of_scene, expected_deviation, scene_information_and_bias,
 };
-pub use gain::{divergence, refinement_gain, relative_entropy, subdivision_bound};
-pub use line_sample::{LineKind, LineSample, chord_information};
-pub(crate) use measures::pair_divergence;
-pub use measures::{entropy_rate, mutual_information, positional_entropy};
-pub use pair_counts::PairCounts;
-pub use pair_losses::{PairLoss, pair_losses};
+pub use sampled::line_sample::{LineKind, LineSample, chord_information};
+pub use sampled::pair_counts::PairCounts;
 pub(crate) use scene::divergence_error;
 pub use scene::{OpenScene, SceneInformation, scene_information};

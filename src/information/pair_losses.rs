@@ -14,10 +14,11 @@
 
 use super::continuous::in_own_unit;
 use crate::chain::ChainError;
+use crate::exchange::{ExchangeError, Progress};
 use crate::form_factor::Logarithms;
 use crate::geometry::Patch;
 use crate::numeric::{Grade, compensated_sum, tolerance, try_parallel_map};
-use crate::scene::{ExchangeError, NamedPatch, Occlusion, Progress, Scene, SceneError};
+use crate::scene::{NamedPatch, Occlusion, Scene, SceneError};
 use std::f64::consts::LN_2;
 
 /// The contributions of a pair of patches, in both directions together; in bits.
@@ -57,7 +58,8 @@ impl PairLoss {
 /// # Examples
 /// ```
 /// use infoscene::information::pair_losses;
-/// use infoscene::scene::{Scene, Unheard};
+/// use infoscene::exchange::Unheard;
+/// use infoscene::scene::Scene;
 /// let losses = pair_losses(&Scene::built_in("cube:1")?, &Unheard)?;
 /// // the contribution of two adjacent faces, there and back, from an independent evaluation to 26 digits
 /// assert!((losses[1].continuous_mutual_information - 2.0 * 0.064_165_266_508_643_42).abs() < 1e-13);

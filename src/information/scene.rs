@@ -25,11 +25,11 @@
 //!
 //! **Not covered**: terms below 1e-308 of the total.
 
-use super::measures::{Unit, pair_divergence};
+use super::chain::{Unit, pair_divergence};
 use crate::chain::ChainError;
+use crate::exchange::{Closure, PassSummary, ScenePairs};
 use crate::form_factor::ExchangeArea;
 use crate::numeric::{Grade, compensated_sum, tolerance, x_log2_x};
-use crate::scene::{Closure, PassSummary, ScenePairs};
 use std::f64::consts::LN_2;
 
 /// The treatment of power that meets no patch.
@@ -84,7 +84,8 @@ const DIVERGENCE_ERROR: usize = 3;
 /// # Examples
 /// ```
 /// use infoscene::information::{OpenScene, scene_information};
-/// use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs};
+/// use infoscene::exchange::{Congruence, ScenePairs};
+/// use infoscene::scene::{Occlusion, Scene};
 /// let cube = Scene::built_in("cube:1")?;
 /// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
 /// let cube = scene_information(&pairs, OpenScene::Refuse)?;

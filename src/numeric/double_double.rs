@@ -16,8 +16,8 @@
 //! Reference: Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks
 //! of double-word arithmetic", *ACM Trans. Math. Softw.* 44 (2017), 15.
 
-use super::expansion::two_sum;
 use super::{Interval, Scalar};
+use crate::numeric::sums::expansion::two_sum;
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::LazyLock;

@@ -154,15 +154,15 @@ impl Scalar for f64 {
     }
     #[inline(always)]
     fn ln(&self) -> Self {
-        super::elementary::ln(*self)
+        crate::numeric::functions::elementary::ln(*self)
     }
     #[inline(always)]
     fn ln_1p(&self) -> Self {
-        super::elementary::ln_1p(*self)
+        crate::numeric::functions::elementary::ln_1p(*self)
     }
     #[inline(always)]
     fn ln_ratio(&self, from: &Self, to: &Self) -> Self {
-        super::elementary::ln_ratio(*self, *from, *to)
+        crate::numeric::functions::elementary::ln_ratio(*self, *from, *to)
     }
     #[inline(always)]
     fn exp(&self) -> Self {
@@ -180,7 +180,7 @@ impl Scalar for f64 {
         } else {
             1.0
         };
-        super::elementary::angle(*self * scale, *x * scale)
+        crate::numeric::functions::elementary::angle(*self * scale, *x * scale)
     }
     #[inline(always)]
     fn logarithms<const N: usize>(numbers: [&Self; N]) -> [Self; N] {
@@ -188,7 +188,7 @@ impl Scalar for f64 {
         for i in 0..N {
             copies[i] = *numbers[i];
         }
-        super::elementary::logarithms(copies)
+        crate::numeric::functions::elementary::logarithms(copies)
     }
     #[inline(always)]
     fn angles<const N: usize>(points: [[&Self; 2]; N]) -> [Self; N] {
@@ -197,7 +197,7 @@ impl Scalar for f64 {
             let [y, x] = points[i];
             copies[i] = [*y, *x];
         }
-        super::elementary::angles(copies)
+        crate::numeric::functions::elementary::angles(copies)
     }
     #[inline(always)]
     fn divergence_kernel(&self) -> Self {

@@ -1,8 +1,8 @@
 //! The refusals of a scene: of what is there, whatever is asked of it.
 
 use super::Obstacle;
-use super::files::FileError;
 use crate::geometry::GeometryError;
+use crate::scene::files::error::FileError;
 
 /// A scene was refused.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -8,60 +8,26 @@
 //! ([`Scene::blocker`]), and such a scene is refused unless unoccluded values are asked for
 //! ([`Occlusion`]).
 
-mod aspects;
-mod blockers;
-mod boxes;
 mod built_in;
-mod closure;
-mod congruence;
 mod convex_room;
 mod error;
-mod exchange_areas;
-mod exchange_error;
-mod facing;
 pub mod files;
-mod grid_lines;
-mod lattice;
-mod line_differences;
-mod lines;
 mod material;
-mod members;
-mod occlusion;
 mod overlap;
-mod pairs;
 mod parts;
-mod plan;
 mod planes;
-mod progress;
-mod row_pairs;
-mod row_sums;
-mod rows;
-mod scene_geometry;
-mod shifts;
-mod solids;
 mod subdivision;
-mod tally;
-mod tiles;
+mod visibility;
 
-pub use blockers::{Blocker, Blockers, Obstacle};
-pub use closure::{Closure, RowSum};
 pub use error::SceneError;
-pub use exchange_areas::ExchangeAreas;
-pub use exchange_error::ExchangeError;
-pub use grid_lines::GridLines;
-pub use lines::{Chord, Passage, SceneLines};
 pub use material::{Material, MaterialError};
-pub use occlusion::Occlusion;
-pub use pairs::ScenePairs;
-pub use plan::Congruence;
-pub use progress::{Progress, Unheard};
-pub use row_sums::TileSums;
-pub use rows::Entry;
-pub use tally::{PassCounts, PassSummary, PlanSummary, Unreached};
-pub use tiles::{Tile, TileAnswers};
+pub use visibility::blockers::{Blocker, Blockers, Obstacle};
+pub use visibility::grid_lines::GridLines;
+pub use visibility::lines::{Chord, Passage, SceneLines};
+pub use visibility::occlusion::Occlusion;
 
 use crate::geometry::{GeometryError, Patch, Rectangle};
-use scene_geometry::Prepared;
+use visibility::surfaces::Prepared;
 
 /// A patch, its name and its material.
 #[derive(Debug, Clone, PartialEq)]

@@ -20,9 +20,9 @@
 //! the others. It does not say which emissivity a combined surface has, and the program combines
 //! areas and exchange areas only.
 
-use super::scene_geometry::Prepared;
 use super::{Material, NamedPatch, Scene, SceneError};
 use crate::geometry::{NotContained, check_contained};
+use crate::scene::visibility::surfaces::Prepared;
 use std::collections::HashMap;
 use std::hash::Hash;
 

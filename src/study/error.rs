@@ -3,9 +3,10 @@
 use crate::chain::ChainError;
 use crate::claims::ClaimError;
 use crate::discretize::DiscretizeError;
+use crate::exchange::ExchangeError;
 use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
-use crate::scene::{ExchangeError, SceneError};
+use crate::scene::SceneError;
 use crate::transport::TransportError;
 
 /// A case of a study was refused.

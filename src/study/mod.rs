@@ -1,41 +1,29 @@
 //! Campaigns: Theorem 1 fuzzed, digits kept in stiff and extreme cases, error against run time.
 //!
-//! `study::fuzz` (feature `proptest`) throws random refinements at Theorem 1 and at the gain's promised
-//! accuracy. [`accuracy`] sets the error of every route to a form factor against its run time, on
-//! the [families](polygon_pairs) of pairs too; [`stability`] measures the digits that naive forms
-//! of the gain lose, [`extreme_pairs`] those that the routes keep of stiff and extreme pairs,
-//! [`transport_stability`] those that solvers keep of radiosities, [`precision`] the cost of an
-//! enclosure. [`Truth`] judges. [`gradient_limits`] follows the cuts of §4.2 to their limits,
-//! [`profiles`] sets both cuts side by side for other radiosities, [`directions`] turns the cut.
-//! [`mod@refinement`] follows discrete mutual information to the continuous one, [`mod@sampling`]
-//! estimates it from random lines, as [`mod@figure_5`] reads fig. 5.
+//! * [`form_factors`]: error against run time of every route, on known pairs and on families of
+//!   random ones; the digits that routes keep of extreme pairs.
+//! * [`gain`]: the digits that naive forms of the gain lose; `gain::fuzz` (feature `proptest`)
+//!   throws random refinements at Theorem 1 and at the gain's promised accuracy.
+//! * [`light`]: the digits that solvers keep of stiff radiosities; the variance of random walks.
+//! * [`cuts`]: the cuts of §4.2 followed to their limits, for other radiosities, and turned.
+//! * [`lines`]: estimates from random lines, and fig. 5 read as one of them.
+//! * [`enclosures`]: the cost of certainty. [`mod@refinement`]: discrete mutual information on its
+//!   way to the continuous one.
+//!
+//! The slow roads of [`reference`](mod@crate::reference) judge.
 //!
 //! **Not here**: printing.
 
-pub mod accuracy;
-pub mod directions;
+pub mod cuts;
+pub mod enclosures;
 mod error;
-mod exact_gain;
-mod extreme_cases;
-pub mod extreme_pairs;
-pub mod figure_5;
-#[cfg(feature = "proptest")]
-pub mod fuzz;
-mod gauss_order;
-pub mod gradient_limits;
-pub mod polygon_pairs;
-pub mod precision;
-pub mod profiles;
+pub mod form_factors;
+pub mod gain;
+pub mod light;
+pub mod lines;
 pub mod refinement;
-pub mod sampling;
-pub mod stability;
-pub mod transport_stability;
-mod truth;
-pub mod walk_variance;
 
 pub use error::StudyError;
-pub use exact_gain::exact_gain;
-pub use truth::Truth;
 
 /// One measurement of a study.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]

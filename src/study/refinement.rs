@@ -26,9 +26,10 @@
 //! ones.
 
 use super::StudyError;
+use crate::exchange::{Congruence, ScenePairs};
 use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::information::{OpenScene, continuous_information, scene_information};
-use crate::scene::{Congruence, Occlusion, Scene, ScenePairs};
+use crate::scene::{Occlusion, Scene};
 use std::time::Instant;
 
 /// One refinement of one scene.

@@ -1,6 +1,6 @@
 //! Why there is no equilibrium of light.
 
-use crate::scene::ExchangeError;
+use crate::exchange::ExchangeError;
 
 /// A scene has no radiosity or importance; the message names the patch.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -12,14 +12,14 @@
 //! **Not covered**: occlusion beyond what the form factors know; reflection that is not diffuse.
 
 mod conjugate_gradients;
+mod dense;
 mod error;
-mod flows;
-mod interreflection;
 mod operator;
 mod solve;
+mod system;
 pub mod walks;
 
+pub use dense::DenseExchange;
 pub use error::TransportError;
-pub use flows::DenseExchange;
-pub use interreflection::{ExchangeRows, Importance, RadiositySolution, RadiositySystem};
 pub use operator::ExchangeOperator;
+pub use system::{ExchangeRows, Importance, RadiositySolution, RadiositySystem};

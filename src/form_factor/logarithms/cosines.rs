@@ -1,7 +1,7 @@
 //! The part of the cosines, (a).
 
+use super::face::{Edge, Side};
 use super::panels::{Singularities, over_panels, to_plane};
-use super::side::{Edge, Side};
 use crate::numeric::{
     CompensatedSum, GaussLegendre, dilogarithm_deficit, dilogarithm_of_complement,
 };

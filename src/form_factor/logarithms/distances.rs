@@ -1,10 +1,10 @@
 //! The part of the distance: (c) by Euler's identity where the planes meet, (b) where they are
 //! nearly parallel.
 
+use super::face::Side;
 use super::panels::{REACH, Singularities, over_panels, to_plane};
-use super::side::Side;
 use crate::geometry::triangulated;
-use crate::numeric::elementary::{angle, ln, ln_1p};
+use crate::numeric::functions::elementary::{angle, ln, ln_1p};
 use crate::numeric::{CompensatedSum, GaussLegendre, imaginary_dilogarithm};
 use glam::DVec3;
 use std::f64::consts::{LN_2, TAU};

@@ -40,16 +40,16 @@
 //! Reference: (c), (d) as Schröder and Hanrahan, *On the form factor between two polygons*,
 //! SIGGRAPH 1993, do for F.
 
-mod cosines;
-mod distances;
-mod panels;
-mod side;
+pub(crate) mod cosines;
+pub(crate) mod distances;
+pub(crate) mod face;
+pub(crate) mod panels;
 
 use super::{ExchangeArea, FormFactorError, Polygon};
 use crate::geometry::Patch;
-use crate::numeric::elementary::ln;
+use crate::numeric::functions::elementary::ln;
 use crate::numeric::{GaussLegendre, tolerance};
-use side::Side;
+use face::Side;
 use std::f64::consts::PI;
 
 /// Points of the rule on a panel, and of the one that its error is estimated by.

@@ -1,6 +1,6 @@
 //! Gauss rules on panels short against the distance of the nearest singularity.
 
-use super::side::Edge;
+use super::face::Edge;
 use crate::numeric::{CompensatedSum, GaussLegendre, tolerance};
 use glam::DVec3;
 

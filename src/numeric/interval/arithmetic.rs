@@ -3,7 +3,8 @@
 //! Each end of a result is one operation on ends, chosen by signs; a product takes four only where
 //! both factors have both signs.
 
-use super::{Direction, Endpoint, Interval};
+use super::Interval;
+use super::endpoint::{Direction, Endpoint};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 impl<E: Endpoint> Neg for Interval<E> {

@@ -1,7 +1,9 @@
 //! π, ln 2, 1/e and the tables that arguments are reduced by, computed once for each precision.
 
+use super::Interval;
+use super::endpoint::Endpoint;
+use super::precise::Precise;
 use super::series::{atan_series, atanh, between, exponential_tail};
-use super::{Endpoint, Interval, Precise};
 use crate::numeric::Scalar;
 use std::any::{Any, TypeId};
 use std::cell::RefCell;

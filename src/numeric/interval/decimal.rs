@@ -1,6 +1,8 @@
 //! Decimal numbers into intervals and back, rounded outwards.
 
-use super::{Direction, Endpoint, Interval, Precise};
+use super::Interval;
+use super::endpoint::{Direction, Endpoint};
+use super::precise::Precise;
 
 /// Two decimal numbers that an interval lies between.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]

@@ -13,11 +13,12 @@
 //!   eˣ = 2ᵏ (e^r)^256,  r = (x − k ln 2)/256; e^r = 1 + r/1 (1 + r/2 (…)),  tail [1/2, 2] for |r| ≤ 1/2
 //! ```
 
-use super::super::Scalar;
+use super::Interval;
 use super::arithmetic::Side;
 use super::constants::{ATAN_STEPS, Constants, LN_2_HEAD, LN_ENTRIES, LN_STEPS, WORD};
+use super::endpoint::{Direction, Endpoint};
 use super::series::{atan_series, atanh, atanh_tail, exponential_tail};
-use super::{Direction, Endpoint, Interval};
+use crate::numeric::Scalar;
 use std::ops::RangeInclusive;
 
 /// More bits than the result has, where the ends can hold them.

@@ -1,6 +1,6 @@
 //! What the ends of an interval are made of: numbers whose operations round down or up.
 
-use super::super::expansion::two_sum;
+use crate::numeric::sums::expansion::two_sum;
 use std::cmp::Ordering;
 use std::fmt::Debug;
 
@@ -22,7 +22,7 @@ impl Direction {
     }
 }
 
-/// A number type with directed rounding: `f64`, [`Precise`](super::Precise).
+/// A number type with directed rounding: `f64`, [`Precise`](super::precise::Precise).
 ///
 /// An operation returns a number on the given side of the exact result, exactly it where it is
 /// representable. The ends ±∞ are numbers like others; the interval types never ask for ∞ − ∞ or 0

@@ -21,13 +21,13 @@
 //!
 //! Reference: Moore, Kearfott and Cloud, *Introduction to Interval Analysis*, 2009.
 
-mod arithmetic;
-mod constants;
-mod decimal;
-mod elementary;
-mod endpoint;
-mod precise;
-mod series;
+pub(crate) mod arithmetic;
+pub(crate) mod constants;
+pub(crate) mod decimal;
+pub(crate) mod elementary;
+pub(crate) mod endpoint;
+pub(crate) mod precise;
+pub(crate) mod series;
 
 pub use decimal::DecimalBounds;
 pub use endpoint::{Direction, Endpoint};
@@ -192,7 +192,7 @@ impl<E: Endpoint> Interval<E> {
     /// `xⁿ`.
     #[must_use]
     pub fn power(&self, exponent: u32) -> Self {
-        use crate::numeric::Scalar;
+        use super::Scalar;
         // squares and the base's own products: 13 = 1101₂ is ((x²·x)²)²·x
         let bits = u32::BITS - exponent.leading_zeros();
         let of_end = |end: &E| {

@@ -1,7 +1,8 @@
 //! Power series of intervals: what is left out is one more interval, an enclosure of the whole
 //! tail, from which the Horner scheme starts.
 
-use super::{Direction, Endpoint, Interval};
+use super::Interval;
+use super::endpoint::{Direction, Endpoint};
 use crate::numeric::Scalar;
 
 /// The number of terms with which a series in z², |z| < 2^(exponent + 1), reaches the last bit.

@@ -7,7 +7,7 @@
 const MOST_DIGITS: i64 = 1200;
 
 /// The decimal `1 − value` for a plain or scientific decimal in `[0, 1]`; None for anything else.
-pub(super) fn complement(value: &str) -> Option<String> {
+pub(crate) fn complement(value: &str) -> Option<String> {
     let value = value.strip_prefix('+').unwrap_or(value);
     let (mantissa, exponent) = match value.split_once(['e', 'E']) {
         Some((mantissa, exponent)) => (mantissa, exponent.parse::<i64>().ok()?),

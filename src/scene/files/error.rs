@@ -230,7 +230,7 @@ const fn mend(error: &GeometryError) -> &'static str {
 }
 
 /// The beginning of what a file says, fit for a message.
-pub(super) fn excerpt(text: &str) -> String {
+pub(crate) fn excerpt(text: &str) -> String {
     const LONGEST: usize = 40;
     let mut short: String = text
         .chars()

@@ -11,23 +11,19 @@
 //! Both readers are our own: the libraries for OBJ keep coordinates in 32 bits or cut polygons into triangles, and none
 //! says in which line a number is wrong, or which patch is not planar; for `.vs3` there is none.
 
-mod decimal;
-mod error;
-mod mtl;
-mod obj;
-mod obj_writer;
-mod source;
-mod triangles;
-mod view3d;
-mod view3d_surfaces;
-mod view3d_writer;
+pub(crate) mod decimal;
+pub(crate) mod error;
+pub(crate) mod faces;
+pub(crate) mod obj;
+pub(crate) mod source;
+pub(crate) mod view3d;
 
 pub use error::{Fault, FileError, NotExpressible};
 pub use obj::read_obj;
-pub use obj_writer::{ObjText, write_obj};
+pub use obj::writer::{ObjText, write_obj};
 pub use source::Source;
 pub use view3d::read_view3d;
-pub use view3d_writer::write_view3d;
+pub use view3d::writer::write_view3d;
 
 use super::{Scene, SceneError};
 use std::path::Path;
@@ -103,7 +99,7 @@ pub fn read(path: &Path, faces: NonPlanarFaces) -> Result<LoadedScene, FileError
 }
 
 /// The empty Cornell box, from the file that comes with the source.
-pub(super) fn cornell_box() -> Result<Scene, SceneError> {
+pub(crate) fn cornell_box() -> Result<Scene, SceneError> {
     let source = Source::new(
         "cornell-box.obj",
         include_str!("../../../data/scenes/cornell-box.obj"),

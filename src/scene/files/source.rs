@@ -69,7 +69,7 @@ impl Source {
     }
 
     /// Is there a file that could be read?
-    pub(super) fn check(path: &Path) -> Result<(), FileError> {
+    pub(crate) fn check(path: &Path) -> Result<(), FileError> {
         match fs::metadata(path) {
             Err(error) => Err(cannot_read(path, &error)),
             Ok(found) if found.is_dir() => Err(FileError::of_file(path, Fault::IsFolder)),
@@ -87,12 +87,12 @@ impl Source {
     }
 
     /// The lines, without their ends and numbered from 1.
-    pub(super) fn lines(&self) -> impl Iterator<Item = (usize, &str)> {
+    pub(crate) fn lines(&self) -> impl Iterator<Item = (usize, &str)> {
         self.text.lines().zip(1..).map(|(text, line)| (line, text))
     }
 
     /// A fault in a line of this file.
-    pub(super) fn fault(&self, line: usize, fault: Fault) -> FileError {
+    pub(crate) fn fault(&self, line: usize, fault: Fault) -> FileError {
         FileError {
             line: Some(line),
             ..FileError::of_file(&self.file, fault)
@@ -100,7 +100,7 @@ impl Source {
     }
 
     /// A fault of a patch that a line of this file defines.
-    pub(super) fn patch_fault(&self, line: usize, patch: String, fault: Fault) -> FileError {
+    pub(crate) fn patch_fault(&self, line: usize, patch: String, fault: Fault) -> FileError {
         FileError {
             patch: Some(patch),
             ..self.fault(line, fault)
@@ -114,7 +114,7 @@ fn cannot_read(path: &Path, error: &std::io::Error) -> FileError {
 }
 
 /// A finite number; `what` and `form` name the value and the line it belongs to.
-pub(super) fn number(
+pub(crate) fn number(
     given: Option<&str>,
     what: &'static str,
     form: &'static str,

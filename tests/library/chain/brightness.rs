@@ -5,9 +5,10 @@ use infoscene::chain::{
     Refinement, ReversibleChain, brightness_chain, continuous_chain, patch_integrals,
     visibility_chain,
 };
+use infoscene::exchange::ExchangeAreas;
 use infoscene::information::{mutual_information, refinement_gain};
 use infoscene::numeric::tolerance;
-use infoscene::scene::{ExchangeAreas, Material, Scene};
+use infoscene::scene::{Material, Scene};
 use infoscene::transport::RadiositySystem;
 
 /// R, E and V of every patch its own.

@@ -64,7 +64,7 @@ fn refinements_are_checked() {
 /// A draw outside its ranges is refused.
 #[test]
 fn a_recipe_with_a_state_of_no_parts_is_refused() {
-    use infoscene::chain::recipe::{ChainFamily, DivisionFamily, RefinementDraw};
+    use infoscene::chain::random::families::{ChainFamily, DivisionFamily, RefinementDraw};
     let draw = |parts| RefinementDraw {
         chain: ChainFamily::Dense,
         division: DivisionFamily::Free,

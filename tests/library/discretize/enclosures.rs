@@ -4,8 +4,10 @@ use crate::support::references::{Row, rows};
 use infoscene::discretize::{
     BoxGrid, CertifiedGrid, GradientCut, GradientLimit, PatchSplit, UNIT_CUBE,
 };
-use infoscene::form_factor::perpendicular::{self, Plate};
-use infoscene::form_factor::{RectanglePair, parallel};
+use infoscene::form_factor::RectanglePair;
+use infoscene::form_factor::rectangles::parallel;
+use infoscene::form_factor::rectangles::perpendicular;
+use infoscene::form_factor::rectangles::perpendicular::Plate;
 use infoscene::geometry::{Rectangle, Span, SplitAxis};
 use infoscene::numeric::{Certificate, CertifiedMaximum, Interval, Scalar};
 use infoscene::scene::Scene;

@@ -2,7 +2,7 @@
 
 use infoscene::discretize::{GradientCut, GradientLimit};
 use infoscene::numeric::{Interval, Scalar};
-use infoscene::study::gradient_limits::gradient_limits;
+use infoscene::study::cuts::limits::gradient_limits;
 
 /// The third term: `n (n (1 − l) − limit) − rate` is 6.2/n, 3.2/n and 2.5/n in 60-digit arithmetic at n = 1e3, and falls as 1/n.
 const THIRD: f64 = 7.0;

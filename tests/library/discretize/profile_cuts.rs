@@ -3,7 +3,7 @@
 use crate::support::high_precision::HighPrecision;
 use infoscene::discretize::{GradientCut, Irradiance, Profile, ProfileCut};
 use infoscene::numeric::{Scalar, integral};
-use infoscene::study::profiles::PROFILES;
+use infoscene::study::cuts::profiles::PROFILES;
 
 const PROPORTIONAL: Irradiance = Irradiance::Reflected { emission: 0.0 };
 

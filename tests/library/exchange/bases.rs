@@ -3,9 +3,10 @@
 use super::rows::held;
 use crate::support::rooms::mapped;
 use glam::{DQuat, DVec3};
+use infoscene::exchange::ExchangeAreas;
 use infoscene::form_factor::Route;
 use infoscene::geometry::Patch;
-use infoscene::scene::{ExchangeAreas, NamedPatch, Scene};
+use infoscene::scene::{NamedPatch, Scene};
 
 fn polygon(name: &str, corners: &[(f64, f64)], z: f64) -> NamedPatch {
     let corners = corners.iter().map(|(x, y)| DVec3::new(*x, *y, z));

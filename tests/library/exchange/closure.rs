@@ -1,8 +1,9 @@
 //! The form factors of a closed scene sum to one, row by row.
 
 use infoscene::chain::{ChainError, visibility_chain};
+use infoscene::exchange::ExchangeError;
 use infoscene::numeric::tolerance;
-use infoscene::scene::{ExchangeError, NamedPatch, Scene};
+use infoscene::scene::{NamedPatch, Scene};
 
 /// `Σ_j F_ij = 1` for the cube, from 1 to 6 cells a side.
 #[test]

@@ -2,10 +2,9 @@
 
 use crate::support::rooms::{mapped, placing};
 use glam::DVec3;
+use infoscene::exchange::{Congruence, PassSummary, PlanSummary, ScenePairs};
 use infoscene::geometry::Patch;
-use infoscene::scene::{
-    Congruence, NamedPatch, Occlusion, PassSummary, PlanSummary, Scene, ScenePairs,
-};
+use infoscene::scene::{NamedPatch, Occlusion, Scene};
 use proptest::prelude::*;
 
 /// Reached by every route.
@@ -201,7 +200,7 @@ fn reciprocity_is_exact() {
         let pairs = pairs(&cube(3), congruence);
         let held = pairs.exchange_areas().unwrap();
         let account = pairs
-            .for_each_row(|i, row| -> Result<(), infoscene::scene::ExchangeError> {
+            .for_each_row(|i, row| -> Result<(), infoscene::exchange::ExchangeError> {
                 for (j, answer) in row.iter().enumerate() {
                     assert_eq!(*answer, pairs.row_pair(j, i)?);
                     assert_eq!(answer.exchange, held.get(j, i).exchange);

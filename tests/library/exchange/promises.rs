@@ -4,6 +4,7 @@
 use crate::support::rooms::level;
 use infoscene::chain::{ChainError, continuous_chain, open_visibility_chain, visibility_chain};
 use infoscene::discretize::{DiscretizeError, PatchSplit};
+use infoscene::exchange::{Congruence, ExchangeError, ScenePairs, Unheard};
 use infoscene::geometry::SplitAxis;
 use infoscene::information::{
     LineKind, LineSample, chord_information, continuous_information, pair_losses,
@@ -12,10 +13,7 @@ use infoscene::report::{
     FormFactorRecord, Format, PatchRecord, Report, ReportError, Table, json_text,
     write_form_factors, write_npy_row,
 };
-use infoscene::scene::{
-    Congruence, ExchangeError, NamedPatch, Obstacle, Occlusion, Scene, SceneError, ScenePairs,
-    Unheard,
-};
+use infoscene::scene::{NamedPatch, Obstacle, Occlusion, Scene, SceneError};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -349,7 +347,7 @@ fn a_matrix_with_nan_is_refused() {
 #[test]
 fn a_campaign_without_a_case_has_no_smallest_gain() {
     use infoscene::report::fuzz_report;
-    use infoscene::study::fuzz::{Campaign, Findings};
+    use infoscene::study::gain::fuzz::{Campaign, Findings};
     let campaign = Campaign {
         cases: 1,
         seed: 1,

@@ -3,13 +3,11 @@
 use super::bases::square;
 use glam::DVec3;
 use infoscene::chain::{ReversibleChain, open_visibility_chain, visibility_chain};
+use infoscene::exchange::{Closure, Congruence, ExchangeAreas, ExchangeError, ScenePairs};
 use infoscene::geometry::Patch;
 use infoscene::information::{OpenScene, mutual_information, scene_information};
 use infoscene::numeric::tolerance;
-use infoscene::scene::{
-    Closure, Congruence, ExchangeAreas, ExchangeError, Material, NamedPatch, Occlusion, Scene,
-    SceneError, ScenePairs,
-};
+use infoscene::scene::{Material, NamedPatch, Occlusion, Scene, SceneError};
 use nalgebra::DMatrix;
 use std::sync::atomic::{AtomicUsize, Ordering};
 

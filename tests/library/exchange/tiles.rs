@@ -1,9 +1,10 @@
 //! Tiles hold each pair that the plan does not leave out, and their sums do not depend on where they
 //! are made.
 
+use infoscene::exchange::{Congruence, ScenePairs, Tile, TileSums};
 use infoscene::form_factor::Route;
 use infoscene::numeric::Symmetric;
-use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs, Tile, TileSums};
+use infoscene::scene::{Occlusion, Scene};
 use std::collections::BTreeSet;
 
 /// A cube of 96 patches; and one some of whose patches are summed, so that rows see themselves.

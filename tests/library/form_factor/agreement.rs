@@ -6,8 +6,9 @@
 //! ```
 
 use crate::support::references::rows;
-use infoscene::form_factor::{Answer, DEFAULT_TOLERANCE, Polygon, reference};
-use infoscene::study::polygon_pairs::Family;
+use infoscene::form_factor::{Answer, DEFAULT_TOLERANCE, Polygon};
+use infoscene::reference::exchange as reference;
+use infoscene::study::form_factors::families::Family;
 use rayon::prelude::*;
 
 /// What one pair came to, relative to the exact value.

@@ -2,8 +2,9 @@
 
 use crate::support::high_precision::HighPrecision;
 use crate::support::strategies::{depth, span};
-use infoscene::form_factor::perpendicular::Plate;
-use infoscene::form_factor::{Exchange, parallel, perpendicular};
+use infoscene::form_factor::Exchange;
+use infoscene::form_factor::rectangles::perpendicular::Plate;
+use infoscene::form_factor::rectangles::{parallel, perpendicular};
 use infoscene::geometry::Span;
 use infoscene::numeric::Scalar;
 use proptest::prelude::*;

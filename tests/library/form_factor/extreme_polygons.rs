@@ -4,7 +4,7 @@ use crate::support::rooms::patch;
 use glam::DVec3;
 use infoscene::form_factor::{Polygon, Route};
 use infoscene::geometry::Patch;
-use infoscene::study::Truth;
+use infoscene::reference::Truth;
 
 /// A patch lost beside a huge one is no panic: an error, or an answer in range.
 #[test]

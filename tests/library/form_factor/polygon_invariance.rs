@@ -21,8 +21,8 @@
 use glam::{DMat3, DVec3};
 use infoscene::form_factor::{Answer, DEFAULT_TOLERANCE, Polygon, Route};
 use infoscene::geometry::Patch;
-use infoscene::study::Truth;
-use infoscene::study::polygon_pairs::Family;
+use infoscene::reference::Truth;
+use infoscene::study::form_factors::families::Family;
 use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::sync::OnceLock;

@@ -1,7 +1,8 @@
 //! Pairs of rectangles that have no closed form are refused.
 
 use glam::DVec3;
-use infoscene::form_factor::{FormFactorError, RectanglePair, parallel};
+use infoscene::form_factor::rectangles::parallel;
+use infoscene::form_factor::{FormFactorError, RectanglePair};
 use infoscene::geometry::{GeometryError, Rectangle, Span};
 
 #[test]

@@ -6,7 +6,7 @@ use infoscene::information::{
     entropy_rate, mutual_information, positional_entropy, refinement_gain,
 };
 use infoscene::numeric::{Scalar, tolerance};
-use infoscene::study::exact_gain;
+use infoscene::reference::exact_gain;
 use nalgebra::{DMatrix, dmatrix};
 
 fn chain(joint: DMatrix<f64>) -> ReversibleChain {

@@ -1,13 +1,13 @@
 //! Theorem 1 under fire: refinement never lowers mutual information.
 
-use infoscene::chain::recipe::DivisionFamily;
-use infoscene::chain::strategies::{refinement, refinement_draw, reversible_chain};
+use infoscene::chain::random::families::DivisionFamily;
+use infoscene::chain::random::strategies::{refinement, refinement_draw, reversible_chain};
 use infoscene::chain::{Refinement, ReversibleChain};
 use infoscene::information::{
     divergence, entropy_rate, mutual_information, positional_entropy, refinement_gain,
 };
 use infoscene::numeric::{Scalar, compensated_sum, tolerance, x_log2_ratio};
-use infoscene::study::exact_gain;
+use infoscene::reference::exact_gain;
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 
@@ -154,7 +154,7 @@ proptest! {
     /// unit in the last place gains something.
     #[test]
     fn proportional_division_gains_nothing_and_only_that(draw in refinement_draw(8)) {
-        let draw = infoscene::chain::recipe::RefinementDraw { division: DivisionFamily::Proportional, ..draw };
+        let draw = infoscene::chain::random::families::RefinementDraw { division: DivisionFamily::Proportional, ..draw };
         let refinement = draw.refinement().unwrap();
         if smallest_entry(refinement.refined()) < 1e-290 {
             return Ok(()); // powers of two of such entries are no longer exact
@@ -201,8 +201,8 @@ proptest! {
     #[test]
     fn the_smallest_gains_keep_their_digits(draw in refinement_draw(2)) {
         // weights down to 1e-300 make gains as small
-        let chain = infoscene::chain::recipe::ChainFamily::Spread;
-        let draw = infoscene::chain::recipe::RefinementDraw { chain, ..draw };
+        let chain = infoscene::chain::random::families::ChainFamily::Spread;
+        let draw = infoscene::chain::random::families::RefinementDraw { chain, ..draw };
         let refinement = draw.refinement().unwrap();
         if smallest_entry(refinement.refined()) < 1e-290 {
             return Ok(());
@@ -216,8 +216,8 @@ proptest! {
     /// `D^−½ J D^−½`, by a symmetric solver, whose error is some ε.
     #[test]
     fn decomposable_chains_have_a_second_eigenvalue_near_one(draw in refinement_draw(8)) {
-        let draw = infoscene::chain::recipe::RefinementDraw {
-            chain: infoscene::chain::recipe::ChainFamily::Decomposable,
+        let draw = infoscene::chain::random::families::RefinementDraw {
+            chain: infoscene::chain::random::families::ChainFamily::Decomposable,
             division: DivisionFamily::Proportional,
             ..draw
         };

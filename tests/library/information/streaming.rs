@@ -2,13 +2,14 @@
 
 use crate::support::references::value;
 use infoscene::chain::{ChainError, ReversibleChain, open_visibility_chain, visibility_chain};
+use infoscene::exchange::{Congruence, ExchangeError, ScenePairs};
 use infoscene::form_factor::DEFAULT_TOLERANCE;
 use infoscene::information::{
     OpenScene, SceneInformation, entropy_rate, mutual_information, positional_entropy,
     scene_information,
 };
 use infoscene::numeric::{Grade, tolerance, x_log2_ratio};
-use infoscene::scene::{Congruence, ExchangeError, NamedPatch, Occlusion, Scene, ScenePairs};
+use infoscene::scene::{NamedPatch, Occlusion, Scene};
 
 fn pairs(scene: &Scene, occlusion: Occlusion) -> ScenePairs<'static> {
     ScenePairs::try_new(scene, DEFAULT_TOLERANCE, Congruence::Shared, occlusion).unwrap()

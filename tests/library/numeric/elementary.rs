@@ -1,6 +1,6 @@
 //! The functions that every form factor is made of keep their bounds.
 
-use infoscene::numeric::elementary::{
+use infoscene::numeric::functions::elementary::{
     ANGLE_ERROR, ANGLE_OVER_SINE_ERROR, LN_ERROR, LN_RATIO_ERROR, ROUGH_EXP2_ERROR, ROUGH_LN_ERROR,
     angle, angle_over_sine, angles, ln, ln_ratio, logarithms, rough_exp2, rough_ln,
 };

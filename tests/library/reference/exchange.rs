@@ -2,9 +2,10 @@
 
 use crate::support::references::rows;
 use glam::DVec3;
-use infoscene::form_factor::{RectanglePair, reference};
+use infoscene::form_factor::RectanglePair;
 use infoscene::geometry::{Patch, Rectangle};
 use infoscene::numeric::{Interval, Scalar};
+use infoscene::reference::exchange as reference;
 
 /// Every row of the file, whose corners are decimals: rounding them moves a value by some ε.
 #[test]

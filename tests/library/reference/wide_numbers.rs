@@ -1,7 +1,7 @@
 //! Fixed-size numbers against enclosures: every operation is within a few units of the last of its 256 bits.
 
-use infoscene::numeric::wide::{Wide, gauss_rule};
 use infoscene::numeric::{Interval, Scalar};
+use infoscene::reference::wide::{Wide, gauss_rule};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 

@@ -1,7 +1,7 @@
 //! The families of random pairs.
 
 use infoscene::numeric::{Interval, Scalar};
-use infoscene::study::polygon_pairs::Family;
+use infoscene::study::form_factors::families::Family;
 
 /// Every corner of the families is planar exactly: the sixfold volume of a corner and the first
 /// three is 0 in 512 bits.

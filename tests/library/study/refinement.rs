@@ -1,8 +1,9 @@
 //! Corollary 1, seen: discrete values rise to the continuous one.
 
 use crate::support::rooms::tiled_box;
+use infoscene::exchange::{Congruence, ScenePairs};
 use infoscene::information::{OpenScene, continuous_information, scene_information};
-use infoscene::scene::{Congruence, Occlusion, ScenePairs};
+use infoscene::scene::Occlusion;
 use infoscene::study::refinement::{patch_sizes_per_edge, refinements};
 
 /// From below, each above the one before, by gaps that tend to halve as patches do:

@@ -1,8 +1,9 @@
 //! Where the light goes: what is emitted is absorbed or escapes.
 
 use super::{closed_scenes, radiosity, uneven};
+use infoscene::exchange::Closure;
 use infoscene::numeric::compensated_sum;
-use infoscene::scene::{Closure, Scene};
+use infoscene::scene::Scene;
 
 /// One R everywhere in a closed scene: `mean B = mean E/(1 − R)`, whatever the geometry.
 #[test]

@@ -1,7 +1,8 @@
 //! The bounds that travel with a solution are never below its errors.
 
 use super::{closed_scenes, uneven};
-use infoscene::scene::{Congruence, Material, Occlusion, Scene, ScenePairs};
+use infoscene::exchange::{Congruence, ScenePairs};
+use infoscene::scene::{Material, Occlusion, Scene};
 use infoscene::transport::RadiositySystem;
 
 /// Form factors asked for 1e-3 … 1e-9 only: their errors move the radiosities by no more than the bound says, in closed

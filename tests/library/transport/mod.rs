@@ -8,7 +8,8 @@ mod refusals;
 mod stiff;
 mod walks;
 
-use infoscene::scene::{ExchangeAreas, Material, Scene};
+use infoscene::exchange::ExchangeAreas;
+use infoscene::scene::{Material, Scene};
 use infoscene::transport::{RadiositySolution, RadiositySystem};
 
 /// Closed scenes: cubes, boxes flat and long, and the Cornell box.

@@ -1,8 +1,8 @@
 //! Stiff rooms: nearly white, nearly apart, thirty orders of magnitude.
 
 use infoscene::numeric::tolerance;
-use infoscene::study::transport_stability::transport_stability;
-use infoscene::study::transport_stability::{exact_radiosities, stiff_scenes, worst_error};
+use infoscene::study::light::stability::transport_stability;
+use infoscene::study::light::stability::{exact_radiosities, stiff_scenes, worst_error};
 use infoscene::transport::RadiositySystem;
 
 /// Against enclosures of 256 bits that share no formula: each radiosity to rounding, and the bound no lower than the error.
@@ -44,7 +44,7 @@ fn other_solvers_lose_digits_there() {
 /// The judge itself, against a room that is solved by hand: two patches that see only each other.
 #[test]
 fn the_judge_knows_two_patches() {
-    let scene = infoscene::study::transport_stability::StiffScene {
+    let scene = infoscene::study::light::stability::StiffScene {
         name: "two".to_owned(),
         exchange: nalgebra::dmatrix![0.0, 1.0; 1.0, 0.0],
         reflectances: vec![0.5, 0.75],

@@ -7,7 +7,7 @@ use infoscene::transport::{DenseExchange, RadiositySystem};
 
 /// A cube of 150 patches, with R from 0 to 0.8 and a third of the patches emitting.
 struct Room {
-    exchange: infoscene::scene::ExchangeAreas,
+    exchange: infoscene::exchange::ExchangeAreas,
     materials: Vec<Material>,
     emittances: Vec<f64>,
 }
@@ -135,7 +135,7 @@ fn a_guessed_solution_has_little_variance_but_some() {
 /// The deviation of a walk follows the error of the solution that steers it; by form factors it is larger than any.
 #[test]
 fn variance_falls_with_the_square_of_the_solutions_error() {
-    let rows = infoscene::study::walk_variance::walk_variance(400).unwrap();
+    let rows = infoscene::study::light::walks::walk_variance(400).unwrap();
     for method in ["gathering", "shooting"] {
         let deviation = |what: &str| {
             let found = rows

@@ -6,9 +6,10 @@ use crate::support::references::rows;
 use crate::support::rooms::polygon;
 use glam::DVec3;
 use infoscene::discretize::{BoxGrid, UNIT_CUBE};
+use infoscene::exchange::{Congruence, ScenePairs};
 use infoscene::information::{OpenScene, scene_information};
 use infoscene::numeric::Interval;
-use infoscene::scene::{Congruence, NamedPatch, Occlusion, Scene, ScenePairs};
+use infoscene::scene::{NamedPatch, Occlusion, Scene};
 use proptest::prelude::*;
 
 /// The inside of a box, each face cut by the same relative lines.

@@ -3,11 +3,12 @@
 use super::{SOLIDS, information};
 use crate::support::rooms::{L, patch, polygon, prism};
 use glam::DVec3;
+use infoscene::exchange::ExchangeError;
 use infoscene::form_factor::{Logarithms, point_kernel};
 use infoscene::geometry::{Patch, quartered};
 use infoscene::information::chord_information;
 use infoscene::numeric::GaussLegendre;
-use infoscene::scene::{ExchangeError, NamedPatch, Scene};
+use infoscene::scene::{NamedPatch, Scene};
 use std::f64::consts::PI;
 
 /// Points and weights of a product rule over a triangle, or over a quadrilateral as two.

@@ -3,8 +3,9 @@
 use super::information;
 use crate::support::rooms::{L, mapped, prism};
 use infoscene::chain::ChainError;
+use infoscene::exchange::{Congruence, ScenePairs, Unheard};
 use infoscene::information::{OpenScene, PairLoss, pair_losses, scene_information};
-use infoscene::scene::{Congruence, Occlusion, Scene, SceneError, ScenePairs, Unheard};
+use infoscene::scene::{Occlusion, Scene, SceneError};
 
 fn losses(scene: &Scene) -> Vec<PairLoss> {
     pair_losses(scene, &Unheard).unwrap()

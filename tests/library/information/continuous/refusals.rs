@@ -2,9 +2,10 @@
 
 use crate::support::rooms::{L, prism};
 use infoscene::chain::ChainError;
+use infoscene::exchange::ExchangeError;
 use infoscene::form_factor::{FormFactorError, Logarithms};
 use infoscene::information::continuous_information;
-use infoscene::scene::{ExchangeError, Scene, SceneError};
+use infoscene::scene::{Scene, SceneError};
 
 fn refusal(scene: &Scene) -> SceneError {
     match continuous_information(scene) {

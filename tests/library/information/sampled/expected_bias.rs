@@ -2,12 +2,13 @@
 
 use super::{exact, pairs, scene};
 use approx::assert_relative_eq;
+use infoscene::exchange::{Congruence, ScenePairs};
 use infoscene::information::{
     OpenScene, PairCounts, expected_bias, expected_bias_of_scene, scene_information,
     scene_information_and_bias,
 };
 use infoscene::numeric::divergence_kernel;
-use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs};
+use infoscene::scene::{Occlusion, Scene};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::f64::consts::LN_2;

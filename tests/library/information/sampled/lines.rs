@@ -2,10 +2,9 @@
 
 use super::{exact, pairs, scene, slabs};
 use crate::support::rooms::{L, polygon, prism};
+use infoscene::exchange::{Congruence, ScenePairs};
 use infoscene::information::{LineKind, LineSample, PairCounts};
-use infoscene::scene::{
-    Congruence, GridLines, NamedPatch, Occlusion, Scene, SceneLines, ScenePairs,
-};
+use infoscene::scene::{GridLines, NamedPatch, Occlusion, Scene, SceneLines};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeMap;

@@ -8,8 +8,9 @@ mod refusals;
 mod spread;
 mod threads;
 
+use infoscene::exchange::{Congruence, ScenePairs};
 use infoscene::information::{OpenScene, scene_information};
-use infoscene::scene::{Congruence, Occlusion, Scene, ScenePairs};
+use infoscene::scene::{Occlusion, Scene};
 
 /// A built-in scene, quartered so many times.
 fn scene(name: &str, times: u32) -> Scene {

@@ -3,8 +3,9 @@
 use super::scene;
 use crate::support::rooms::level;
 use infoscene::chain::ChainError;
+use infoscene::exchange::ExchangeError;
 use infoscene::information::{LineKind, LineSample, PairCounts};
-use infoscene::scene::{ExchangeError, Scene};
+use infoscene::scene::Scene;
 
 fn refusal(scene: &Scene, kind: LineKind) -> ExchangeError {
     match LineSample::draw(scene, kind, 2000, 1) {

@@ -1,0 +1,122 @@
+//! §2 and Corollary 1: what discretizing loses against the continuous mutual information (4).
+
+use crate::claims::{Case, ClaimError, Finding};
+use crate::discretize::{BoxGrid, UNIT_CUBE};
+use crate::exchange::{Congruence, ScenePairs};
+use crate::form_factor::DEFAULT_TOLERANCE;
+use crate::information::{OpenScene, continuous_information, scene_information};
+use crate::numeric::{larger, smaller};
+use crate::scene::{Occlusion, Scene};
+
+/// Gaps between the mutual information of a scene's refinements, each of patches half as large, and
+/// the continuous one, with their error.
+struct Gaps {
+    gaps: Vec<f64>,
+    error: f64,
+}
+
+impl Gaps {
+    /// Computes the gaps of a scene whose patches are quartered up to `times` times. The control
+    /// takes `limit_factor` times the limit.
+    fn of(scene: &str, times: u32, case: &Case<'_>) -> Result<Self, ClaimError> {
+        let whole = Scene::built_in(scene)?;
+        let continuous = continuous_information(&whole)?;
+        let limit = case.number("limit_factor")? * continuous.mutual_information;
+        let mut error = continuous.error;
+        let mut gaps = Vec::new();
+        for times in 0..=times {
+            let (parts, _) = whole.subdivided(times)?;
+            let pairs = ScenePairs::try_new(
+                &parts,
+                DEFAULT_TOLERANCE,
+                Congruence::Shared,
+                Occlusion::Refuse,
+            )?;
+            let discrete = scene_information(&pairs, OpenScene::Refuse)?;
+            error = larger(error, continuous.error + discrete.error);
+            gaps.push(limit - discrete.mutual_information);
+        }
+        Ok(Self { gaps, error })
+    }
+
+    fn last(&self) -> f64 {
+        self.gaps.last().copied().unwrap_or(f64::NAN)
+    }
+}
+
+fn cube_and_tetrahedron(case: &Case<'_>) -> Result<[Gaps; 2], ClaimError> {
+    Ok([
+        Gaps::of("cube:1", case.count("cube_times")?, case)?,
+        Gaps::of("tetrahedron", case.count("tetrahedron_times")?, case)?,
+    ])
+}
+
+/// Every refinement has more mutual information than the one before, and none as much as the limit;
+/// the number is the smallest gap.
+pub(crate) fn discretizing_loses(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let scenes = cube_and_tetrahedron(case)?;
+    let mut holds = true;
+    let (mut smallest, mut error) = (f64::INFINITY, 0.0);
+    for scene in &scenes {
+        holds &= scene
+            .gaps
+            .windows(2)
+            .all(|pair| pair[1] < pair[0] - 2.0 * scene.error);
+        holds &= scene.last() > scene.error;
+        smallest = smaller(smallest, scene.last());
+        error = larger(error, scene.error);
+    }
+    Ok(Finding::statement(holds, smallest, error))
+}
+
+/// Halving the patches reduces the gap to at most `share` of itself, each time; the number is the
+/// largest share.
+pub(crate) fn continuous_limit_is_approached(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let (mut largest, mut error) = (f64::NEG_INFINITY, 0.0);
+    for scene in cube_and_tetrahedron(case)? {
+        for pair in scene.gaps.windows(2) {
+            largest = larger(largest, pair[1] / pair[0]);
+        }
+        error = larger(error, 2.0 * scene.error / scene.last().abs());
+    }
+    let holds = largest <= case.number("share")?;
+    Ok(Finding::statement(holds, largest, error))
+}
+
+/// No grid of the cube exceeds the limit, and regular ones come arbitrarily near: for a gap
+/// proportional to the size of the patches `2 I(h/2) − I(h)` is the limit, and may miss it by
+/// `share` of the gap.
+pub(crate) fn continuous_is_least_upper_bound(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let continuous = continuous_information(&Scene::built_in("cube:1")?)?;
+    let limit = case.number("limit_factor")? * continuous.mutual_information;
+    let mut smallest = f64::INFINITY;
+    let scanned = case.count("scanned")?;
+    for step in 1..=scanned {
+        // three cells a side, then five, lopsided and not
+        let t = 0.5 * f64::from(step) / f64::from(scanned + 1);
+        for lines in [vec![t, 1.0 - t], vec![0.3 * t, t, 1.0 - t, 1.0 - 0.3 * t]] {
+            smallest = smaller(
+                smallest,
+                limit
+                    - BoxGrid::try_new(UNIT_CUBE, &lines)?
+                        .information()?
+                        .mutual_information,
+            );
+        }
+    }
+    let mut regular = Vec::new();
+    for doublings in 0..=case.count("cube_times")?.min(6) {
+        let gap = limit
+            - BoxGrid::regular(UNIT_CUBE, 1 << doublings)?
+                .information()?
+                .mutual_information;
+        smallest = smaller(smallest, gap);
+        regular.push(gap);
+    }
+    let is_least = match regular.as_slice() {
+        [.., before, last] => (2.0 * last - before).abs() <= case.number("share")? * last.abs(),
+        _ => false,
+    };
+    let holds = smallest > continuous.error && is_least;
+    Ok(Finding::statement(holds, smallest, continuous.error).sampled())
+}

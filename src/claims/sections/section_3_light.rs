@@ -1,0 +1,352 @@
+//! §3.4 and §3.5: the chains of radiosity and importance, on cubes whose patches reflect, emit and
+//! matter unevenly.
+
+use crate::chain::{brightness_chain, continuous_chain};
+use crate::claims::{Case, ClaimError, Finding};
+use crate::exchange::ExchangeAreas;
+use crate::information::{entropy_rate, mutual_information, positional_entropy};
+use crate::numeric::{Scalar, compensated_sum, larger, largest, tolerance};
+use crate::scene::{Material, Scene};
+use crate::transport::walks::{Steering, Walks};
+use crate::transport::{Importance, RadiositySystem};
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+/// The quantity whose chain is built.
+#[derive(Debug, Clone, Copy)]
+enum Carrier {
+    Radiosity,
+    Importance,
+}
+
+/// A lit cube, and the chain's formulas as they are printed, with the numerator B_j.
+struct Lit {
+    scene: Scene,
+    exchange: ExchangeAreas,
+    materials: Vec<Material>,
+    /// E, or V.
+    sources: Vec<f64>,
+    /// B, or I.
+    solution: Vec<f64>,
+    importance: Option<Importance>,
+}
+
+impl Lit {
+    /// With `flaw`, every second patch's solution is wrong by that share.
+    fn new(case: &Case<'_>) -> Result<Self, ClaimError> {
+        let carrier = match case.switch("importance")? {
+            true => Carrier::Importance,
+            false => Carrier::Radiosity,
+        };
+        Self::of(carrier, case)
+    }
+
+    fn of(carrier: Carrier, case: &Case<'_>) -> Result<Self, ClaimError> {
+        let scene = super::section_2::cube(case)?;
+        let exchange = scene.exchange_areas()?;
+        let mut random = ChaCha8Rng::seed_from_u64(case.count("seed")?.into());
+        let mut materials = Vec::new();
+        for _ in 0..exchange.rows() {
+            let [reflectance, emittance]: [f64; 2] = random.random();
+            let material = Material::try_new(0.05 + 0.9 * reflectance, emittance);
+            materials.push(material.map_err(|error| ClaimError::Input {
+                name: "seed",
+                reason: error.to_string(),
+            })?);
+        }
+        let sources: Vec<f64> = materials.iter().map(Material::emittance).collect();
+        let room = RadiositySystem::of(&exchange, &materials)?;
+        let importance = match carrier {
+            Carrier::Radiosity => None,
+            Carrier::Importance => Some(room.importance(&sources)?),
+        };
+        let mut solution = match &importance {
+            Some(importance) => importance.values.clone(),
+            None => room.radiosity(&sources)?.values,
+        };
+        for value in solution.iter_mut().step_by(2) {
+            *value *= 1.0 + case.number("flaw")?;
+        }
+        Ok(Self {
+            scene,
+            exchange,
+            materials,
+            sources,
+            solution,
+            importance,
+        })
+    }
+
+    const fn patches(&self) -> usize {
+        self.exchange.rows()
+    }
+
+    fn reflectance(&self, i: usize) -> f64 {
+        self.materials[i].reflectance()
+    }
+
+    fn form_factor(&self, i: usize, j: usize) -> f64 {
+        self.exchange.get(i, j).exchange.value / self.exchange.areas()[i]
+    }
+
+    /// `B − E`, or `I − V`.
+    fn gathered(&self, i: usize) -> f64 {
+        self.solution[i] - self.sources[i]
+    }
+
+    /// `R_i F_ij B_j/(B_i − E_i)`, or `R_j F_ij I_j/(I_i − V_i)`.
+    fn transition(&self, i: usize, j: usize) -> f64 {
+        let reflecting = if self.importance.is_some() { j } else { i };
+        self.reflectance(reflecting) * self.form_factor(i, j) * self.solution[j] / self.gathered(i)
+    }
+
+    /// `A_i B_i (B_i − E_i)/R_i`, or `A_i R_i I_i (I_i − V_i)`.
+    fn weight(&self, i: usize) -> f64 {
+        let product = self.exchange.areas()[i] * self.solution[i] * self.gathered(i);
+        if self.importance.is_some() {
+            product * self.reflectance(i)
+        } else {
+            product / self.reflectance(i)
+        }
+    }
+
+    /// B, or R I.
+    fn brightness(&self) -> Vec<f64> {
+        let values = self.solution.iter().zip(&self.materials);
+        values
+            .map(|(value, material)| match self.importance {
+                Some(_) => material.reflectance() * value,
+                None => *value,
+            })
+            .collect()
+    }
+}
+
+pub(crate) fn light_rows_sum_to_one(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
+    let off = (0..lit.patches()).map(|i| {
+        let row = (0..lit.patches()).map(|j| lit.transition(i, j));
+        (compensated_sum(row) - 1.0).abs()
+    });
+    Ok(Finding::residual(largest(off), tolerance::CLOSURE))
+}
+
+/// `Σ_j w_j P_ji = w_i`.
+pub(crate) fn light_weights_are_stationary(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
+    let off = (0..lit.patches()).map(|i| {
+        let inflow = (0..lit.patches()).map(|j| lit.weight(j) * lit.transition(j, i));
+        (compensated_sum(inflow) / lit.weight(i) - 1.0).abs()
+    });
+    Ok(Finding::residual(largest(off), tolerance::CLOSURE))
+}
+
+/// `Σ_i w_i` against `Σ_ij B_i A_i F_ij B_j`, what all pairs carry.
+pub(crate) fn light_weights_sum_to_normalisation(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
+    let brightness = lit.brightness();
+    let all = 0..lit.patches();
+    let carried = all.clone().flat_map(|i| {
+        let (lit, brightness) = (&lit, &brightness);
+        all.clone()
+            .map(move |j| brightness[i] * lit.exchange.get(i, j).exchange.value * brightness[j])
+    });
+    let carried = compensated_sum(carried);
+    let weights = compensated_sum(all.clone().map(|i| lit.weight(i)));
+    Ok(Finding::residual(
+        (weights / carried - 1.0).abs(),
+        tolerance::CLOSURE,
+    ))
+}
+
+pub(crate) fn light_is_reciprocal(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
+    let mut worst: f64 = 0.0;
+    for i in 0..lit.patches() {
+        for j in 0..i {
+            let there = lit.weight(i) * lit.transition(i, j);
+            let back = lit.weight(j) * lit.transition(j, i);
+            if there > 0.0 {
+                worst = larger(worst, (back / there - 1.0).abs());
+            }
+        }
+    }
+    Ok(Finding::residual(worst, tolerance::CLOSURE))
+}
+
+/// Every patch in four of its light: their joint entries add up to those of the whole patches.
+pub(crate) fn divided_light_adds_up(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let flaw = case.number("part_flaw")?;
+    let lit = Lit::new(case)?;
+    let (fine, parents) = lit.scene.subdivided(1)?;
+    let exchange = fine.exchange_areas()?;
+    let whole = lit.brightness();
+    let brightness: Vec<f64> = parents
+        .iter()
+        .enumerate()
+        .map(|(part, parent)| whole[*parent] * if part == 0 { 1.0 + flaw } else { 1.0 })
+        .collect();
+    let n = lit.patches();
+    let mut sums = vec![0.0; n * n];
+    for (k, from) in parents.iter().enumerate() {
+        for (l, to) in parents.iter().enumerate() {
+            let value = exchange.get(k, l).exchange.value;
+            sums[from * n + to] += brightness[k] * value * brightness[l];
+        }
+    }
+    let mut worst: f64 = 0.0;
+    for i in 0..n {
+        for j in 0..n {
+            let entry = whole[i] * lit.exchange.get(i, j).exchange.value * whole[j];
+            if entry > 0.0 {
+                worst = larger(worst, (sums[i * n + j] / entry - 1.0).abs());
+            }
+        }
+    }
+    Ok(Finding::residual(worst, tolerance::CLOSURE))
+}
+
+/// `E = k (1 − R)`, or `V = k (1/R − 1)`: the largest difference of `P_ij` from `F_ij`.
+pub(crate) fn even_light_is_visibility(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
+    let room = RadiositySystem::of(&lit.exchange, &lit.materials)?;
+    let level = case.number("level")?;
+    let even = lit.materials.iter().enumerate().map(|(i, material)| {
+        let absorbed = level * (1.0 - material.reflectance());
+        let brighter = if i == 0 {
+            1.0 + case.number("flaw")?
+        } else {
+            1.0
+        };
+        Ok::<_, ClaimError>(brighter * absorbed)
+    });
+    let even = even.collect::<Result<Vec<_>, _>>()?;
+    let brightness = if lit.importance.is_some() {
+        let direct = even.iter().zip(&lit.materials);
+        let direct: Vec<f64> = direct.map(|(e, m)| e / m.reflectance()).collect();
+        room.importance(&direct)?.reflected.values
+    } else {
+        room.radiosity(&even)?.values
+    };
+    let chain = brightness_chain(&lit.exchange, &brightness)?;
+    let mut worst: f64 = 0.0;
+    for i in 0..lit.patches() {
+        for j in 0..lit.patches() {
+            let off = chain.transition_probability(i, j) - lit.form_factor(i, j);
+            worst = larger(worst, off.abs());
+        }
+    }
+    Ok(Finding::residual(worst, tolerance::CLOSURE))
+}
+
+/// Two patches that see only each other, one of which emits: the row sum `R_1 F_12 B/(B_1 − E_1)`
+/// with B_1 in the numerator as printed, or B_2.
+pub(crate) fn printed_rows_of_light(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let reflectance = case.interval("reflectance")?;
+    let one = reflectance.constant(1.0);
+    // E_1 = 1, E_2 = 0: B_1 = 1/(1 − R²), B_2 = R B_1
+    let first = one.clone() / &(one.clone() - &reflectance.square());
+    let second = reflectance.clone() * &first;
+    let numerator = if case.switch("own_radiosity")? {
+        first.clone()
+    } else {
+        second
+    };
+    let row = reflectance * &numerator / &(first - &one);
+    let off = row - &one;
+    let narrow = off.constant(1e-30);
+    let (is_one, is_not) = (off.abs() < narrow, off.abs() > narrow);
+    Ok(Finding::decided(is_one, is_not, off).noting(
+        "with the numerator B_i as printed, two patches that see each other have row sums 2 and 1/2; with B_j rows sum to one \
+         and reciprocity holds",
+    ))
+}
+
+/// B, E and R constant on each patch: the integral form, by quadrature, against the discrete one.
+pub(crate) fn continuous_light_extends_discrete(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
+    let slope = case.number("slope")?;
+    let brightness = lit.brightness();
+    let varying = |patch: usize, at: glam::DVec3| brightness[patch] * (1.0 + slope * at.x);
+    let continuous = continuous_chain(&lit.scene, varying, 1e-9)?.chain;
+    let mut worst: f64 = 0.0;
+    for i in 0..lit.patches() {
+        for j in 0..lit.patches() {
+            let off = continuous.transition_probability(i, j) - lit.transition(i, j);
+            worst = larger(worst, off.abs());
+        }
+    }
+    Ok(Finding::residual(worst, tolerance::CLOSURE))
+}
+
+/// The error that rounding may leave in walks: three roundings a step in the weight, one in the
+/// sum.
+fn walk_rounding(walks: &Walks) -> f64 {
+    4.0 * f64::from(walks.longest + 6) * f64::EPSILON
+}
+
+/// The farthest that any gathering walk was from the radiosity, relative.
+pub(crate) fn null_variance_gathering(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
+    let room = RadiositySystem::of(&lit.exchange, &lit.materials)?;
+    let exact = room.radiosity(&lit.sources)?.values;
+    let (count, seed) = (case.count("walks")?, case.count("seed")?.into());
+    let (mut worst, mut allowed): (f64, f64) = (0.0, 0.0);
+    for from in (0..lit.patches()).step_by(7) {
+        let towards = Steering::Towards(lit.solution.as_slice());
+        let walks = room.gathering_walks(from, &lit.sources, towards, count, seed)?;
+        let off = walks.farthest + (walks.mean - exact[from]).abs();
+        worst = larger(worst, off / exact[from]);
+        allowed = larger(allowed, 2.0 * walk_rounding(&walks));
+    }
+    Ok(Finding::residual(worst, allowed).sampled())
+}
+
+/// The farthest that any shooting walk was from the power `A_k B_k`, relative, for several V = δ_k.
+pub(crate) fn null_variance_shooting(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
+    let room = RadiositySystem::of(&lit.exchange, &lit.materials)?;
+    let exact = room.radiosity(&lit.sources)?.values;
+    let (count, seed) = (case.count("walks")?, case.count("seed")?.into());
+    let flaw = case.number("walk_flaw")?;
+    let (mut worst, mut allowed): (f64, f64) = (0.0, 0.0);
+    for target in (0..lit.patches()).step_by(29) {
+        let direct: Vec<f64> = (0..lit.patches())
+            .map(|patch| f64::from(u8::from(patch == target)))
+            .collect();
+        let mut importance = room.importance(&direct)?;
+        for value in importance.reflected.values.iter_mut().step_by(2) {
+            *value *= 1.0 + flaw;
+        }
+        let towards = Steering::Towards(&importance);
+        let walks = room.shooting_walks(&lit.sources, &direct, towards, count, seed)?;
+        let power = lit.exchange.areas()[target] * exact[target];
+        worst = larger(worst, walks.farthest / power);
+        allowed = larger(allowed, walk_rounding(&walks));
+    }
+    Ok(Finding::residual(worst, allowed).sampled())
+}
+
+/// `Σ_j B_i B_j A_i F_ij` against `A_i B_i (B_i − E_i)/R_i`.
+pub(crate) fn potentials_sum_to_generalised_area(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let lit = Lit::new(case)?;
+    let off = (0..lit.patches()).map(|i| {
+        let potentials = (0..lit.patches())
+            .map(|j| lit.solution[i] * lit.solution[j] * lit.exchange.get(i, j).exchange.value);
+        (compensated_sum(potentials) / lit.weight(i) - 1.0).abs()
+    });
+    Ok(Finding::residual(largest(off), tolerance::CLOSURE))
+}
+
+/// `I = H_p − H_s` of the radiosity and of the importance chain.
+pub(crate) fn light_has_the_same_measures(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let mut worst: f64 = 0.0;
+    for carrier in [Carrier::Radiosity, Carrier::Importance] {
+        let lit = Lit::of(carrier, case)?;
+        let chain = brightness_chain(&lit.exchange, &lit.brightness())?;
+        let rate = case.number("rate_factor")? * entropy_rate(&chain);
+        let difference = positional_entropy(&chain) - rate;
+        worst = larger(worst, (mutual_information(&chain) - difference).abs());
+    }
+    Ok(Finding::residual(worst, tolerance::IDENTITY))
+}

@@ -1,0 +1,267 @@
+//! The cut of a patch that gains the most mutual information, eq. (7).
+//!
+//! ```text
+//!   ΔI(t) = (2/A_T) Σ_j [ Σ_k A_k F_kj log2 F_kj − A F_j log2 F_j ]
+//! ```
+//!
+//! over the patches j named, parts k between the cuts `t`. No outside state enters: a scene
+//! need not be closed. Under a brightness (§5), radiosity or reflected importance, constant on each
+//! patch,
+//!
+//! ```text
+//!   ΔI(t) = (2/Σw) Σ_j B_i B_j [ Σ_k A_k F_kj log2 F_kj − A F_j log2 F_j ]
+//! ```
+//!
+//! The patch is any polygon and so are the others, at any angle; lines run as
+//! [`CutLines`](crate::geometry::CutLines) describes, in a parallelogram parallel to an edge. If
+//! all are rectangles with edges along common axes, the split is a [`RectangleSplit`] too, and has
+//! enclosures and proofs.
+//!
+//! **Not covered**: cuts in other directions; computing with occlusion.
+
+use super::part_exchange;
+use super::part_exchange::{PartExchange, SplitWeights};
+use super::polygons::{CutPair, CutSurface, PolygonSplit};
+use super::rectangles::RectangleSplit;
+use crate::discretize::error::DiscretizeError;
+use crate::exchange::ExchangeError;
+use crate::geometry::SplitAxis;
+use crate::numeric::CertifiedMaximum;
+use crate::scene::{Occlusion, Scene};
+
+/// A patch of a scene, to be cut across one of its axes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PatchSplit {
+    shapes: Shapes,
+    /// The other patch of each pair.
+    others: Vec<usize>,
+    /// Increasing positions inside `(0, 1)` at which the derivative of the gain jumps.
+    pub(crate) kinks: Vec<f64>,
+}
+
+/// The shapes of a split, which decide how its parts are evaluated.
+#[derive(Debug, Clone, PartialEq)]
+enum Shapes {
+    /// Rectangles with edges along common axes.
+    Rectangles(RectangleSplit),
+    /// Any other shapes.
+    Polygons(PolygonSplit),
+}
+
+/// The best cuts of a patch, with their gain.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SplitOptimum {
+    /// Relative positions of the cuts, increasing, in `(0, 1)`.
+    pub positions: Vec<f64>,
+    /// The gain `ΔI` of these cuts, in bits.
+    pub gain: f64,
+    /// The largest remaining |∂ΔI/∂t|, in bits.
+    pub residual: f64,
+}
+
+/// Positions nearer than this are one kink: (a) corners carry some ε, so that planes which meet in
+/// one line cross the patch at positions equal up to that, over the sine of their angle to it.
+const SAME_KINK: f64 = 1e-12;
+
+impl PatchSplit {
+    /// Patch `patch` of `scene`, cut across `axis`, judged by its exchange with the patches
+    /// `against`; a scene in which something may stand between these is refused.
+    ///
+    /// # Errors
+    /// Those of [`with_occlusion`](Self::with_occlusion).
+    pub fn try_new(
+        scene: &Scene,
+        patch: usize,
+        against: &[usize],
+        axis: SplitAxis,
+    ) -> Result<Self, DiscretizeError> {
+        Self::with_occlusion(scene, patch, against, axis, Occlusion::Refuse)
+    }
+
+    /// The split of [`try_new`](Self::try_new) under a policy for what may stand between the
+    /// patches.
+    ///
+    /// # Errors
+    /// [`DiscretizeError::Scene`] if a patch does not exist, has others lying in it, has no axes,
+    /// if patches of the scene overlap, or if something may stand between the cut patch and one of
+    /// the others; [`DiscretizeError::Exchange`] if the exchange area of a pair leaves `f64`'s
+    /// range; [`DiscretizeError::AgainstItself`]; [`DiscretizeError::NamedTwice`];
+    /// [`DiscretizeError::NothingToGain`].
+    pub fn with_occlusion(
+        scene: &Scene,
+        patch: usize,
+        against: &[usize],
+        axis: SplitAxis,
+        occlusion: Occlusion,
+    ) -> Result<Self, DiscretizeError> {
+        let shape = scene.whole_patch(patch)?.shape();
+        let surface = CutSurface::try_new(shape, axis);
+        let surface = surface.map_err(|source| scene.refused(patch, source))?;
+        let mut pairs = Vec::new();
+        let mut others = Vec::new();
+        let mut kinks = surface.lines().steps();
+        for other in against {
+            if *other == patch {
+                return Err(DiscretizeError::AgainstItself { patch });
+            }
+            if against.iter().filter(|index| *index == other).count() > 1 {
+                return Err(DiscretizeError::NamedTwice { patch: *other });
+            }
+            let shape = scene.whole_patch(*other)?.shape();
+            let pair = surface.pair(shape);
+            let (pair, exchange) = pair.map_err(|source| ExchangeError::Pair {
+                first: patch,
+                second: *other,
+                source,
+            })?;
+            if exchange > 0.0 {
+                pairs.push(pair);
+                others.push(*other);
+                let plane = surface.lines().in_plane(shape.corners()[0], shape.normal());
+                kinks.extend(plane);
+            }
+        }
+        occlusion.check_pairs(scene, patch, against)?;
+        if pairs.is_empty() {
+            return Err(DiscretizeError::NothingToGain { patch });
+        }
+        kinks.sort_by(f64::total_cmp);
+        kinks.dedup_by(|a, b| *a - *b < SAME_KINK);
+        let weights = SplitWeights {
+            brightness: vec![1.0; pairs.len()],
+            area: shape.area(),
+            total: scene.total_area(),
+        };
+        Ok(Self {
+            shapes: Shapes::new(surface, pairs, weights),
+            others,
+            kinks,
+        })
+    }
+
+    /// The split under a brightness, as in §5: constant on each patch, the cut one included.
+    ///
+    /// **Arguments** `patch`: the one that is cut; `brightness`: radiosities, or importances times
+    /// reflectances, of all patches; `total`: `Σw = Σ_ij B_i A_i F_ij B_j` of the scene, in the
+    /// same unit squared.
+    ///
+    /// # Errors
+    /// [`DiscretizeError::OutOfRange`] unless all are ≥ 0 and finite, and the total > 0;
+    /// [`DiscretizeError::NothingToGain`] if the patch, or every patch visible from it, is dark.
+    pub fn under(
+        mut self,
+        patch: usize,
+        brightness: &[f64],
+        total: f64,
+    ) -> Result<Self, DiscretizeError> {
+        let own = brightness.get(patch).copied().unwrap_or(f64::NAN);
+        let products = self.others.iter().map(|other| {
+            let value = own * brightness.get(*other).copied().unwrap_or(f64::NAN);
+            if value.is_finite() && value >= 0.0 {
+                return Ok(value);
+            }
+            Err(DiscretizeError::OutOfRange {
+                parameter: "the product of two brightnesses",
+                value,
+                condition: "finite and at least 0, one brightness for each patch",
+            })
+        });
+        let products: Vec<f64> = products.collect::<Result<_, _>>()?;
+        if !(total.is_finite() && total > 0.0) {
+            return Err(DiscretizeError::OutOfRange {
+                parameter: "the sum of the weights",
+                value: total,
+                condition: "finite and > 0",
+            });
+        }
+        if products.iter().all(|product| *product <= 0.0) {
+            return Err(DiscretizeError::NothingToGain { patch });
+        }
+        let weights = match &mut self.shapes {
+            Shapes::Rectangles(split) => &mut split.weights,
+            Shapes::Polygons(split) => &mut split.weights,
+        };
+        weights.brightness = products;
+        weights.total = total;
+        Ok(self)
+    }
+
+    /// The split as one of aligned rectangles, whose gains can be enclosed.
+    ///
+    /// # Errors
+    /// [`DiscretizeError::NotEnclosed`] unless all patches are rectangles with edges along common
+    /// axes.
+    pub const fn rectangles(&self) -> Result<&RectangleSplit, DiscretizeError> {
+        match &self.shapes {
+            Shapes::Rectangles(split) => Ok(split),
+            Shapes::Polygons(_) => Err(DiscretizeError::NotEnclosed),
+        }
+    }
+
+    /// Whether all pairs are rectangles with edges along common axes, so that their exchange areas
+    /// are closed forms.
+    #[must_use]
+    pub const fn is_closed_form(&self) -> bool {
+        matches!(self.shapes, Shapes::Rectangles(_))
+    }
+
+    /// The cut into two parts that gains the most, enclosed to about `bits` bits, with what is
+    /// proved about it: [`RectangleSplit::certified_best`].
+    ///
+    /// # Errors
+    /// [`DiscretizeError::NotEnclosed`] unless all are rectangles with edges along common axes;
+    /// [`DiscretizeError::Numeric`] if no interior maximum is found.
+    pub fn certified_best(&self, bits: u32) -> Result<CertifiedMaximum, DiscretizeError> {
+        self.rectangles()?.certified_best(bits)
+    }
+
+    /// The gain of cuts at increasing relative positions, in bits.
+    ///
+    /// # Errors
+    /// [`DiscretizeError::FormFactor`] unless `0 < t_1 < … < 1`.
+    pub fn gain(&self, positions: &[f64]) -> Result<f64, DiscretizeError> {
+        part_exchange::gain(self.parts(), positions)
+    }
+
+    /// The derivative of the gain as cut `k` moves, in bits per relative position.
+    ///
+    /// # Errors
+    /// As [`gain`](Self::gain); [`DiscretizeError::OutOfRange`] if there is no cut `k`.
+    pub fn gain_derivative(&self, positions: &[f64], k: usize) -> Result<f64, DiscretizeError> {
+        part_exchange::gain_derivative(self.parts(), positions, k)
+    }
+
+    /// The largest gain that a regular division into `parts` could bring at all, eqs. (6), (7).
+    ///
+    /// # Errors
+    /// [`DiscretizeError::FormFactor`] if an exchange area leaves `f64`'s range.
+    pub fn maximum_gain(&self, parts: u32) -> Result<f64, DiscretizeError> {
+        part_exchange::maximum_gain(self.parts(), parts)
+    }
+
+    /// Flux and share of the parts.
+    pub(crate) fn parts(&self) -> &dyn PartExchange<f64> {
+        match &self.shapes {
+            Shapes::Rectangles(split) => split,
+            Shapes::Polygons(split) => split,
+        }
+    }
+}
+
+impl Shapes {
+    /// Rectangles if all pairs are aligned, else polygons.
+    fn new(surface: CutSurface, pairs: Vec<CutPair>, weights: SplitWeights<f64>) -> Self {
+        let aligned = pairs.iter().map(|pair| match pair {
+            CutPair::Aligned(pair) => Some(*pair),
+            CutPair::Polygon { .. } => None,
+        });
+        match aligned.collect() {
+            Some(pairs) => Self::Rectangles(RectangleSplit::new(pairs, surface.axis(), weights)),
+            None => Self::Polygons(PolygonSplit {
+                surface,
+                pairs,
+                weights,
+            }),
+        }
+    }
+}

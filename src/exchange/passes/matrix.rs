@@ -1,0 +1,202 @@
+//! The exchange areas `A_i F_ij` of all pairs of a scene, held: each once.
+//!
+//! **Memory** the pairs are packed ([`Symmetric`]): `n²/2` values, `n²/2` bounds, `n²/2` bytes for
+//! the routes; and the rows that see themselves.
+
+use super::tiles::Block;
+use crate::exchange::plan::counts::{PassCounts, PassSummary};
+use crate::exchange::plan::facing::Facing;
+use crate::exchange::row_pair::nothing;
+use crate::exchange::{Congruence, ExchangeError, ScenePairs};
+use crate::form_factor::{Answer, DEFAULT_TOLERANCE, ExchangeArea, Route};
+use crate::numeric::Symmetric;
+use crate::scene::{Occlusion, Scene};
+use nalgebra::DMatrix;
+use rayon::prelude::*;
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// A symmetric matrix of exchange areas, with a bound on the error of each. A row stands for a
+/// patch, or for several that are summed; only these may have something on the diagonal.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ExchangeAreas {
+    names: Arc<[String]>,
+    areas: Vec<f64>,
+    area_bounds: Vec<f64>,
+    /// The rows that may see themselves.
+    diagonal: HashMap<usize, Answer>,
+    values: Symmetric<f64>,
+    error_bounds: Symmetric<f64>,
+    routes: Symmetric<Route>,
+    summary: PassSummary,
+}
+
+/// One row left of the diagonal, to be filled.
+struct Row<'r> {
+    values: &'r mut [f64],
+    error_bounds: &'r mut [f64],
+    routes: &'r mut [Route],
+}
+
+type Filled = (PassCounts, Option<Answer>);
+
+impl ExchangeAreas {
+    /// Number of rows: of the patches, unless some are summed.
+    #[must_use]
+    pub const fn rows(&self) -> usize {
+        self.areas.len()
+    }
+
+    /// The names of the rows.
+    #[must_use]
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// The names of the rows, to be kept.
+    pub(crate) fn shared_names(&self) -> Arc<[String]> {
+        Arc::clone(&self.names)
+    }
+
+    /// The values off the diagonal, packed.
+    #[must_use]
+    pub const fn values(&self) -> &Symmetric<f64> {
+        &self.values
+    }
+
+    /// The bounds on the errors of [`values`](Self::values).
+    #[must_use]
+    pub const fn error_bounds(&self) -> &Symmetric<f64> {
+        &self.error_bounds
+    }
+
+    /// The rows' areas, without what lies in them.
+    #[must_use]
+    pub fn areas(&self) -> &[f64] {
+        &self.areas
+    }
+
+    /// Bounds on the rounding of the areas and of one quotient by them
+    /// ([`ScenePairs::area_bounds`]).
+    #[must_use]
+    pub fn area_bounds(&self) -> &[f64] {
+        &self.area_bounds
+    }
+
+    /// May this row exchange something with itself?
+    #[must_use]
+    pub fn sees_itself(&self, row: usize) -> bool {
+        self.diagonal.contains_key(&row)
+    }
+
+    /// `A_i F_ij` with its bound and route ([`ScenePairs::row_pair`]).
+    ///
+    /// # Panics
+    /// If there is no row i or j.
+    #[must_use]
+    pub fn get(&self, i: usize, j: usize) -> Answer {
+        assert!(i.max(j) < self.rows(), "there is no row {}", i.max(j));
+        if i == j {
+            let own = self.diagonal.get(&i);
+            return own.copied().unwrap_or(nothing(Facing::Coplanar, true));
+        }
+        Answer {
+            exchange: ExchangeArea {
+                value: *self.values.get(i, j),
+                error_bound: *self.error_bounds.get(i, j),
+            },
+            route: *self.routes.get(i, j),
+        }
+    }
+
+    /// The plan, and whether the tolerance was reached.
+    #[must_use]
+    pub const fn summary(&self) -> &PassSummary {
+        &self.summary
+    }
+
+    /// The full matrix `A_i F_ij`, for which the bounds are given up.
+    #[must_use]
+    pub fn into_values(self) -> DMatrix<f64> {
+        let n = self.rows();
+        DMatrix::from_fn(n, n, |i, j| self.get(i, j).exchange.value)
+    }
+}
+
+impl ScenePairs<'_> {
+    /// All pairs, each once, in parallel.
+    ///
+    /// # Errors
+    /// [`ExchangeError::Pair`] if two patches are refused.
+    pub fn exchange_areas(&self) -> Result<ExchangeAreas, ExchangeError> {
+        let mut values = Symmetric::filled(self.rows(), 0.0);
+        let mut error_bounds = Symmetric::filled(self.rows(), 0.0);
+        let mut routes = Symmetric::filled(self.rows(), Route::Coplanar);
+        let rows = values.rows_mut().into_iter().zip(error_bounds.rows_mut());
+        let rows = rows.zip(routes.rows_mut());
+        let to_fill: Vec<Row<'_>> = rows
+            .map(|((values, error_bounds), routes)| Row {
+                values,
+                error_bounds,
+                routes,
+            })
+            .collect();
+        let filled: Vec<Result<Filled, ExchangeError>> = to_fill
+            .into_par_iter()
+            .enumerate()
+            .map(|(row, entries)| self.fill(row, entries))
+            .collect();
+        let (mut counts, mut diagonal) = (PassCounts::default(), HashMap::new());
+        for (row, filled) in filled.into_iter().enumerate() {
+            let (more, own) = filled?;
+            counts.merge(&more);
+            diagonal.extend(own.map(|own| (row, own)));
+        }
+        Ok(ExchangeAreas {
+            names: self.shared_names(),
+            areas: self.areas().to_vec(),
+            area_bounds: self.area_bounds().to_vec(),
+            diagonal,
+            values,
+            error_bounds,
+            routes,
+            summary: self.summary(counts),
+        })
+    }
+
+    /// Fills a row left of the diagonal, and computes what is on it, if the row may see itself.
+    fn fill(&self, row: usize, entries: Row<'_>) -> Result<Filled, ExchangeError> {
+        let mut counts = self.walk(
+            &Block::of_row(row, 0..row),
+            |place| place,
+            |[_, column], _, answer| {
+                entries.values[column] = answer.exchange.value;
+                entries.error_bounds[column] = answer.exchange.error_bound;
+                entries.routes[column] = answer.route;
+            },
+        )?;
+        self.advance(row);
+        let mut own = None;
+        let more = self.walk(
+            &Block::of_row(row, row..row + 1),
+            |place| place,
+            |_, facing, answer| own = (facing == Facing::Visible).then_some(*answer),
+        )?;
+        counts.merge(&more);
+        Ok((counts, own))
+    }
+}
+
+impl Scene {
+    /// The exchange areas of all pairs, to [`DEFAULT_TOLERANCE`] where a route reaches it.
+    ///
+    /// As if nothing were in the way they come from [`ScenePairs`] with [`Occlusion::Ignore`].
+    ///
+    /// # Errors
+    /// [`ExchangeError::Scene`] if patches overlap or something may stand between two of them;
+    /// [`ExchangeError::Pair`] if two patches are refused.
+    pub fn exchange_areas(&self) -> Result<ExchangeAreas, ExchangeError> {
+        let (tolerance, occlusion) = (DEFAULT_TOLERANCE, Occlusion::Refuse);
+        ScenePairs::try_new(self, tolerance, Congruence::Shared, occlusion)?.exchange_areas()
+    }
+}

@@ -1,0 +1,173 @@
+//! Counts of pairs by route, and of those that miss the tolerance.
+//!
+//! Pairs of patches are counted, each once, whatever rows they are summed into. A part is counted
+//! once: that it is subtracted from its base, too, and computed again for it or to a finer
+//! tolerance, does not count. A part that is summed into the row of its base is in no pair. The
+//! tolerance is asked of pairs of rows.
+
+use crate::form_factor::{Answer, Route};
+use std::collections::BTreeMap;
+
+/// The pairs that were left out, shared and computed, and the routes that were taken.
+///
+/// ```text
+///   pairs = untouched + congruent + computed = Σ routes
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Default, serde::Serialize)]
+pub struct PlanSummary {
+    /// Pairs of patches `n(n − 1)/2`; a part in the row of its base is none of the n.
+    pub pairs: usize,
+    /// Values that are those of their mirror image, `A_j F_ji = A_i F_ij`.
+    pub reciprocal: usize,
+    /// Planes in which patches lie.
+    pub planes: usize,
+    /// Pairs that were left out: their planes are the same, or one lies behind the other.
+    pub untouched: usize,
+    /// Pairs that exchange nothing since they lie in one plane.
+    pub coplanar: usize,
+    /// Pairs that exchange nothing since one lies behind the other's plane.
+    pub back_facing: usize,
+    /// Pairs that took the value of a congruent one.
+    pub congruent: usize,
+    /// Pairs that were computed.
+    pub computed: usize,
+    /// Pairs by route; congruent ones are counted with the route of the one that was computed.
+    pub routes: BTreeMap<&'static str, usize>,
+}
+
+/// A pair of rows whose error bound is beyond the tolerance asked for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unreached {
+    /// The smaller index.
+    pub first: usize,
+    /// The larger index.
+    pub second: usize,
+    /// The exchange area.
+    pub value: f64,
+    /// The bound on its error.
+    pub error_bound: f64,
+}
+
+impl Unreached {
+    /// The relative error that is certain; infinite for 0.
+    #[must_use]
+    pub fn relative(&self) -> f64 {
+        self.error_bound / self.value
+    }
+}
+
+/// The outcome of a pass over all pairs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PassSummary {
+    /// The numbers of pairs that were left out, shared and computed.
+    pub plan: PlanSummary,
+    /// Number of pairs of rows that miss the tolerance.
+    pub unreached: usize,
+    /// The worst of them.
+    pub worst: Option<Unreached>,
+}
+
+/// Counts of a pass over the pairs.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PassCounts {
+    routes: [usize; Route::ALL.len()],
+    /// Pairs whose planes face each other.
+    visible: usize,
+    /// Pairs that were computed on their own.
+    alone: usize,
+    /// Pairs of rows that miss the tolerance.
+    unreached: usize,
+    /// The worst of them.
+    worst: Option<Unreached>,
+}
+
+impl PassCounts {
+    fn count(&mut self, route: Route, pairs: usize) {
+        self.routes[route as usize] += pairs;
+    }
+
+    /// Counts a pair of polygons whose planes face each other.
+    pub(crate) fn polygons(&mut self, route: Route, is_alone: bool) {
+        self.count(route, 1);
+        self.visible += 1;
+        self.alone += usize::from(is_alone);
+    }
+
+    /// Counts a pair of rows if it misses the tolerance.
+    pub(crate) fn rows(&mut self, [first, second]: [usize; 2], answer: &Answer, tolerance: f64) {
+        let (value, error_bound) = (answer.exchange.value, answer.exchange.error_bound);
+        if error_bound > tolerance * value {
+            self.unreached += 1;
+            let unreached = Unreached {
+                first: first.min(second),
+                second: first.max(second),
+                value,
+                error_bound,
+            };
+            self.keep_worst(&unreached);
+        }
+    }
+
+    /// Keeps the worse of two, and of equally bad ones the first.
+    fn keep_worst(&mut self, other: &Unreached) {
+        let rank = |pair: &Unreached| {
+            (
+                pair.relative(),
+                std::cmp::Reverse((pair.first, pair.second)),
+            )
+        };
+        if self.worst.is_none_or(|worst| {
+            let (one, known) = (rank(other), rank(&worst));
+            one.0 > known.0 || (one.0 >= known.0 && one.1 > known.1)
+        }) {
+            self.worst = Some(*other);
+        }
+    }
+
+    /// Adds the counts of another part of the pass.
+    pub fn merge(&mut self, other: &Self) {
+        for (pairs, more) in self.routes.iter_mut().zip(other.routes) {
+            *pairs += more;
+        }
+        self.visible += other.visible;
+        self.alone += other.alone;
+        self.unreached += other.unreached;
+        if let Some(worst) = &other.worst {
+            self.keep_worst(worst);
+        }
+    }
+
+    /// The summary of a pass over `pairs` pairs in `planes` planes, some of which were left out,
+    /// while others took the values of so many classes.
+    pub(crate) fn summary(
+        mut self,
+        pairs: usize,
+        planes: usize,
+        [coplanar, back_facing]: [usize; 2],
+        classes: usize,
+    ) -> PassSummary {
+        self.count(Route::Coplanar, coplanar);
+        self.count(Route::BackFacing, back_facing);
+        let computed = self.alone + classes;
+        let routes = Route::ALL.into_iter().zip(self.routes);
+        let plan = PlanSummary {
+            pairs,
+            reciprocal: pairs,
+            planes,
+            untouched: coplanar + back_facing,
+            coplanar: self.routes[Route::Coplanar as usize],
+            back_facing: self.routes[Route::BackFacing as usize],
+            congruent: self.visible.saturating_sub(computed),
+            computed,
+            routes: routes
+                .filter(|(_, pairs)| *pairs > 0)
+                .map(|(route, pairs)| (route.name(), pairs))
+                .collect(),
+        };
+        PassSummary {
+            plan,
+            unreached: self.unreached,
+            worst: self.worst,
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! The planes of a scene's polygons that can see each other.
+//!
+//! ```text
+//!   h is in front of g   ⇔   some corner of h has n_g · (x − o_g) > noise
+//! ```
+//!
+//! If h is not in front of g, or g not in front of h, no polygon of one exchanges anything with a
+//! polygon of the other: all their pairs are left out at once. A plane whose polygons face both
+//! ways counts as two. The noise is that of [`ScenePlanes`](crate::scene::planes).
+//!
+//! **Not covered**: more than [`MOST_PLANES`] planes; then only pairs in one plane are left out
+//! here.
+
+use crate::geometry::Plane;
+use crate::scene::Scene;
+use glam::DVec3;
+use std::collections::HashMap;
+
+/// Most planes of which all pairs are compared: the table takes their square in bytes.
+pub(crate) const MOST_PLANES: usize = 2048;
+
+/// The relation of two planes, which decides whether their polygons can exchange anything.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(
+    clippy::enum_variant_names,
+    reason = "the term of computer graphics is back-facing"
+)]
+pub(crate) enum Facing {
+    /// Some pairs may exchange something: each decides for itself.
+    Visible,
+    /// Nothing: both lie in one plane.
+    Coplanar,
+    /// Nothing: one lies behind the other.
+    BackFacing,
+}
+
+/// The planes of polygons, each way that they face, and which of them can see each other.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct FacingPlanes {
+    /// The plane of each polygon.
+    of: Vec<u32>,
+    /// The polygons of each plane, in order.
+    members: Vec<Vec<usize>>,
+    /// `table[g · planes + h]`; empty beyond [`MOST_PLANES`].
+    table: Vec<Facing>,
+}
+
+impl FacingPlanes {
+    /// The planes of polygons; one whose root is another lies in that one, and in its plane.
+    ///
+    /// **Arguments** `patches`: the patch that each polygon is; `roots`: the polygon that each lies
+    /// in, in the end.
+    pub(crate) fn of(scene: &Scene, patches: &[usize], roots: &[usize]) -> Self {
+        let shared = scene.planes();
+        let mut planes: Vec<Plane> = Vec::new();
+        let mut numbers = HashMap::new();
+        let mut of = vec![u32::MAX; patches.len()];
+        for (polygon, patch) in patches.iter().enumerate() {
+            if roots[polygon] == polygon {
+                let plane = *numbers.entry(shared.plane_of(*patch)).or_insert_with(|| {
+                    let Plane { normal, origin } = shared.facing(*patch);
+                    let origin = origin * shared.unit();
+                    planes.push(Plane { normal, origin });
+                    planes.len() - 1
+                });
+                of[polygon] = u32::try_from(plane).unwrap_or(u32::MAX);
+            }
+        }
+        let mut members = vec![Vec::new(); planes.len()];
+        for polygon in 0..patches.len() {
+            of[polygon] = of[roots[polygon]];
+            members[of[polygon] as usize].push(polygon);
+        }
+        let table = if planes.len() <= MOST_PLANES {
+            // what lies in a patch is in front of nothing that the patch is not in front of
+            let whole = |polygon: usize| {
+                let is_whole = roots[polygon] == polygon;
+                let shape = scene.patches()[patches[polygon]].shape();
+                if is_whole { shape.corners() } else { &[] }
+            };
+            compare(&planes, &members, whole, shared.noise_length())
+        } else {
+            Vec::new()
+        };
+        Self { of, members, table }
+    }
+
+    pub(crate) const fn count(&self) -> usize {
+        self.members.len()
+    }
+
+    /// Tells whether it is known which planes see nothing of each other.
+    pub(crate) const fn are_compared(&self) -> bool {
+        !self.table.is_empty()
+    }
+
+    pub(crate) fn of_patch(&self, polygon: usize) -> usize {
+        self.of[polygon] as usize
+    }
+
+    /// The relation of two planes.
+    pub(crate) fn facing(&self, first: usize, second: usize) -> Facing {
+        if first == second {
+            Facing::Coplanar
+        } else if self.table.is_empty() {
+            Facing::Visible
+        } else {
+            self.table[first * self.count() + second]
+        }
+    }
+
+    /// Numbers of pairs left out: in one plane, behind each other.
+    pub(crate) fn pairs_left_out(&self) -> [usize; 2] {
+        let mut left_out = [0, 0];
+        for (first, polygons) in self.members.iter().enumerate() {
+            left_out[0] += polygons.len() * (polygons.len() - 1) / 2;
+            if self.table.is_empty() {
+                continue;
+            }
+            for (second, others) in self.members.iter().enumerate().skip(first + 1) {
+                let pairs = polygons.len() * others.len();
+                match self.facing(first, second) {
+                    Facing::Visible => {}
+                    Facing::Coplanar => left_out[0] += pairs,
+                    Facing::BackFacing => left_out[1] += pairs,
+                }
+            }
+        }
+        left_out
+    }
+}
+
+/// Compares each plane with each other one.
+fn compare<'p>(
+    planes: &[Plane],
+    members: &[Vec<usize>],
+    corners: impl Fn(usize) -> &'p [DVec3],
+    noise: f64,
+) -> Vec<Facing> {
+    let count = planes.len();
+    // is something of `other` above, or more than noise off, the plane?
+    let any = |plane: &Plane, other: usize, is: fn(f64) -> f64| {
+        let all = members[other].iter().flat_map(|polygon| corners(*polygon));
+        all.into_iter()
+            .any(|corner| is(plane.height(*corner)) > noise)
+    };
+    let in_front: Vec<bool> = (0..count * count)
+        .map(|pair| any(&planes[pair / count], pair % count, |height| height))
+        .collect();
+    let facing = |pair: usize| {
+        let (first, second) = (pair / count, pair % count);
+        if in_front[pair] && in_front[second * count + first] {
+            Facing::Visible
+        } else if any(&planes[first.min(second)], first.max(second), f64::abs) {
+            Facing::BackFacing
+        } else {
+            Facing::Coplanar
+        }
+    };
+    (0..count * count).map(facing).collect()
+}

@@ -1,0 +1,51 @@
+//! Listeners to the progress of a computation.
+
+use std::fmt;
+
+/// A listener to the progress of a computation.
+///
+/// Every function `Fn(usize) + Sync` is one.
+///
+/// # Examples
+/// ```
+/// use infoscene::exchange::{Congruence, ScenePairs};
+/// use infoscene::scene::Scene;
+/// use std::sync::atomic::{AtomicUsize, Ordering};
+/// let done = AtomicUsize::new(0);
+/// let listener = |finished| {
+///     done.fetch_add(finished, Ordering::Relaxed);
+/// };
+/// let cube = Scene::built_in("cube:2")?;
+/// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared)?.with_progress(&listener);
+/// pairs.exchange_areas()?;
+/// assert_eq!(done.load(Ordering::Relaxed), pairs.pairs());
+/// # Ok::<(), infoscene::scene::SceneError>(())
+/// ```
+pub trait Progress: Sync {
+    /// So many more units of work are finished: pairs, cases. It is called from any thread.
+    fn advance(&self, finished: usize);
+}
+
+impl<F: Fn(usize) + Sync> Progress for F {
+    fn advance(&self, finished: usize) {
+        self(finished);
+    }
+}
+
+/// The listener that does nothing.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Unheard;
+
+impl Progress for Unheard {
+    fn advance(&self, _: usize) {}
+}
+
+/// The listener of a scene's pairs.
+#[derive(Clone, Copy)]
+pub(crate) struct Listener<'p>(pub(crate) &'p dyn Progress);
+
+impl fmt::Debug for Listener<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Listener")
+    }
+}

@@ -1,0 +1,314 @@
+//! The pairs of a scene, ready to be evaluated as its plan wants them.
+//!
+//! The exchange area of two rows is a sum over pairs of polygons
+//! ([`row_pair`](ScenePairs::row_pair)); the plan, its classes and its counts are about these.
+//!
+//! # Words
+//!
+//! * A *patch* is a named polygon of the scene with a material, the unit in which a user thinks.
+//! * A *polygon* is a patch as the form factors see it, prepared for evaluation.
+//! * A *surface* is what a file calls a patch, before it is checked.
+//! * A *part* is a patch that lies in another one, its *base*; the base counts without it.
+//! * A *group* is the set of patches that are summed ([`Scene::group_of`]): one patch, unless
+//!   labels say otherwise.
+//! * A *row* is what stands for a group in matrices, lists and sums: its patches less their parts.
+//! * A *term* of a row is one of its polygons with its sign: 1, or −1 for a part of a base in it.
+//! * A *plane set* is the planes that the terms of a row lie in.
+//! * A *tile* is the pairs of some rows with some rows, the unit of work of a pass over all pairs.
+//! * A *cell* is one rectangle of a grid on a face; the cells of a box are patches like any other.
+//!
+//! **Memory** O(n) and the distinct values. The ways to all pairs are
+//! [`row_sums`](ScenePairs::row_sums) (nothing is held), [`for_each_row`](ScenePairs::for_each_row)
+//! (a row at a time), [`tile`](ScenePairs::tile) (a tile at a time) and
+//! [`ExchangeAreas`](super::ExchangeAreas) (all of them).
+//!
+//! **Not covered**: computing with occlusion; an occluded scene is refused ([`Occlusion`]).
+
+use super::ExchangeError;
+use super::plan::{Congruence, Plan};
+use super::progress::{Listener, Progress, Unheard};
+use crate::exchange::plan::base_offsets::BaseOffsets;
+use crate::exchange::plan::counts::{PassCounts, PassSummary};
+use crate::exchange::plan::facing::{Facing, FacingPlanes};
+use crate::exchange::plan::perturbation::allowance;
+use crate::exchange::rows::plane_sets::PlaneSets;
+use crate::exchange::rows::terms::RowTerms;
+use crate::form_factor::{Answer, Polygon};
+use crate::numeric::{compensated_sum, try_parallel_map};
+use crate::scene::{NamedPatch, Occlusion, Scene};
+use std::sync::Arc;
+
+/// A scene whose pairs are ready to be evaluated, and who listens to the progress of passes.
+#[derive(Debug, Clone)]
+pub struct ScenePairs<'p> {
+    plan: Plan,
+    terms: RowTerms,
+    plane_sets: PlaneSets,
+    base_offsets: BaseOffsets,
+    listener: Listener<'p>,
+    polygons: Vec<Polygon>,
+    /// The names of the rows.
+    names: Arc<[String]>,
+    /// The areas of the rows.
+    areas: Vec<f64>,
+    area_bounds: Vec<f64>,
+    tolerance: f64,
+    /// The value of each class of congruent pairs; none where they are not equal within the
+    /// tolerance.
+    shared: Vec<Option<Answer>>,
+}
+
+impl<'p> ScenePairs<'p> {
+    /// Checks the scene, makes the plan, and computes what congruent pairs share.
+    ///
+    /// **Arguments** `tolerance`: the relative error asked for, > 0; `occlusion`: the policy for
+    /// scenes in which something may stand between two patches.
+    ///
+    /// # Errors
+    /// [`ExchangeError::Scene`] if patches overlap, or if something may stand between two of them
+    /// and occlusion is not ignored; [`ExchangeError::Pair`] if two patches are refused.
+    ///
+    /// # Examples
+    /// ```
+    /// use infoscene::form_factor::DEFAULT_TOLERANCE;
+    /// use infoscene::exchange::{Congruence, ScenePairs};
+    /// use infoscene::scene::{Occlusion, Scene};
+    /// let (tolerance, cube) = (DEFAULT_TOLERANCE, Scene::built_in("cube:4")?);
+    /// let pairs = ScenePairs::try_new(&cube, tolerance, Congruence::Shared, Occlusion::Refuse)?;
+    /// // one value per pair: reciprocity is exact
+    /// assert_eq!(pairs.row_pair(0, 20)?, pairs.row_pair(20, 0)?);
+    /// # Ok::<(), infoscene::exchange::ExchangeError>(())
+    /// ```
+    pub fn try_new(
+        scene: &Scene,
+        tolerance: f64,
+        congruence: Congruence,
+        occlusion: Occlusion,
+    ) -> Result<Self, ExchangeError> {
+        occlusion.check(scene)?;
+        Self::unchecked(scene, tolerance, congruence)
+    }
+
+    /// The pairs of a scene that was checked before, or that nothing in it can overlap or hide.
+    pub(crate) fn unchecked(
+        scene: &Scene,
+        tolerance: f64,
+        congruence: Congruence,
+    ) -> Result<Self, ExchangeError> {
+        let terms = RowTerms::of(scene);
+        let shapes = terms.shapes(scene);
+        let facings = FacingPlanes::of(scene, terms.patches(), terms.roots());
+        let plan = Plan::of(&shapes, facings, congruence);
+        let [areas, area_bounds] = areas(&terms, &shapes);
+        let mut pairs = Self {
+            plane_sets: PlaneSets::of(&terms, plan.facings()),
+            base_offsets: BaseOffsets::of(scene, terms.patches()),
+            listener: Listener(&Unheard),
+            names: scene.group_names().into_iter().map(str::to_owned).collect(),
+            plan,
+            terms,
+            polygons: shapes
+                .iter()
+                .map(|patch| Polygon::new(patch.shape()))
+                .collect(),
+            areas,
+            area_bounds,
+            tolerance,
+            shared: Vec::new(),
+        };
+        let spread = pairs.plan.spread();
+        // half of the tolerance is for the differences between congruent pairs
+        let asked = if spread > 0.0 {
+            0.5 * tolerance
+        } else {
+            tolerance
+        };
+        let representatives = pairs.plan.representatives();
+        pairs.shared = try_parallel_map(representatives.len(), &|class| {
+            let [first, second] = representatives[class];
+            let mut answer = pairs.evaluate(first, second, asked)?;
+            let [one, other] = [first, second].map(|index| shapes[index].shape());
+            let apart = allowance(spread, one, other);
+            let exchange = &mut answer.exchange;
+            exchange.error_bound += apart;
+            Ok::<_, ExchangeError>((apart <= 0.5 * tolerance * exchange.value).then_some(answer))
+        })?;
+        Ok(pairs)
+    }
+
+    /// Tells a listener how many more pairs are done, of [`pairs`](Self::pairs) in each pass, from
+    /// any thread.
+    #[must_use]
+    pub fn with_progress(mut self, progress: &'p dyn Progress) -> Self {
+        self.listener = Listener(progress);
+        self
+    }
+}
+
+impl ScenePairs<'_> {
+    /// Number of rows: of the patches, unless some are summed.
+    #[must_use]
+    pub const fn rows(&self) -> usize {
+        self.areas.len()
+    }
+
+    /// Number of pairs of different rows, `n(n − 1)/2`.
+    #[must_use]
+    pub const fn pairs(&self) -> usize {
+        let n = self.rows();
+        n * (n - 1) / 2
+    }
+
+    /// The names of the rows.
+    #[must_use]
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// The names of the rows, to be kept.
+    pub(crate) fn shared_names(&self) -> Arc<[String]> {
+        Arc::clone(&self.names)
+    }
+
+    /// The rows' areas, without what lies in them.
+    #[must_use]
+    pub fn areas(&self) -> &[f64] {
+        &self.areas
+    }
+
+    /// Bounds on the rounding of the areas and of one quotient by them: 4 ε of what they are summed
+    /// of.
+    #[must_use]
+    pub fn area_bounds(&self) -> &[f64] {
+        &self.area_bounds
+    }
+
+    /// The relative error asked for.
+    #[must_use]
+    pub const fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// For each row the sum of weights over the rows that the plan leaves out for it, itself
+    /// included unless it may see itself.
+    #[must_use]
+    pub fn unseen(&self, weights: &[f64]) -> Vec<f64> {
+        self.plane_sets.unseen(self.plan.facings(), weights)
+    }
+
+    /// The polygons of each row.
+    pub(crate) const fn terms(&self) -> &RowTerms {
+        &self.terms
+    }
+
+    /// The planes that rows lie in.
+    pub(crate) const fn plane_sets(&self) -> &PlaneSets {
+        &self.plane_sets
+    }
+
+    /// Whether two rows can exchange anything, a row with itself included.
+    pub(crate) fn facing(&self, first: usize, second: usize) -> Facing {
+        let [one, other] = [first, second].map(|row| self.plane_sets.of_row(row));
+        self.facing_sets(one, other)
+    }
+
+    /// Whether rows of two plane sets can exchange anything.
+    pub(crate) fn facing_sets(&self, one: usize, other: usize) -> Facing {
+        self.plane_sets.facing(self.plan.facings(), one, other)
+    }
+
+    /// Whether two polygons can exchange anything.
+    pub(crate) fn facing_polygons(&self, one: usize, other: usize) -> Facing {
+        self.plan.facing(one, other)
+    }
+
+    /// A bound on the change of an exchange area when a part is moved into its base's plane.
+    pub(crate) fn offset_allowance(&self, part: usize, other: usize) -> f64 {
+        self.base_offsets.allowance(part, other)
+    }
+
+    /// Tells the listener that so many more pairs are done.
+    pub(crate) fn advance(&self, pairs: usize) {
+        self.listener.0.advance(pairs);
+    }
+
+    /// The exchange area of two polygons whose planes face each other, counted.
+    #[inline]
+    pub(crate) fn polygon_pair(
+        &self,
+        first: usize,
+        second: usize,
+        counts: &mut PassCounts,
+    ) -> Result<Answer, ExchangeError> {
+        let shared = self.plan.shared(first, second);
+        let shared = shared.and_then(|place| self.shared[place]);
+        let answer = match shared {
+            Some(answer) => answer,
+            None => self.evaluate(first, second, self.tolerance)?,
+        };
+        counts.polygons(answer.route, shared.is_none());
+        Ok(answer)
+    }
+
+    /// Computes the exchange area of two polygons: one value per pair, between 0 and the smaller
+    /// area.
+    pub(crate) fn evaluate(
+        &self,
+        first: usize,
+        second: usize,
+        tolerance: f64,
+    ) -> Result<Answer, ExchangeError> {
+        let (first, second) = (first.min(second), first.max(second));
+        let answer = self.polygons[first].exchange_area(&self.polygons[second], tolerance);
+        let mut answer = answer.map_err(|source| ExchangeError::Pair {
+            first: self.terms.patches()[first],
+            second: self.terms.patches()[second],
+            source,
+        })?;
+        let most = self.polygons[first]
+            .area()
+            .min(self.polygons[second].area());
+        answer.exchange.value = answer.exchange.value.min(most);
+        Ok(answer)
+    }
+
+    /// The class whose value a pair of polygons takes, if it takes one.
+    pub(crate) fn class(&self, first: usize, second: usize) -> Option<usize> {
+        let place = self.plan.shared(first, second)?;
+        self.shared[place].map(|_| place)
+    }
+
+    /// The summary of a pass over all pairs.
+    pub(crate) fn summary(&self, counts: PassCounts) -> PassSummary {
+        let n = self.polygons.len();
+        let left_out = self.plan.facings().pairs_left_out();
+        let classes = self.shared.iter().flatten().count();
+        self.summary_of(n * (n - 1) / 2, left_out, classes, counts)
+    }
+
+    /// The summary of a pass over some pairs, some of which were left out, while others took the
+    /// values of classes.
+    pub(crate) fn summary_of(
+        &self,
+        pairs: usize,
+        left_out: [usize; 2],
+        classes: usize,
+        counts: PassCounts,
+    ) -> PassSummary {
+        counts.summary(pairs, self.plan.facings().count(), left_out, classes)
+    }
+}
+
+/// The rows' areas and the bounds on their rounding.
+fn areas(terms: &RowTerms, shapes: &[NamedPatch]) -> [Vec<f64>; 2] {
+    let parts = |row: usize| {
+        let polygons = terms.of_row(row).iter();
+        polygons.map(|term| term.sign * shapes[term.polygon].shape().area())
+    };
+    let rows = || 0..terms.rows();
+    let bound = |row| 4.0 * f64::EPSILON * compensated_sum(parts(row).map(f64::abs));
+    [
+        rows().map(|row| compensated_sum(parts(row))).collect(),
+        rows().map(bound).collect(),
+    ]
+}

@@ -1,0 +1,274 @@
+//! A pair as the routes see it: what of each polygon is in front of the other's plane, and measures
+//! of both.
+
+pub(crate) mod horizon;
+pub(crate) mod shape;
+
+use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
+use crate::form_factor::gauss::points::{Lines, Rules};
+use glam::DVec3;
+use horizon::{Heights, Off, Side, side_of};
+use shape::Shape;
+use std::f64::consts::PI;
+
+/// The parts of a pair in front of each other's planes, with measures that the choice rests on.
+pub(crate) struct View<'a> {
+    pub polygons: [&'a Polygon; 2],
+    pub shapes: [&'a Shape; 2],
+    pub heights: [&'a [f64]; 2],
+    /// A lower bound on the distance between the two; not positive if they may touch.
+    pub gap: f64,
+    /// An upper bound on all distances.
+    pub reach: f64,
+    /// Bounds on the displacement of corners.
+    pub off: Off,
+    /// The largest height of each.
+    highest: [f64; 2],
+    /// `area × area × h_max g_max / (π gap⁴)`.
+    pub largest: f64,
+    /// What that changes at most, per length: by flux through ribbons; for polygons apart, relative
+    /// to the value, by other heights, and by other areas and distances.
+    ribbons: f64,
+    /// The most that a point of either receives, per area.
+    received: f64,
+    by_height: f64,
+    by_place: f64,
+    /// An idea of the value.
+    pub estimate: f64,
+    pub tolerance: f64,
+}
+
+/// Clips a pair and hands it to `route`, which is not asked if one polygon is behind the other's
+/// plane, or in it.
+pub(crate) fn seen(
+    polygons: [&Polygon; 2],
+    tolerance: f64,
+    route: impl FnOnce(&View) -> Result<Answer, FormFactorError>,
+) -> Result<Answer, FormFactorError> {
+    let [first, second] = polygons;
+    let [mut first_heights, mut second_heights] = [Heights::new(), Heights::new()];
+    let (above_second, first_off) = side_of(first, second, &mut first_heights);
+    let (above_first, second_off) = side_of(second, first, &mut second_heights);
+    let off = first_off.and(second_off);
+    let sides = [&above_second, &above_first];
+    if !sides.iter().all(|side| side.is_in_front()) {
+        let within = sides.iter().all(|side| matches!(side, Side::Within));
+        return Ok(Answer {
+            exchange: ExchangeArea {
+                value: 0.0,
+                error_bound: 2.0 * off.height * (first.perimeter() + second.perimeter())
+                    + off.strip,
+            },
+            route: if within {
+                Route::Coplanar
+            } else {
+                Route::BackFacing
+            },
+        });
+    }
+    let shapes = [
+        above_second.shape(&first.shape),
+        above_first.shape(&second.shape),
+    ];
+    let view = View::new(
+        polygons,
+        shapes,
+        [&*first_heights, &*second_heights],
+        off,
+        tolerance,
+    );
+    route(&view)
+}
+
+impl<'a> View<'a> {
+    fn new(
+        polygons: [&'a Polygon; 2],
+        shapes: [&'a Shape; 2],
+        heights: [&'a [f64]; 2],
+        off: Off,
+        tolerance: f64,
+    ) -> Self {
+        let [first, second] = shapes;
+        let between = second.centre - first.centre;
+        let distance = between.length();
+        let radii = first.radius + second.radius;
+        let spans = heights.map(Span::of);
+        // spheres do for polygons far apart
+        let [gap, reach] = if distance > 4.0 * radii {
+            [distance - radii, distance + radii]
+        } else {
+            let reach = farthest(first, second);
+            let gap = apart(first, second, between / distance);
+            [gap.max(spans[0].least).max(spans[1].least), reach]
+        };
+        let reach = reach * (1.0 + 4.0 * f64::EPSILON);
+        let gap = gap - 8.0 * f64::EPSILON * reach;
+        let gap = if gap > 0.0 { gap } else { 0.0 };
+        let means = spans.map(|span| span.mean);
+        let spread = if gap > 0.0 {
+            {
+                let square = (reach / gap) * (reach / gap);
+                square * square
+            }
+        } else {
+            f64::INFINITY
+        };
+        // heights h weighted by the kernel K: Σ K/Σ h K is at most 1/h_min, and at most
+        // (K_max/K_min)/h_mean
+        let sensitivities = spans.map(|span| (1.0 / span.least).min(spread / span.mean));
+        let received = |shape: &Shape| (shape.area / (PI * gap * gap)).min(1.0);
+        let ribbons = first.perimeter * received(second) + second.perimeter * received(first);
+        // corners that are off by δ change heights, areas and r⁴, too: relative to the value
+        let by_place = 4.0 / gap + first.perimeter / first.area + second.perimeter / second.area;
+        // between the far formula and that of two patches near to each other
+        let square = distance * distance + first.area.max(second.area) / PI;
+        let cosines = means[0] * means[1] / (distance * distance).max(means[0] * means[1]);
+        let areas = first.area * second.area;
+        let estimate = areas * cosines / (PI * square);
+        let highest = spans.map(|span| span.most);
+        Self {
+            largest: areas * (highest[0] / gap) * (highest[1] / gap) / (PI * gap * gap),
+            polygons,
+            shapes,
+            heights,
+            gap,
+            reach,
+            off,
+            highest,
+            ribbons: 2.0 * ribbons,
+            received: received(first).max(received(second)),
+            by_height: 2.0 * (sensitivities[0] + sensitivities[1]),
+            by_place: 2.0 * by_place,
+            estimate,
+            tolerance,
+        }
+    }
+
+    /// Bounds the change of the exchange area caused by displaced corners. The kernel takes its
+    /// heights from the corners', which are exact where a clip put them on the plane; for all
+    /// others a corner out of place is at another height, too.
+    pub(crate) fn slack(&self, off: Off, value: f64, route: Route) -> f64 {
+        let Off {
+            height,
+            place,
+            ribbon,
+            strip,
+            ..
+        } = off;
+        let heights = if route == Route::Kernel {
+            height
+        } else {
+            height + place
+        };
+        let relative = heights * self.by_height + (height + place) * self.by_place;
+        // a strip beside the plane sees polygons that are apart from it at grazing angles only
+        let grazing = if self.gap > height {
+            height / self.gap
+        } else {
+            1.0
+        };
+        (height * self.ribbons + ribbon * self.received).min(relative * value.abs())
+            + strip * grazing * self.received
+    }
+
+    /// Bounds the change caused by points displaced by `place`: of heights and distances, but no
+    /// area.
+    pub(crate) fn moved(&self, place: f64, value: f64) -> f64 {
+        let relative = self.by_height + 8.0 / self.gap;
+        (place * self.ribbons).min(place * relative * value.abs())
+    }
+
+    /// The absolute error that truncation may have.
+    pub(crate) fn wanted(&self) -> f64 {
+        0.3 * self.tolerance.max(4.0 * f64::EPSILON) * self.estimate
+    }
+
+    /// Gauss points per direction on one of the shapes.
+    pub(crate) fn points(&self, k: usize) -> usize {
+        let most = self.wanted() / (self.largest * 2.0 * self.shapes[k].peak);
+        self.lines(k).points(most)
+    }
+
+    /// The lines along which a rule on one of the shapes runs.
+    fn lines(&self, k: usize) -> Lines {
+        let Shape {
+            half_length, slope, ..
+        } = self.shapes[k];
+        Lines {
+            gamma: self.gap / half_length,
+            height: (half_length / self.highest[k]).min(0.5),
+            jacobian: *slope,
+        }
+    }
+
+    /// Rules on one of the shapes, and the vectors that they take.
+    pub(crate) fn rules(&self, k: usize, points: usize) -> (Rules, usize) {
+        let shape = self.shapes[k];
+        let rules = self.lines(k).rules(points, shape);
+        (rules, rules.blocks(shape))
+    }
+
+    /// A bound on the error of a rule on one of the shapes.
+    pub(crate) fn truncation(&self, k: usize, points: usize, largest: f64) -> f64 {
+        2.0 * self.shapes[k].peak * self.lines(k).error(points) * largest
+    }
+}
+
+/// The heights of a shape's corners.
+#[derive(Debug, Clone, Copy)]
+struct Span {
+    least: f64,
+    mean: f64,
+    most: f64,
+}
+
+impl Span {
+    fn of(heights: &[f64]) -> Self {
+        let (mut least, mut most, mut sum) = (f64::INFINITY, 0.0, 0.0);
+        for height in heights {
+            least = f64::min(least, *height);
+            most = f64::max(most, *height);
+            sum += height;
+        }
+        #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
+        let mean = sum / heights.len() as f64;
+        Self { least, mean, most }
+    }
+}
+
+/// The largest distance of two corners.
+fn farthest(first: &Shape, second: &Shape) -> f64 {
+    let mut square = 0.0;
+    for x in &first.corners {
+        for y in &second.corners {
+            square = f64::max(square, x.distance_squared(*y));
+        }
+    }
+    square.sqrt()
+}
+
+/// The distance of two planes across this direction, each touching one of the polygons; negative
+/// if they do not part them.
+fn apart(first: &Shape, second: &Shape, direction: DVec3) -> f64 {
+    let (mut end, mut start) = (f64::NEG_INFINITY, f64::INFINITY);
+    for corner in &first.corners {
+        end = f64::max(end, (*corner - first.centre).dot(direction));
+    }
+    for corner in &second.corners {
+        start = f64::min(start, (*corner - first.centre).dot(direction));
+    }
+    start - end
+}
+
+/// A bound on `θ/sin θ` for the angle θ that an edge subtends at a distance: with h = tan(θ/2) it
+/// is `(1 + h²) atan h / h`, and `atan h ≤ h − h³/3 + h⁵/5`; beyond a right angle only that θ is at
+/// most π.
+pub(crate) fn widening(length: f64, distance: f64) -> f64 {
+    let half = 0.5 * length / distance;
+    let square = half * half;
+    if square <= 1.0 {
+        (1.0 + square) * (1.0 - square * (1.0 / 3.0 - 0.2 * square))
+    } else {
+        PI
+    }
+}

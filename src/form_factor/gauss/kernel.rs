@@ -1,0 +1,115 @@
+//! Gauss rules over both polygons: for pairs far from each other, where every other form cancels.
+//!
+//! ```text
+//!   A F = ∫∫ h(y) g(x) / (π r⁴) dx dy ≈ Σ_i Σ_j w_i w_j g_i h_j / (π r_ij⁴)
+//! ```
+//!
+//! All terms are positive, and heights are interpolated between the corners', so nothing cancels.
+
+use super::points::{Block, fill};
+use crate::form_factor::ExchangeArea;
+use crate::form_factor::clipped_pair::View;
+use crate::form_factor::clipped_pair::horizon::Heights;
+use crate::numeric::{LANES, Lanes, across, vector_value};
+use std::f64::consts::PI;
+
+impl View<'_> {
+    /// Gauss rules with `points` each way over both shapes.
+    #[allow(clippy::cast_precision_loss, reason = "some points")]
+    pub(crate) fn kernel(&self, points: [usize; 2], blocks: &mut [Vec<Block>; 2]) -> ExchangeArea {
+        let origin = self.shapes[0].centre;
+        let [(first_rules, first_blocks), (second_rules, second_blocks)] =
+            [0, 1].map(|k| self.rules(k, points[k]));
+        let mut precise = [Heights::new(), Heights::new()];
+        let [for_first, for_second] = &mut precise;
+        let first_heights = self.precise_heights(0, for_first);
+        let second_heights = self.precise_heights(1, for_second);
+        let [first, second] = blocks;
+        first.resize(first_blocks, Block::default());
+        second.resize(second_blocks, Block::default());
+        let [first, second] = [first.as_mut_slice(), second.as_mut_slice()];
+        let (unit, shapes) = (self.reach, self.shapes);
+        let sums = vector_value!([0.0; LANES], {
+            fill(first, first_rules, shapes[0], first_heights, origin);
+            fill(second, second_rules, shapes[1], second_heights, origin);
+            sum(first, second, unit)
+        });
+        let value = across(sums) / (unit * unit * unit * unit * PI);
+        let truncation: f64 = (0..2)
+            .map(|k| self.truncation(k, points[k], self.largest))
+            .sum();
+        let terms = 4.0 * (first_blocks + second_blocks) as f64;
+        let relative = (24.0 + terms) * f64::EPSILON + 2.0 * HEIGHT_ERROR;
+        ExchangeArea {
+            value,
+            error_bound: relative * value + truncation,
+        }
+    }
+
+    /// The heights of a shape's corners, each within [`HEIGHT_ERROR`] of itself, in `precise` if it
+    /// must; 0 where a clip put them on the plane.
+    fn precise_heights<'b>(&'b self, k: usize, precise: &'b mut Heights) -> &'b [f64] {
+        let is_small = |height: f64| height < self.reach / 16.0;
+        if !self.heights[k].iter().any(|height| is_small(*height)) {
+            return self.heights[k];
+        }
+        precise.extend_from_slice(self.heights[k]);
+        for (height, corner) in precise.iter_mut().zip(&self.shapes[k].corners) {
+            if *height > 0.0 && is_small(*height) {
+                *height = self.polygons[1 - k].height(*corner);
+            }
+        }
+        precise
+    }
+}
+
+/// The relative error of a precise height: a product is within 3 ε of the distance, and taken again
+/// to 106 bits where it is smaller than that by 16.
+const HEIGHT_ERROR: f64 = 48.0 * f64::EPSILON;
+
+/// The sum over all pairs of points times `π unit⁴`, lane by lane; `unit` is a length near the
+/// distances.
+///
+/// Four points of the first rule share one division: `f1/q1 + f2/q2 = (f1 q2 + f2 q1)/(q1 q2)`,
+/// twice over, with q = r⁴ in units in which four of them stay in range.
+#[inline(always)]
+fn sum(first: &[Block], second: &[Block], unit: f64) -> Lanes {
+    let inverse_square = 1.0 / (unit * unit);
+    let mut total = [0.0; LANES];
+    for block in second {
+        let Block {
+            points: [x, y, z],
+            weights,
+            heights,
+        } = *block;
+        let mut sums = [0.0; LANES];
+        for other in first {
+            for k in [0, LANES / 2] {
+                let flux = |i: usize| other.weights[k + i] * other.heights[k + i];
+                let fluxes = [flux(0), flux(1), flux(2), flux(3)];
+                // what only fills the last vector
+                if fluxes.iter().all(|flux| flux.abs() <= 0.0) {
+                    continue;
+                }
+                let [px, py, pz] = &other.points;
+                for l in 0..LANES {
+                    let fourth_power = |i: usize| {
+                        let (dx, dy, dz) = (px[k + i] - x[l], py[k + i] - y[l], pz[k + i] - z[l]);
+                        let square = (dx * dx + dy * dy + dz * dz) * inverse_square;
+                        square * square
+                    };
+                    let (qa, qb) = (fourth_power(0), fourth_power(1));
+                    let (qc, qd) = (fourth_power(2), fourth_power(3));
+                    let (ab, cd) = (qa * qb, qc * qd);
+                    let numerator = (fluxes[0] * qb + fluxes[1] * qa) * cd
+                        + (fluxes[2] * qd + fluxes[3] * qc) * ab;
+                    sums[l] += numerator / (ab * cd);
+                }
+            }
+        }
+        for l in 0..LANES {
+            total[l] += sums[l] * weights[l] * heights[l];
+        }
+    }
+    total
+}

@@ -1,0 +1,72 @@
+//! The page of all claims, and the short table of the front page.
+
+use crate::claims::{Judgement, Quantity, Verdict};
+use crate::numeric::Grade;
+use crate::report::render::page::{PageError, Texts};
+use crate::report::{Format, ReportError, Table, certain_digits, reproduction_report};
+
+const TEMPLATE: &str = include_str!("../templates/claims.md");
+
+/// The page of all claims in Markdown: how to read a verdict, and the table.
+///
+/// # Errors
+/// [`PageError::Report`] if a number is not finite.
+pub fn claims_page(judgements: &[Judgement]) -> Result<String, PageError> {
+    let mut texts = Texts::default();
+    let verdicts = Verdict::ALL.map(|verdict| {
+        let name = verdict.name().replace('_', " ");
+        format!("| {name} | {} |\n", verdict.meaning())
+    });
+    let grades = Grade::ALL.map(|grade| format!("| {} | {} |\n", grade.name(), grade.meaning()));
+    texts.text("verdicts", verdicts.concat());
+    texts.text("grades", grades.concat());
+    let table = reproduction_report(judgements)?;
+    texts.text("claims", table.render(Format::Markdown)?);
+    texts.filled(TEMPLATE)
+}
+
+/// The claims of the front page: the best cuts of figs. 2 and 3, a pair of cuts of §4.2, a theorem,
+/// and a statement that is refuted.
+const FIRST: [&str; 6] = [
+    "fig2-parallel-cut",
+    "fig3-cut",
+    "s42-information-cut-2",
+    "s42-mean-square-cut-2",
+    "theorem-1",
+    "s5-gain-for-constant-radiosity",
+];
+
+/// The short table of the front page in Markdown: id, place, printed, computed, verdict.
+///
+/// # Errors
+/// [`ReportError`] if the table cannot be rendered.
+pub fn first_verdicts(judgements: &[Judgement]) -> Result<String, ReportError> {
+    let found = FIRST
+        .iter()
+        .filter_map(|id| judgements.iter().find(|j| j.claim.id == *id));
+    let row = |judgement: &Judgement| {
+        let claim = &judgement.claim;
+        let printed = claim.printed.as_ref();
+        let printed = printed.map_or_else(|| "in words".to_owned(), |p| p.text.clone());
+        let computed = judgement.finding.as_ref().map(|finding| {
+            let (value, error) = match finding.quantity {
+                Quantity::Value { value, error } => (value, error),
+                Quantity::Residual { value, tolerance } => (value, tolerance),
+            };
+            certain_digits(value, error)
+        });
+        vec![
+            claim.id.clone(),
+            claim.place.clone(),
+            printed,
+            computed.unwrap_or_default(),
+            judgement.verdict.name().replace('_', " "),
+        ]
+    };
+    let table = Table {
+        columns: vec!["claim", "place", "printed", "computed", "verdict"],
+        rows: found.map(row).collect(),
+        ..Table::default()
+    };
+    Ok(table.to_markdown())
+}

@@ -1,0 +1,342 @@
+//! The page of findings: statements that do not hold as printed, and the reach of §4.2.
+//!
+//! The text is a template, `templates/findings.md`; every number in it is computed here and rounded
+//! to decimals that its error leaves certain. A number that the template lacks, a place without a
+//! number, and a sentence that the numbers no longer bear out are errors.
+//!
+//! **Not here**: proofs, which the page cites.
+
+use crate::claims::{ClaimError, Judgement, Printed, samples_for};
+use crate::discretize::{
+    BestGrid, BoxGrid, ContactShadow, GradientCut, GradientLimit, JudgedCut, Profile, UNIT_CUBE,
+};
+use crate::numeric::{Bounded, Interval, Scalar, larger, largest};
+use crate::report::render::page::{PageError, Texts};
+use crate::study::Row;
+use crate::study::cuts::profiles::{PROFILES, ProfileRow, profiles};
+use crate::study::gain::stability::gain_stability;
+
+/// The claims about constant radiosity: the gain, and its maximum.
+const CONSTANT: [&str; 2] = [
+    "s5-gain-for-constant-radiosity",
+    "s5-maximum-for-constant-radiosity",
+];
+
+const TEMPLATE: &str = include_str!("../templates/findings.md");
+
+/// Bits of the enclosures: far more than the digits shown.
+const BITS: u32 = 128;
+/// Absolute error of sums of some ten thousand terms, with a margin of a thousand.
+const SUMMED: f64 = 1e-9;
+/// Accuracy of a profile's cut, and of what is computed at it.
+const CUT: f64 = 1e-9;
+
+/// The page in Markdown, from the judgements of all claims.
+///
+/// # Errors
+/// [`PageError`] if a claim is missing, a computation fails, a number is not certain to the
+/// decimals shown, or a sentence no longer holds.
+pub fn findings_page(judgements: &[Judgement]) -> Result<String, PageError> {
+    let claims = Claims(judgements);
+    let mut texts = Texts::default();
+    verdicts(&claims, &mut texts)?;
+    light(&claims, &mut texts)?;
+    cuts(&mut texts)?;
+    gains(&claims, &mut texts)?;
+    figure_5(&claims, &mut texts)?;
+    let limit = ContactShadow::limit_of_the_discontinuity_line()?;
+    texts.number("shadow_limit", Bounded::estimate(limit, 1e-6), 3)?;
+    limits(&mut texts)?;
+    profile_cuts(&mut texts)?;
+    texts.filled(TEMPLATE)
+}
+
+/// Judgements by id.
+struct Claims<'j>(&'j [Judgement]);
+
+impl<'j> Claims<'j> {
+    fn named(&self, id: &str) -> Result<&'j Judgement, ClaimError> {
+        let found = self.0.iter().find(|judgement| judgement.claim.id == id);
+        found.ok_or_else(|| ClaimError::UnknownClaim {
+            id: id.to_owned(),
+            nearest: None,
+        })
+    }
+
+    fn verdict(&self, id: &str) -> Result<String, ClaimError> {
+        Ok(self.named(id)?.verdict.name().replace('_', " "))
+    }
+
+    fn printed(&self, id: &str) -> Result<&'j Printed, PageError> {
+        let printed = self.named(id)?.claim.printed.as_ref();
+        printed.ok_or_else(|| PageError::without("a printed number", id))
+    }
+
+    fn enclosure(&self, id: &str) -> Result<&'j Interval, PageError> {
+        let finding = self.named(id)?.finding.as_ref();
+        let enclosure = finding.and_then(|finding| finding.enclosure.as_ref());
+        enclosure.ok_or_else(|| PageError::without("an enclosure", id))
+    }
+}
+
+fn verdicts(claims: &Claims<'_>, texts: &mut Texts) -> Result<(), PageError> {
+    for (name, id) in [
+        ("below_verdict", "s2-discrete-below-continuous"),
+        ("transitions_verdict", "s34-discrete-transitions"),
+        ("objective_verdict", "s42-objective"),
+        ("constant_verdict", CONSTANT[0]),
+        ("unstable_verdict", "s5-unstable-logarithms"),
+        ("figure_5_verdict", "fig5-regular"),
+    ] {
+        texts.text(name, claims.verdict(id)?);
+    }
+    let figures = ["fig5-regular", "fig5-optimal", "fig5-bad"];
+    for ids in [figures.as_slice(), &CONSTANT] {
+        for pair in ids.windows(2) {
+            let [first, second] = [claims.verdict(pair[0])?, claims.verdict(pair[1])?];
+            PageError::unless(first == second, "claims named together have one verdict")?;
+        }
+    }
+    Ok(())
+}
+
+/// §3.4: the row sums `R F B_i/(B_i − E_i)` of two patches that see each other.
+fn light(claims: &Claims<'_>, texts: &mut Texts) -> Result<(), PageError> {
+    let excess = claims.enclosure("s34-discrete-transitions")?;
+    let first = excess.constant(1.0) + excess;
+    texts.enclosed("first_row", &first, 0)?;
+    let reflectance = excess.constant(0.5);
+    // B_1 = 1/(1 − R²), B_2 = R B_1, E_2 = 0
+    let one = excess.constant(1.0);
+    let second = reflectance.clone() / &(one - &reflectance.square()) * &reflectance;
+    let row = reflectance * &second / &second;
+    texts.enclosed("second_row", &row, 1)
+}
+
+/// §4.2: both readings and the mean-square cuts, enclosed.
+fn cuts(texts: &mut Texts) -> Result<(), PageError> {
+    let mut lines = String::new();
+    for n in 1..=4u32 {
+        let exponent = f64::from(n);
+        let printed = GradientCut::try_new(exponent, 1.0)?;
+        let derived = GradientCut::try_new(exponent, exponent)?;
+        let square = printed.certified_mean_square_cut(BITS)?.position;
+        let positions = [
+            printed.certified_mutual_information_cut(BITS)?.position,
+            derived.certified_mutual_information_cut(BITS)?.position,
+        ];
+        let [far, near] = positions.each_ref().map(|cut| (square.clone() - cut).abs());
+        PageError::unless(n == 1 || near < far, "the derived cuts are nearer")?;
+        let [printed, derived] = positions;
+        let shown = [printed, derived, square].map(|cut| Texts::enclosed_text("cuts", &cut, 4));
+        let [printed, derived, square] = shown;
+        lines += &format!("  | {n} | {} | {} | {} |\n", printed?, derived?, square?);
+    }
+    texts.text("cuts", lines);
+    Ok(())
+}
+
+/// §5: the missing factor, and the digits that forms of the gain keep.
+fn gains(claims: &Claims<'_>, texts: &mut Texts) -> Result<(), PageError> {
+    let [gain, maximum] = CONSTANT.map(|id| claims.enclosure(id));
+    let (gain, maximum) = (gain?, maximum?);
+    let are_equal = gain.intersection(maximum).is_some();
+    PageError::unless(are_equal, "gain and maximum lack one factor")?;
+    texts.enclosed("constant_ratio", gain, 0)?;
+    let digits = claims.enclosure("s5-unstable-logarithms")?.to_f64();
+    let left = if digits > 0.0 {
+        format!("{digits:.0}")
+    } else {
+        "no".to_owned()
+    };
+    texts.text("printed_digits", left);
+    let rows = gain_stability(0)?;
+    for (name, method) in [
+        ("stable_digits", "sum-of-terms"),
+        ("single_digits", "sum-of-terms, single"),
+    ] {
+        let errors = rows.iter().filter(|row| row.method == method);
+        let worst = largest(errors.map(|row: &Row| row.relative_error));
+        // twice the error, so that another platform's logarithm shows no other digit
+        texts.text(name, format!("{:.0}", (-(2.0 * worst).log10()).floor()));
+    }
+    Ok(())
+}
+
+/// Fig. 5: regular grids about the printed value, and the reading as plug-in estimates.
+fn figure_5(claims: &Claims<'_>, texts: &mut Texts) -> Result<(), PageError> {
+    let printed = claims.printed("fig5-regular")?;
+    let (lower, upper) = printed.interval();
+    let mut around: [Option<(u32, f64)>; 2] = [None, None];
+    for cells in 1..=12 {
+        let grid = BoxGrid::regular(UNIT_CUBE, cells)?;
+        let information = grid.information()?.mutual_information;
+        let is_printed = (lower..=upper).contains(&information);
+        PageError::unless(!is_printed, "no regular grid has the printed value")?;
+        if information < lower {
+            around[0] = Some((cells, information));
+        } else if around[1].is_none() {
+            around[1] = Some((cells, information));
+        }
+    }
+    for (name, place, found) in [
+        ("cells_below", "below", around[0]),
+        ("cells_above", "above", around[1]),
+    ] {
+        let (cells, information) = found.ok_or_else(|| PageError::without("a grid", place))?;
+        texts.text(name, cells.to_string());
+        texts.number(place, Bounded::bound(information, SUMMED), 4)?;
+    }
+    let regular = BoxGrid::regular(UNIT_CUBE, 6)?;
+    let samples = samples_for(&regular, printed.value)?;
+    let samples = samples.ok_or_else(|| PageError::without("a number of lines", "fig5-regular"))?;
+    texts.text("samples", thousands(samples));
+    let best = BestGrid::find(UNIT_CUBE, 6)?.grid;
+    let quarters = BoxGrid::try_new(UNIT_CUBE, &[0.25, 0.375, 0.5, 0.625, 0.75])?;
+    let mut deviation: f64 = 0.0;
+    for (name, grid) in [("best", best), ("bad", quarters)] {
+        let expected = grid.information()?.mutual_information + grid.expected_bias(samples)?;
+        texts.number(name, Bounded::estimate(expected, SUMMED), 4)?;
+        deviation = larger(deviation, grid.expected_deviation(samples)?);
+    }
+    texts.number("deviation", Bounded::estimate(deviation, SUMMED), 4)?;
+    for (name, id) in [
+        ("printed_regular", "fig5-regular"),
+        ("printed_best", "fig5-optimal"),
+        ("printed_bad", "fig5-bad"),
+    ] {
+        texts.text(name, claims.printed(id)?.text.clone());
+    }
+    Ok(())
+}
+
+/// A whole number with commas between thousands.
+fn thousands(number: u64) -> String {
+    if number < 1000 {
+        return number.to_string();
+    }
+    format!("{},{:03}", thousands(number / 1000), number % 1000)
+}
+
+fn limits(texts: &mut Texts) -> Result<(), PageError> {
+    for (cut, limit, rate) in [
+        (
+            GradientLimit::FixedIrradiance,
+            "limit_printed",
+            "rate_printed",
+        ),
+        (
+            GradientLimit::EqualExponents,
+            "limit_derived",
+            "rate_derived",
+        ),
+        (GradientLimit::MeanSquare, "limit_square", "rate_square"),
+    ] {
+        let found = cut.enclosed(BITS)?;
+        texts.enclosed(limit, &found.limit, 12)?;
+        texts.enclosed(rate, &found.rate, 4)?;
+    }
+    Ok(())
+}
+
+/// A profile's two cuts, where both exist.
+struct Pair {
+    case: &'static str,
+    information: JudgedCut,
+    square: JudgedCut,
+}
+
+impl Pair {
+    fn apart(&self) -> f64 {
+        (self.square.position - self.information.position).abs()
+    }
+
+    /// The share of the highest gain that the mean-square cut keeps.
+    fn kept(&self) -> f64 {
+        self.square.gain / self.information.gain
+    }
+}
+
+/// The pair with the largest value.
+fn extreme(
+    pairs: impl Iterator<Item = Pair>,
+    value: impl Fn(&Pair) -> f64,
+) -> Result<Pair, PageError> {
+    let largest = pairs.max_by(|a, b| value(a).total_cmp(&value(b)));
+    largest.ok_or_else(|| PageError::without("a profile", "study profiles"))
+}
+
+/// The pairs of cuts of the wanted profiles under one reading of the irradiance.
+fn pairs<'r>(
+    rows: &'r [ProfileRow],
+    irradiance: &'r str,
+    is_wanted: fn(&Profile) -> bool,
+) -> impl Iterator<Item = Pair> + 'r {
+    rows.iter().filter_map(move |row| {
+        let (case, profile) = PROFILES.iter().find(|(case, _)| *case == row.case)?;
+        let is_row = row.irradiance == irradiance && is_wanted(profile);
+        Some(Pair {
+            case,
+            information: row.information.filter(|_| is_row)?,
+            square: row.square,
+        })
+    })
+}
+
+fn profile_cuts(texts: &mut Texts) -> Result<(), PageError> {
+    let rows = profiles()?;
+    monotone(&rows, texts)?;
+    for step in pairs(&rows, PROPORTIONAL, |p| matches!(p, Profile::Step { .. })) {
+        PageError::unless(step.apart() <= 0.0, "at a jump both cuts are the jump")?;
+    }
+    narrow_bump(&rows, texts)?;
+    let mut constant = rows.iter().filter(|row| row.irradiance == "constant");
+    let gains_nothing = constant.all(|row| row.information.is_none_or(|cut| cut.gain <= 0.0));
+    PageError::unless(gains_nothing, "constant irradiance: no cut gains anything")
+}
+
+/// The reading in which the irradiance is proportional to the radiosity.
+const PROPORTIONAL: &str = "∝ B";
+
+fn monotone(rows: &[ProfileRow], texts: &mut Texts) -> Result<(), PageError> {
+    let is_monotone = |profile: &Profile| !is_inner_bump(profile);
+    for (irradiance, apart, case) in [
+        (PROPORTIONAL, "monotone_apart", "monotone_case"),
+        ("∝ B − ½ lowest B", "emitting_apart", "emitting_case"),
+    ] {
+        let farthest = extreme(pairs(rows, irradiance, is_monotone), Pair::apart)?;
+        texts.number(apart, Bounded::estimate(farthest.apart(), CUT), 3)?;
+        texts.text(case, farthest.case.to_owned());
+    }
+    let all = pairs(rows, PROPORTIONAL, is_monotone);
+    let costly = extreme(all, |pair| -pair.kept())?;
+    let excess = costly.information.square_error / costly.square.square_error - 1.0;
+    texts.text("costly_case", costly.case.to_owned());
+    for (name, value, decimals) in [
+        ("costly_information", costly.information.position, 3),
+        ("costly_square", costly.square.position, 3),
+        ("costly_kept", 100.0 * costly.kept(), 1),
+        ("costly_excess", 100.0 * excess, 0),
+    ] {
+        texts.number(name, Bounded::estimate(value, 100.0 * CUT), decimals)?;
+    }
+    Ok(())
+}
+
+fn narrow_bump(rows: &[ProfileRow], texts: &mut Texts) -> Result<(), PageError> {
+    let narrow = pairs(rows, PROPORTIONAL, is_inner_bump).filter(|pair| pair.case == BUMP);
+    let bump = extreme(narrow, Pair::apart)?;
+    texts.text("bump_case", bump.case.to_owned());
+    let sigmas = |cut: &JudgedCut| Bounded::estimate((cut.position - 0.5).abs() / 0.05, 20.0 * CUT);
+    texts.number("bump_information", sigmas(&bump.information), 2)?;
+    texts.number("bump_square", sigmas(&bump.square), 2)?;
+    let kept = Bounded::estimate(100.0 * bump.kept(), 100.0 * CUT);
+    texts.number("bump_kept", kept, 0)
+}
+
+/// The narrow bump of the page: `narrow_bump` has its centre 0.5 and width 0.05.
+const BUMP: &str = "bump at 0.5, σ 0.05";
+
+fn is_inner_bump(profile: &Profile) -> bool {
+    matches!(profile, Profile::Bump { centre, .. } if *centre < 1.0)
+}

@@ -1,0 +1,277 @@
+//! View3D `.vs3`: vertices, triangles and quadrilaterals, obstructions, parts and combinations.
+//!
+//! ```text
+//!   T title            C key=value …                 F 3
+//!   V n x y z          S n v1 v2 v3 v4 base cmb emit name          v4 = 0: a triangle
+//!   O n v1 v2 v3 v4    (what follows is read over)    End of data
+//! ```
+//!
+//! The front is the side from which the corners run counter-clockwise; the reflectance is 1 − emit. A surface with a
+//! base lies in that one, which counts without it ([`Scene::with_base`]); one with `cmb` is summed into a row with the surface of that
+//! number and all others that name it ([`Scene::with_groups`]), and the row is called as the first of them. As in View3D, what lies in a
+//! base is separated from it before rows are summed, and `cmb` does not chain. `!` and `/` begin a comment, letters are of any case.
+//! Patches are the surfaces `S` in the order of the file, whatever their numbers.
+//!
+//! The keys of `C` say how View3D is to compute, and change nothing here: they are noted as ignored.
+//!
+//! **Not covered**, and refused by name: masks and null surfaces (`M`, `N`), coordinate transformations (`X`),
+//! formats other than `F 3`.
+//!
+//! # Source
+//! Walton, *Calculation of Obstructed View Factors by Adaptive Integration*, NISTIR 6925, and the View3D 3.3 manual, §4 and §5.2.
+
+pub(crate) mod surfaces;
+pub(crate) mod writer;
+
+use super::decimal::complement;
+use super::error::{Fault, FileError, excerpt};
+use super::source::{Source, number};
+use super::{LoadedScene, NonPlanarFaces};
+use crate::scene::{Material, MaterialError};
+use glam::DVec3;
+use std::collections::HashMap;
+use surfaces::{Surface, assemble};
+
+const FORMAT: &str = "\"F 3\"";
+const VERTEX: &str = "\"V n x y z\"";
+const SURFACE: &str = "\"S n v1 v2 v3 v4 base cmb emit name\"";
+
+/// What `C` may say to View3D.
+const CONTROL: [&str; 14] = [
+    "eps", "maxu", "maxo", "mino", "row", "col", "encl", "emit", "out", "list", "prjd", "prjr",
+    "maxv", "solu",
+];
+
+/// The scene in a View3D file.
+///
+/// # Errors
+/// A [`FileError`] at the first fault.
+pub fn read_view3d(source: &Source, faces: NonPlanarFaces) -> Result<LoadedScene, FileError> {
+    let mut reader = Reader::default();
+    for (line, text) in source.lines() {
+        let words: Vec<&str> = uncommented(text).split_whitespace().collect();
+        let at = |fault| source.fault(line, fault);
+        match reader.statement(line, &words).map_err(at)? {
+            Statement::Read => {}
+            Statement::End => {
+                let scene = assemble(source, &reader.vertices, &reader.surfaces, faces)?;
+                let notes = reader.notes(source);
+                return Ok(LoadedScene { scene, notes });
+            }
+        }
+    }
+    Err(FileError::of_file(source.file(), Fault::NoEnd))
+}
+
+/// The line up to a `!`, or to a `/` that begins a word.
+fn uncommented(text: &str) -> &str {
+    let text = text.split('!').next().unwrap_or_default();
+    let slash = text.match_indices('/').map(|(place, _)| place);
+    let begins = |place: &usize| {
+        text[..*place]
+            .chars()
+            .next_back()
+            .is_none_or(char::is_whitespace)
+    };
+    slash
+        .into_iter()
+        .find(begins)
+        .map_or(text, |place| &text[..place])
+}
+
+enum Statement {
+    Read,
+    End,
+}
+
+#[derive(Debug, Default)]
+struct Reader {
+    vertices: HashMap<usize, (usize, DVec3)>,
+    surfaces: Vec<Surface>,
+    surface_lines: HashMap<usize, usize>,
+    ignored: Vec<&'static str>,
+}
+
+impl Reader {
+    fn statement(&mut self, line: usize, words: &[&str]) -> Result<Statement, Fault> {
+        let Some((keyword, values)) = words.split_first() else {
+            return Ok(Statement::Read);
+        };
+        match keyword.to_ascii_uppercase().as_str() {
+            "T" => {}
+            "C" => self.control(values)?,
+            "F" => format_of(values)?,
+            "V" => self.vertex(line, values)?,
+            "S" => self.surface(line, values, false)?,
+            "O" => self.surface(line, values, true)?,
+            "E" | "END" | "*" => return Ok(Statement::End),
+            "M" | "N" => {
+                return Err(Fault::NotSupported {
+                    what: format!("a masking or null surface (\"{keyword}\") is not supported"),
+                    mend: "cut the covered part out of its base",
+                });
+            }
+            "X" => {
+                return Err(Fault::NotSupported {
+                    what: "a coordinate transformation (\"X\") is not supported".to_owned(),
+                    mend: "write the vertices as they come out",
+                });
+            }
+            _ => {
+                return Err(Fault::UnknownKeyword {
+                    format: "View3D",
+                    keyword: excerpt(keyword),
+                });
+            }
+        }
+        Ok(Statement::Read)
+    }
+
+    fn control(&mut self, values: &[&str]) -> Result<(), Fault> {
+        let words = values.join(" ").replace(',', " ").replace('=', " = ");
+        let mut words = words.split_whitespace().peekable();
+        while let Some(word) = words.next() {
+            let key = CONTROL
+                .into_iter()
+                .find(|key| word.eq_ignore_ascii_case(key));
+            let Some(key) = key else {
+                return Err(Fault::UnknownKeyword {
+                    format: "View3D's C line",
+                    keyword: excerpt(word),
+                });
+            };
+            words.next_if_eq(&"=");
+            number(words.next(), "the value of a key", "\"C key=value …\"")?;
+            if !self.ignored.contains(&key) {
+                self.ignored.push(key);
+            }
+        }
+        Ok(())
+    }
+
+    fn vertex(&mut self, line: usize, values: &[&str]) -> Result<(), Fault> {
+        let index = positive(values.first(), "the number of the vertex", VERTEX)?;
+        let coordinate = |place: usize, what| number(values.get(place).copied(), what, VERTEX);
+        let vertex = DVec3::new(
+            coordinate(1, "x")?,
+            coordinate(2, "y")?,
+            coordinate(3, "z")?,
+        );
+        if let Some(given) = values.get(4) {
+            return Err(Fault::TooMany {
+                given: excerpt(given),
+                form: VERTEX,
+            });
+        }
+        match self.vertices.insert(index, (line, vertex)) {
+            None => Ok(()),
+            Some((line, _)) => Err(Fault::DefinedTwice {
+                what: "vertex",
+                number: index,
+                line,
+            }),
+        }
+    }
+
+    fn surface(&mut self, line: usize, values: &[&str], obstructs: bool) -> Result<(), Fault> {
+        let number = positive(values.first(), "the number of the surface", SURFACE)?;
+        if let Some(line) = self.surface_lines.insert(number, line) {
+            return Err(Fault::DefinedTwice {
+                what: "surface",
+                number,
+                line,
+            });
+        }
+        let mut vertices = Vec::with_capacity(4);
+        for place in 1..=3 {
+            vertices.push(positive(values.get(place), "a vertex", SURFACE)?);
+        }
+        match whole(values.get(4), "the fourth vertex", SURFACE)? {
+            0 => {}
+            vertex => vertices.push(vertex),
+        }
+        let mut surface = Surface {
+            line,
+            number,
+            vertices,
+            obstructs,
+            base: 0,
+            combined: 0,
+            material: Material::BLACK,
+            name: String::new(),
+        };
+        if !obstructs {
+            surface.base = whole(values.get(5), "the base", SURFACE)?;
+            surface.combined = whole(values.get(6), "the surface to combine with", SURFACE)?;
+            surface.material = material(values.get(7).copied())?;
+        }
+        surface.name = values.get(8..).unwrap_or_default().join(" ");
+        if surface.name.is_empty() {
+            surface.name = format!("surface {number}");
+        }
+        self.surfaces.push(surface);
+        Ok(())
+    }
+
+    fn notes(&self, source: &Source) -> Vec<String> {
+        if self.ignored.is_empty() {
+            return Vec::new();
+        }
+        vec![format!(
+            "{}: the C keys {} are ignored, they change nothing here",
+            source.file().display(),
+            self.ignored.join(", ")
+        )]
+    }
+}
+
+fn format_of(values: &[&str]) -> Result<(), Fault> {
+    match values {
+        [] => Err(Fault::Missing {
+            what: "the format",
+            form: FORMAT,
+        }),
+        ["3"] => Ok(()),
+        other => Err(Fault::NotSupported {
+            what: format!(
+                "the format \"F {}\" is not supported",
+                excerpt(&other.join(" "))
+            ),
+            mend: "export the scene with vertices and surfaces as \"F 3\"",
+        }),
+    }
+}
+
+/// Reflects what it does not emit: 1 − emit, without a rounding in between.
+fn material(emit: Option<&str>) -> Result<Material, Fault> {
+    let emissivity = number(emit, "emit", SURFACE)?;
+    let exact = emit.and_then(complement);
+    let reflectance = match exact {
+        Some(decimal) => number(Some(&decimal), "emit", SURFACE)?,
+        None => 1.0 - emissivity,
+    };
+    // a reflectance that rounds to 1 is as bad as 1 itself
+    Material::try_new(reflectance, 0.0).map_err(|_| {
+        let source = MaterialError::EmissivityOutOfRange { emissivity };
+        Fault::Material { source }
+    })
+}
+
+fn whole(given: Option<&&str>, what: &'static str, form: &'static str) -> Result<usize, Fault> {
+    let given = given.ok_or(Fault::Missing { what, form })?;
+    given.parse().map_err(|_| Fault::NotANumber {
+        what,
+        given: excerpt(given),
+        form,
+    })
+}
+
+fn positive(given: Option<&&str>, what: &'static str, form: &'static str) -> Result<usize, Fault> {
+    match whole(given, what, form)? {
+        0 => Err(Fault::Undefined {
+            what: "vertex or surface",
+            given: "0".to_owned(),
+        }),
+        number => Ok(number),
+    }
+}

@@ -1,0 +1,4 @@
+//! Stiff radiosity systems, and the variance of random walks.
+
+pub mod stability;
+pub mod walks;
