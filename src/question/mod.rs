@@ -1,0 +1,12 @@
+//! Questions that a user may ask, each a plain struct with its answer.
+//!
+//! A question has public fields and a method `ask`, which takes a listener for progress and returns
+//! the answer. An answer is a record: what it serializes to is what the command prints as JSON, and
+//! what other programs read. Tables and figures of answers are made in `report`, arguments are
+//! parsed in the command; neither computes anything.
+//!
+//! **Not here**: formats, arguments, files that answers are written to.
+
+mod error;
+
+pub use error::QuestionError;
