@@ -58,7 +58,7 @@ impl Polygon {
     pub fn exchange_area(&self, other: &Self, tolerance: f64) -> Result<Answer, FormFactorError> {
         let tolerance = tolerance.max(0.0);
         if let Some(answer) = self.rectangles(other, tolerance)
-            && answer.exchange.error_bound <= tolerance * answer.exchange.value
+            && answer.exchange.error <= tolerance * answer.exchange.value
         {
             return Ok(answer);
         }
@@ -66,10 +66,10 @@ impl Polygon {
             Workspace::with(|work| seen([first, second], tolerance, |view| view.answer(work)))
         });
         match answer {
-            Ok(found) if found.exchange.error_bound > tolerance * found.exchange.value => {
+            Ok(found) if found.exchange.error > tolerance * found.exchange.value => {
                 let enclosed = self.enclosed_rectangles(other);
-                let bound = found.exchange.error_bound;
-                let better = enclosed.filter(|enclosed| enclosed.exchange.error_bound < bound);
+                let bound = found.exchange.error;
+                let better = enclosed.filter(|enclosed| enclosed.exchange.error < bound);
                 Ok(better.unwrap_or(found))
             }
             answer => answer,
@@ -91,7 +91,7 @@ impl Polygon {
     ) -> Result<Answer, FormFactorError> {
         let not_served = FormFactorError::NotResolved {
             value: f64::NAN,
-            error_bound: f64::INFINITY,
+            error: f64::INFINITY,
         };
         if let Some(answer) = self
             .rectangles(other, 0.0)
@@ -130,11 +130,11 @@ impl Polygon {
         };
         let mut answer = answer(&first, &second)?;
         let exact = answer.exchange.value <= 0.0;
-        for number in [&mut answer.exchange.value, &mut answer.exchange.error_bound] {
+        for number in [&mut answer.exchange.value, &mut answer.exchange.error] {
             *number = *number * unit * unit;
         }
         let value = answer.exchange.value;
-        if exact || (value.is_normal() && answer.exchange.error_bound.is_finite()) {
+        if exact || (value.is_normal() && answer.exchange.error.is_finite()) {
             Ok(answer)
         } else {
             Err(FormFactorError::OutOfRange { value })
@@ -176,7 +176,7 @@ impl View<'_> {
             Some(best) => best.in_range(),
             None => Err(FormFactorError::NotResolved {
                 value: self.estimate,
-                error_bound: f64::INFINITY,
+                error: f64::INFINITY,
             }),
         }
     }
@@ -217,20 +217,20 @@ impl View<'_> {
     ) -> Option<Answer> {
         let mut exchange = exchange?;
         if route != Route::DoubleDouble {
-            exchange.error_bound += self.slack(self.off, exchange.value, route);
+            exchange.error += self.slack(self.off, exchange.value, route);
         }
-        let ExchangeArea { value, error_bound } = exchange;
+        let ExchangeArea { value, error } = exchange;
         let answer = Answer { exchange, route };
-        if error_bound <= self.tolerance * value {
+        if error <= self.tolerance * value {
             return Some(answer);
         }
         // of values that are not good enough, the one known best; what rounding left below zero is
         // not
         let value = value.max(0.0);
-        let error_bound = error_bound + (value - exchange.value);
-        let known = best.map_or(f64::INFINITY, |best| best.exchange.error_bound);
-        if error_bound < known {
-            let exchange = ExchangeArea { value, error_bound };
+        let error = error + (value - exchange.value);
+        let known = best.map_or(f64::INFINITY, |best| best.exchange.error);
+        if error < known {
+            let exchange = ExchangeArea { value, error };
             *best = Some(Answer { exchange, route });
         }
         None
@@ -321,7 +321,7 @@ impl View<'_> {
             strip: self.off.tilted_strip,
             ..Off::default()
         };
-        exchange.error_bound += self.slack(off, exchange.value, Route::DoubleDouble);
+        exchange.error += self.slack(off, exchange.value, Route::DoubleDouble);
         Some(exchange)
     }
 }
@@ -365,8 +365,8 @@ impl Plan {
 
 impl Answer {
     fn in_range(self) -> Result<Self, FormFactorError> {
-        let ExchangeArea { value, error_bound } = self.exchange;
-        if value.is_finite() && error_bound.is_finite() {
+        let ExchangeArea { value, error } = self.exchange;
+        if value.is_finite() && error.is_finite() {
             Ok(self)
         } else {
             Err(FormFactorError::OutOfRange { value })

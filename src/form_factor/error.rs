@@ -39,14 +39,14 @@ pub enum FormFactorError {
     },
     /// The closed form cancels down to its rounding error.
     #[error(
-        "what is computed is {value:e} with an error up to {error_bound:e}, so no digit is certain: the \
+        "what is computed is {value:e} with an error up to {error:e}, so no digit is certain: the \
          patches are too small for their distance, or too thin; merge them with neighbours"
     )]
     NotResolved {
         /// What came out.
         value: f64,
         /// Bound on its error.
-        error_bound: f64,
+        error: f64,
     },
     /// A direction that should have length 1.
     #[error("a normal of length {length} is not a direction: divide it by its length")]

@@ -69,7 +69,7 @@ pub fn brightness_information(
         let bounded = lit().map(|i| {
             let known = exchange.get(i, j).exchange;
             let share = if known.value > 0.0 {
-                known.error_bound / known.value
+                known.error / known.value
             } else {
                 0.0
             };

@@ -103,7 +103,7 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
             let [received, cosines, bound] = &mut rows[face];
             received.add(pair.exchange.value);
             cosines.add(cosine);
-            bound.add(pair.exchange.error_bound);
+            bound.add(pair.exchange.error);
         }
     }
     let unclosed = deviation_from_closure(&rows, &faces, |face| {

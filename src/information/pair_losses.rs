@@ -117,7 +117,7 @@ fn of_pair(
     let [discrete, continuous] =
         [exchange * ratio, logarithms.kernel(total)].map(|part| scale * part);
     let rounding = tolerance::INFORMATION * scale * exchange * (1.0 + ratio.abs());
-    let from_exchange = scale * logarithms.exchange.error_bound * (1.0 + ratio.abs());
+    let from_exchange = scale * logarithms.exchange.error * (1.0 + ratio.abs());
     Ok(Some(PairLoss {
         first,
         second,

@@ -183,7 +183,7 @@ impl<const N: usize> RowSums<N> {
         let (areas, area_bounds) = (in_unit(pairs.areas()), in_unit(pairs.area_bounds()));
         let area = unit.times(total_area);
         let (sums, summary) = pairs.row_sums(|i, j, exchange| {
-            let (value, bound) = (unit.times(exchange.value), unit.times(exchange.error_bound));
+            let (value, bound) = (unit.times(exchange.value), unit.times(exchange.error));
             let probability = areas[j] / area;
             let divergence = pair_divergence(value, areas[i], probability);
             let error = divergence_error(value, bound, areas[i] * probability);

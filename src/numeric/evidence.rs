@@ -4,6 +4,12 @@
 //!   sample < estimate < bound < enclosure < proof
 //! ```
 //!
+//! One rule names them everywhere. A number that people read is a [`Bounded`]. A type held by the
+//! million has the fields `value` and `error` alone; its grade is the constant `GRADE`, and
+//! `bounded` joins the three. A list of errors is `errors`. An `error` is absolute and of the
+//! number beside it; `standard_error` (one standard deviation) and `relative_error` (a quotient)
+//! keep their names, for they mean something else.
+//!
 //! **Not covered**: enclosures themselves, which are [`Interval`](super::Interval)s.
 
 /// The grade of evidence behind a number or a statement, weakest first.

@@ -62,7 +62,7 @@ impl Truth {
             .exchange;
         Ok(Self {
             value: Interval::precise(exchange.value, BITS),
-            uncertainty: exchange.error_bound / exchange.value + f64::EPSILON,
+            uncertainty: exchange.error / exchange.value + f64::EPSILON,
             origin: "double-double",
         })
     }

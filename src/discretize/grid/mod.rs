@@ -214,7 +214,7 @@ impl BoxGrid {
                 let product = pair.areas() / total;
                 let exchange = pair.exchange_area(product, EXCHANGE_ERROR)?;
                 sum.add(pair.count * pair_divergence(exchange.value, product, 1.0));
-                let bound = exchange.error_bound;
+                let bound = exchange.error;
                 error += pair.count * divergence_error(exchange.value, bound, product);
                 count += 1;
             }

@@ -76,7 +76,7 @@ pub struct TileAnswers {
     /// The exchange areas, row by row.
     pub values: Vec<f64>,
     /// The bounds on their errors.
-    pub error_bounds: Vec<f64>,
+    pub errors: Vec<f64>,
     /// The counts of the tile's pairs.
     pub counts: PassCounts,
 }
@@ -142,7 +142,7 @@ impl ScenePairs<'_> {
         let order = self.plane_sets().order();
         let width = columns.len();
         let mut values = vec![0.0; rows.len() * width];
-        let mut error_bounds = values.clone();
+        let mut errors = values.clone();
         let is_on_diagonal = tile.block().is_on_diagonal();
         let counts = self.walk(
             tile.block(),
@@ -151,7 +151,7 @@ impl ScenePairs<'_> {
                 let (row, column) = (row - rows.start, column - columns.start);
                 let mut put = |at: usize| {
                     values[at] = answer.exchange.value;
-                    error_bounds[at] = answer.exchange.error_bound;
+                    errors[at] = answer.exchange.error;
                 };
                 put(row * width + column);
                 if is_on_diagonal {
@@ -163,7 +163,7 @@ impl ScenePairs<'_> {
             rows: order[rows.clone()].to_vec(),
             columns: order[columns.clone()].to_vec(),
             values,
-            error_bounds,
+            errors,
             counts,
         })
     }

@@ -56,8 +56,7 @@ pub(crate) fn seen(
         return Ok(Answer {
             exchange: ExchangeArea {
                 value: 0.0,
-                error_bound: 2.0 * off.height * (first.perimeter() + second.perimeter())
-                    + off.strip,
+                error: 2.0 * off.height * (first.perimeter() + second.perimeter()) + off.strip,
             },
             route: if within {
                 Route::Coplanar

@@ -78,7 +78,7 @@ fn precise_sum([p, q]: [&[Vector<DoubleDouble>]; 2], wanted: f64) -> Option<Exch
     }
     Some(ExchangeArea {
         value: sum.to_f64() / TAU,
-        error_bound: error / TAU + f64::EPSILON * sum.to_f64().abs(),
+        error: error / TAU + f64::EPSILON * sum.to_f64().abs(),
     })
 }
 

@@ -217,7 +217,7 @@ pub(crate) fn contour(
     let rounding = (13.0 + (depth + sums) as f64) * 0.5 * f64::EPSILON * size;
     Some(ExchangeArea {
         value: value / TAU,
-        error_bound: (sum.error + error + rounding) / TAU + moved,
+        error: (sum.error + error + rounding) / TAU + moved,
     })
 }
 

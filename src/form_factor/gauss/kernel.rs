@@ -42,7 +42,7 @@ impl View<'_> {
         let relative = (24.0 + terms) * f64::EPSILON + 2.0 * HEIGHT_ERROR;
         ExchangeArea {
             value,
-            error_bound: relative * value + truncation,
+            error: relative * value + truncation,
         }
     }
 

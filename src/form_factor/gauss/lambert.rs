@@ -67,7 +67,7 @@ impl View<'_> {
         let moved = self.moved(4.0 * f64::EPSILON * over.radius, value);
         ExchangeArea {
             value,
-            error_bound: rounding.fixed
+            error: rounding.fixed
                 + rounding.relative * size
                 + truncation
                 + moved

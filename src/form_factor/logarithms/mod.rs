@@ -123,7 +123,7 @@ impl Logarithms {
                 exchange,
                 distance: 0.0,
                 cosines: [0.0; 2],
-                error_estimate: exchange.error_bound,
+                error_estimate: exchange.error,
             });
         }
         let [low, high] = other.heights(one);
@@ -161,7 +161,7 @@ impl Logarithms {
             + (at_second - coarse[1]).abs()
             + 2.0 * (distance - coarse[2]).abs();
         // E enters each of C, C' and R by half, and the logarithm of the unit
-        let from_exchange = exchange.error_bound * (2.0 + extent.ln().abs());
+        let from_exchange = exchange.error * (2.0 + extent.ln().abs());
         Ok(Self {
             exchange,
             distance,

@@ -140,7 +140,7 @@ pub(crate) fn exchange_by_rules(layout: &Layout<f64>, tolerance: f64) -> Option<
     let rounding = (32.0 + terms as f64) * f64::EPSILON * value;
     Some(ExchangeArea {
         value,
-        error_bound: rounding + error(points),
+        error: rounding + error(points),
     })
 }
 

@@ -94,9 +94,8 @@ impl RectanglePair {
         let exchange = self.with_layout(|layout| exchange_by_rules(layout, tolerance));
         let exchange = exchange.ok()???;
         let unit_area = self.unit * self.unit;
-        let [value, error_bound] = [exchange.value, exchange.error_bound].map(|x| x * unit_area);
-        (value.is_normal() && error_bound.is_finite())
-            .then_some(ExchangeArea { value, error_bound })
+        let [value, error] = [exchange.value, exchange.error].map(|x| x * unit_area);
+        (value.is_normal() && error.is_finite()).then_some(ExchangeArea { value, error })
     }
 
     /// Lifts the pair, as placed, to numbers of the type and precision of `like`.

@@ -239,8 +239,8 @@ pub fn measure_report(
     let row = format!(
         "{}: {} ± {}",
         name(worst.row),
-        certain_digits(worst.sum, worst.error_bound),
-        scientific(worst.error_bound)
+        certain_digits(worst.sum, worst.error),
+        scientific(worst.error)
     );
     lines.push(("row sum farthest from 1", row));
     let mut largest = 0;
@@ -297,7 +297,7 @@ pub fn measure_report(
             patch: worst.row,
             name: names[worst.row],
             row_sum: worst.sum,
-            error: worst.error_bound,
+            error: worst.error,
         },
         contributions,
         outside_contribution: measured.outside_contribution,

@@ -17,7 +17,7 @@ proptest! {
             let coordinate = coordinates.into_iter().flatten().fold(0.0, f64::max);
             let rim = 2.0 * SplitAxis::ALL.map(|axis| first.edge(axis).length()).iter().sum::<f64>();
             let rounding = 2.0 * f64::EPSILON * coordinate * rim;
-            let allowed = there.error_bound + back.error_bound + rounding;
+            let allowed = there.error + back.error + rounding;
             prop_assert!((there.value - back.value).abs() <= allowed, "{there:?} {back:?}");
         }
     }

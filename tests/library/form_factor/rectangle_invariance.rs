@@ -50,7 +50,7 @@ proptest! {
             // coordinates up to 10 carry 10 ε each, edges that over their length; near a plane the
             // exchange changes by as much, relative to the smaller area
             let allowed = 10.0 * tolerance::ALIGNMENT / shortest * first.area().min(second.area())
-                + plain.error_bound + moved.error_bound;
+                + plain.error + moved.error;
             let change = (plain.value - moved.value).abs();
             prop_assert!(change <= allowed, "{change:e} of {:e}, {allowed:e} allowed", plain.value);
         }
