@@ -253,13 +253,13 @@ fn directions<'a>(
 }
 
 /// Below this a vector's length is lost in the underflow of its square.
-const SHORTEST: f64 = 1e-150;
+const SHORTEST_VECTOR: f64 = 1e-150;
 
 /// Does a plane across `direction`, on either side, part `k` from `a ∪ b`, but for `noise`?
 fn parts(direction: DVec3, a: &[DVec3], b: &[DVec3], k: &[DVec3], noise: f64) -> bool {
     let length = direction.length();
     // parallel, or edges below 1e-75 of the unit: no direction
-    if length < SHORTEST {
+    if length < SHORTEST_VECTOR {
         return false;
     }
     let origin = k[0];

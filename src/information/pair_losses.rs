@@ -15,7 +15,7 @@
 use super::continuous::in_own_unit;
 use crate::chain::ChainError;
 use crate::exchange::{ExchangeError, Progress};
-use crate::form_factor::Logarithms;
+use crate::form_factor::LogMeans;
 use crate::geometry::Patch;
 use crate::numeric::{Grade, compensated_sum, tolerance, try_parallel_map};
 use crate::scene::{NamedPatch, Occlusion, Scene, SceneError};
@@ -107,7 +107,7 @@ fn of_pair(
         second,
         source,
     };
-    let logarithms = Logarithms::of(one, other).map_err(refused)?;
+    let logarithms = LogMeans::of(one, other).map_err(refused)?;
     let exchange = logarithms.exchange.value;
     if exchange <= 0.0 {
         return Ok(None);

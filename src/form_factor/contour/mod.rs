@@ -46,9 +46,9 @@ use smallvec::SmallVec;
 use std::f64::consts::{LN_2, PI, TAU};
 
 /// Edges at least this far from each other, as a sum of half-axes, take a Gauss rule in one piece.
-const APART: f64 = 1.1;
+const ONE_PIECE_DISTANCE: f64 = 1.1;
 /// The number of points that such a rule has at most, roughly.
-const MOST: f64 = 40.0;
+const MOST_EDGE_POINTS: f64 = 40.0;
 /// Cosines up to this, in ε, are those of a right angle.
 const RIGHT_ANGLE: f64 = 8.0;
 
@@ -236,13 +236,13 @@ fn ask_ends(batch: &mut Batch, [a, b]: [&Edge<f64>; 2], relation: &Coplanar<f64>
     }
 }
 
-/// How far from a rule's edge others must be, as a sum of half-axes: [`APART`], or where the
+/// How far from a rule's edge others must be, as a sum of half-axes: [`ONE_PIECE_DISTANCE`], or where the
 /// largest rule does.
 fn apart_from(log_per_length: f64) -> f64 {
-    let log_rho = -(log_per_length + LN_2) / (2.0 * MOST);
+    let log_rho = -(log_per_length + LN_2) / (2.0 * MOST_EDGE_POINTS);
     if log_rho <= 0.44 {
-        // ln ρ of APART is 0.444
-        APART
+        // ln ρ of ONE_PIECE_DISTANCE is 0.444
+        ONE_PIECE_DISTANCE
     } else {
         // near cosh ln ρ: a point more or less does not matter
         let square = log_rho * log_rho;
@@ -305,13 +305,20 @@ impl EdgeSum {
         only: &[EdgeWithError],
     ) -> Option<()> {
         let displaced = cosine * self.displaced(a);
-        panels(a, b, self.per_length, f64::EPSILON, APART, |panel| {
-            let clearance = (APART - 1.0) * panel.half * a.length;
-            let gradient = gradient(b.length / clearance);
-            let truncation = b.length * panel.error;
-            self.error += a.length * (truncation + 2.0 * panel.half * displaced * gradient);
-            self.add(a, [panel.middle, panel.half], panel.points, nodes, only);
-        })
+        panels(
+            a,
+            b,
+            self.per_length,
+            f64::EPSILON,
+            ONE_PIECE_DISTANCE,
+            |panel| {
+                let clearance = (ONE_PIECE_DISTANCE - 1.0) * panel.half * a.length;
+                let gradient = gradient(b.length / clearance);
+                let truncation = b.length * panel.error;
+                self.error += a.length * (truncation + 2.0 * panel.half * displaced * gradient);
+                self.add(a, [panel.middle, panel.half], panel.points, nodes, only);
+            },
+        )
     }
 
     fn add(

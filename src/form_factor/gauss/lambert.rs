@@ -23,7 +23,7 @@
 //! Reference: Lambert, *Photometria*, 1760; Baum, Rushmeier and Winget, SIGGRAPH 1989.
 
 use super::points::{Block, fill};
-use crate::form_factor::clipped_pair::{View, widening};
+use crate::form_factor::clipped_pair::{ClippedPair, widening};
 use crate::form_factor::contour::edge::Edge;
 use crate::form_factor::{ExchangeArea, FormFactorError};
 use crate::geometry::{ClippedCorner, Patch, Vector, clip};
@@ -33,7 +33,7 @@ use glam::DVec3;
 use smallvec::SmallVec;
 use std::f64::consts::{PI, TAU};
 
-impl View<'_> {
+impl ClippedPair<'_> {
     /// A Gauss rule with `points` each way over shape `k`.
     #[allow(clippy::cast_precision_loss, reason = "some points")]
     pub(crate) fn point_to_polygon(
@@ -41,7 +41,7 @@ impl View<'_> {
         k: usize,
         points: usize,
         rounding: LambertRounding,
-        (blocks, sides): (&mut Vec<Block>, &mut Vec<Side>),
+        (blocks, sides): (&mut Vec<Block>, &mut Vec<RelativeEdge>),
     ) -> ExchangeArea {
         let (over, seen) = (self.shapes[k], self.shapes[1 - k]);
         let origin = over.centre;
@@ -53,7 +53,7 @@ impl View<'_> {
         sides.extend(
             seen.edges
                 .iter()
-                .map(|edge| Side::new(edge, normal, origin)),
+                .map(|edge| RelativeEdge::new(edge, normal, origin)),
         );
         let (sides, subtended) = (sides.as_slice(), self.subtended(k));
         let additions = blocks.len() as f64;
@@ -83,7 +83,7 @@ impl View<'_> {
         let is_narrow = self.subtended(k) == Subtended::Narrow;
         let (mut fixed, mut terms) = (0.0, 0.0);
         for edge in &seen.edges {
-            let side = Side::new(edge, self.polygons[k].normal, over.centre);
+            let side = RelativeEdge::new(edge, self.polygons[k].normal, over.centre);
             let distance = side.ends[1].length();
             let away = (distance - over.radius).max(self.gap);
             if is_narrow {
@@ -144,7 +144,7 @@ enum Subtended {
 
 /// An edge from the origin of the points.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Side {
+pub(crate) struct RelativeEdge {
     ends: [Vector<f64>; 2],
     direction: Vector<f64>,
     length: f64,
@@ -152,7 +152,7 @@ pub(crate) struct Side {
     across: Vector<f64>,
 }
 
-impl Side {
+impl RelativeEdge {
     fn new(edge: &Edge<f64>, normal: DVec3, origin: DVec3) -> Self {
         let origin = Vector(origin.to_array());
         Self {
@@ -169,9 +169,9 @@ impl Side {
 /// `Σ_i w_i F_i` over points on a plane with this normal, anywhere, from an origin that the edges
 /// do not have.
 pub(crate) fn integral(blocks: &[Block], normal: DVec3, edges: &[Edge<f64>], origin: DVec3) -> f64 {
-    let sides: SmallVec<[Side; 8]> = edges
+    let sides: SmallVec<[RelativeEdge; 8]> = edges
         .iter()
-        .map(|edge| Side::new(edge, normal, origin))
+        .map(|edge| RelativeEdge::new(edge, normal, origin))
         .collect();
     let (sides, normal) = (sides.as_slice(), Vector(normal.to_array()));
     let sums = vector_value!(
@@ -184,7 +184,12 @@ pub(crate) fn integral(blocks: &[Block], normal: DVec3, edges: &[Edge<f64>], ori
 /// `−2π Σ_i w_i F_i`, and of narrow terms the sum of their magnitudes, lane by lane: vectors summed
 /// up here would be taken apart all along.
 #[inline(always)]
-fn sum(blocks: &[Block], normal: Vector<f64>, sides: &[Side], subtended: Subtended) -> [Lanes; 2] {
+fn sum(
+    blocks: &[Block],
+    normal: Vector<f64>,
+    sides: &[RelativeEdge],
+    subtended: Subtended,
+) -> [Lanes; 2] {
     let (mut total, mut size) = ([0.0; LANES], [0.0; LANES]);
     for block in blocks {
         let (sums, sizes) = match subtended {
@@ -204,7 +209,7 @@ fn sum(blocks: &[Block], normal: Vector<f64>, sides: &[Side], subtended: Subtend
 /// `Σ_b (θ/sin θ) n·(a×c)/(|a| |c|)`, and the terms' magnitudes; each edge starts where the one
 /// before ends.
 #[inline(always)]
-fn narrow([x, y, z]: [Lanes; 3], sides: &[Side]) -> (Lanes, Lanes) {
+fn narrow([x, y, z]: [Lanes; 3], sides: &[RelativeEdge]) -> (Lanes, Lanes) {
     let (mut sums, mut sizes, mut before) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     if let Some(side) = sides.first() {
         let start = side.ends[0];
@@ -231,7 +236,7 @@ fn narrow([x, y, z]: [Lanes; 3], sides: &[Side]) -> (Lanes, Lanes) {
 
 /// `Σ_b θ n·(a×u)/h`.
 #[inline(always)]
-fn wide([x, y, z]: [Lanes; 3], normal: Vector<f64>, sides: &[Side]) -> Lanes {
+fn wide([x, y, z]: [Lanes; 3], normal: Vector<f64>, sides: &[RelativeEdge]) -> Lanes {
     let mut sums = [0.0; LANES];
     for side in sides {
         let ([start, end], direction, length) = (side.ends, side.direction, side.length);

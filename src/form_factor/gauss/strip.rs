@@ -32,7 +32,7 @@ const POINTS: usize = 20;
 
 /// Pieces shorter than this share of the line are not halved again: what Gauss misses of them
 /// counts less than ε, and their middles are still apart from their ends.
-const SHORTEST: f64 = 1.0 / (1_u64 << 46) as f64;
+const SHORTEST_PIECE: f64 = 1.0 / (1_u64 << 46) as f64;
 
 impl Polygon {
     /// `∫ F_x ds`: what the points of a segment in the plane of `self` send to `other`, per width
@@ -64,7 +64,7 @@ impl Polygon {
             let near = |[s, height]: &[f64; 2]| {
                 (s - middle - half).hypot(*height) + (s - middle + half).hypot(*height) < 3.0 * half
             };
-            if half > SHORTEST * length && zeros.iter().any(near) {
+            if half > SHORTEST_PIECE * length && zeros.iter().any(near) {
                 open.extend([[middle, to], [from, middle]]);
                 continue;
             }

@@ -49,7 +49,7 @@ use super::{ExchangeArea, FormFactorError, Polygon};
 use crate::geometry::Patch;
 use crate::numeric::functions::elementary::ln;
 use crate::numeric::{GaussLegendre, tolerance};
-use face::Side;
+use face::Face;
 use std::f64::consts::PI;
 
 /// Points of the rule on a panel, and of the one that its error is estimated by.
@@ -64,7 +64,7 @@ const EXCHANGE: f64 = 1e-13;
 
 /// Logarithms integrated over what two polygons exchange, in squared units of length.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Logarithms {
+pub struct LogMeans {
     /// `E = ∫∫ F`, the exchange area.
     pub exchange: ExchangeArea,
     /// `∫∫ F ln r`.
@@ -75,7 +75,7 @@ pub struct Logarithms {
     pub error_estimate: f64,
 }
 
-impl Logarithms {
+impl LogMeans {
     /// `∫∫ F ln(u F)`; `u` > 0 an area, that lengths are compared with.
     #[must_use]
     pub fn kernel(&self, unit: f64) -> f64 {
@@ -94,19 +94,19 @@ impl Logarithms {
     ///
     /// # Examples
     /// ```
-    /// use infoscene::form_factor::Logarithms;
+    /// use infoscene::form_factor::LogMeans;
     /// use infoscene::geometry::Patch;
     /// use glam::DVec3;
     /// let (o, x, y, z) = (DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z);
     /// let floor = Patch::try_new(vec![o, x, x + y, y])?;
     /// let ceiling = Patch::try_new(vec![z, y + z, x + y + z, x + z])?;
-    /// let there = Logarithms::of(&floor, &ceiling)?;
+    /// let there = LogMeans::of(&floor, &ceiling)?;
     /// // parallel at distance 1: r = 1/cos θ
     /// assert!((there.distance + there.cosines[0]).abs() < 1e-15);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn of(first: &Patch, second: &Patch) -> Result<Self, FormFactorError> {
-        let sides = [Side::new(first), Side::new(second)];
+        let sides = [Face::new(first), Face::new(second)];
         let [one, other] = &sides;
         let extent = one.extent(other);
         let flat = 4.0 * tolerance::ALIGNMENT * extent;
@@ -133,7 +133,7 @@ impl Logarithms {
         let mut magnitude = 0.0;
         for (rule, values) in values.iter_mut().enumerate() {
             let gauss = GaussLegendre::with(POINTS[rule]);
-            let cosine = |from: &Side, to: &Side| {
+            let cosine = |from: &Face, to: &Face| {
                 let [sum, size] = from.cosine_part(to, flat, exchange.value, gauss);
                 (sum / (8.0 * PI) - 0.5 * exchange.value, size / (8.0 * PI))
             };

@@ -25,9 +25,9 @@ use crate::numeric::{GaussLegendre, vectorised};
 use std::f64::consts::PI;
 
 /// Points per side beyond which other routes are cheaper.
-const MOST: usize = 8;
+const MOST_PER_SIDE: usize = 8;
 /// Points of a difference.
-const MOST_NODES: usize = 3 * MOST;
+const MOST_NODES: usize = 3 * MOST_PER_SIDE;
 
 /// The exchange area in the spans' unit, if few points are certain to leave an error below
 /// `tolerance`, relative.
@@ -98,7 +98,7 @@ pub(crate) fn exchange_by_rules(layout: &Layout<f64>, tolerance: f64) -> Option<
             .map(|(peaks, lines)| peaks * lines.error(n));
         errors.sum::<f64>() * largest
     };
-    let points = (2..=MOST).find(|n| error(*n) <= 0.3 * tolerance * smallest)?;
+    let points = (2..=MOST_PER_SIDE).find(|n| error(*n) <= 0.3 * tolerance * smallest)?;
     let rule = GaussLegendre::with(points);
     let (mut squares, mut weights) = ([1.0; MOST_NODES], [0.0; MOST_NODES]);
     let mut used = 0;
@@ -106,7 +106,7 @@ pub(crate) fn exchange_by_rules(layout: &Layout<f64>, tolerance: f64) -> Option<
         (squares[used], weights[used]) = (v * v, weight);
         used += 1;
     });
-    let mut outer = [[0.0; 2]; MOST * MOST];
+    let mut outer = [[0.0; 2]; MOST_PER_SIDE * MOST_PER_SIDE];
     let mut count = 0;
     let mut push = |square: f64, factor: f64| {
         outer[count] = [square, factor];

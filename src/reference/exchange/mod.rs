@@ -18,7 +18,7 @@ pub(crate) mod panels;
 pub(crate) mod section;
 pub(crate) mod strips;
 
-use super::wide::Wide;
+use super::fixed_float::FixedFloat;
 use crate::form_factor::FormFactorError;
 use crate::geometry::Patch;
 use crate::numeric::power_of_two_near;
@@ -29,7 +29,7 @@ use strips::Pass;
 
 /// Words of the significand: 256 bits, of which a far pair of slivers leaves half.
 const WORDS: usize = 4;
-type Number = Wide<WORDS>;
+type Number = FixedFloat<WORDS>;
 
 /// An exchange area with many digits.
 #[derive(Debug, Clone, Copy)]
