@@ -124,9 +124,9 @@ pub fn quasi_random_lines(first: &Patch, second: &Patch, lines: u32, seed: u64) 
 pub struct GlobalLines {
     /// Lines through the sphere.
     pub lines: u32,
-    /// Those that met the first polygon, and those that met the second.
+    /// Numbers of the lines that met the first polygon, and of those that met the second.
     pub met: [u32; 2],
-    /// Those that left the front of the first and arrived at the front of the second.
+    /// Number of the lines that left the front of the first and arrived at the front of the second.
     pub joined: u32,
     /// Area of the sphere, in squared units of length.
     pub sphere_area: f64,
@@ -180,7 +180,7 @@ pub fn global_lines(first: &Patch, second: &Patch, lines: u32, seed: u64) -> Glo
     }
 }
 
-/// Both polygons, from the middle between them and in units of their size.
+/// The two polygons, from the middle between them and in units of their size.
 struct Targets {
     polygons: [Target; 2],
     radius: f64,

@@ -35,7 +35,7 @@ use std::f64::consts::LN_2;
 /// The treatment of power that meets no patch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OpenScene {
-    /// It is refused.
+    /// An open scene is refused.
     Refuse,
     /// One more state, `outside`, takes what escapes.
     AddOutsideState,
@@ -159,7 +159,7 @@ pub(super) fn information_with_sums<const N: usize>(
 
 /// The sums over the rows of a scene, in units of [`Unit`].
 struct RowSums<const N: usize> {
-    /// In the unit of the scene.
+    /// The area in the unit of the scene.
     total_area: f64,
     area: f64,
     areas: Vec<f64>,

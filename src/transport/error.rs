@@ -1,4 +1,4 @@
-//! Why there is no equilibrium of light.
+//! Reasons why there is no equilibrium of light.
 
 use crate::exchange::ExchangeError;
 
@@ -11,7 +11,7 @@ pub enum TransportError {
     WrongCount {
         /// The name of the list.
         what: &'static str,
-        /// Its length.
+        /// The number of values given.
         found: usize,
         /// Number of patches.
         expected: usize,
@@ -44,7 +44,7 @@ pub enum TransportError {
         /// The value that was given.
         value: f64,
     },
-    /// Every source is 0.
+    /// The sources are all 0.
     #[error("no patch has a positive {what}: give one to a patch at least")]
     NoSource {
         /// Emittance or importance.

@@ -72,7 +72,7 @@ impl Displacement {
 }
 
 impl FrontPart {
-    /// Is any of it in front?
+    /// Tells whether any of the polygon is in front.
     pub(crate) const fn is_in_front(&self) -> bool {
         matches!(self, Self::Front | Self::Clipped(_))
     }

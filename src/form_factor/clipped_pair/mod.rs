@@ -1,5 +1,5 @@
-//! A pair as the routes see it: what of each polygon is in front of the other's plane, and measures
-//! of both.
+//! A pair of polygons, each clipped at the other's plane, with the measures that the choice of a
+//! route rests on.
 
 pub(crate) mod horizon;
 pub(crate) mod shape;
@@ -26,8 +26,8 @@ pub(crate) struct ClippedPair<'a> {
     highest: [f64; 2],
     /// `area × area × h_max g_max / (π gap⁴)`.
     pub largest: f64,
-    /// What that changes at most, per length: by flux through ribbons; for polygons apart, relative
-    /// to the value, by other heights, and by other areas and distances.
+    /// Bounds on the change that displaced corners cause, per length: by flux through ribbons; for
+    /// polygons apart, relative to the value, by other heights, and by other areas and distances.
     ribbons: f64,
     /// The most that a point of either receives, per area.
     received: f64,

@@ -27,9 +27,9 @@ use std::f64::consts::PI;
 /// The relation of two edges: skew, or in one plane.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Relation<S> {
-    /// On lines that meet, as far as rounding tells, or are parallel.
+    /// The edges lie on lines that meet, as far as rounding tells, or are parallel.
     Coplanar(Coplanar<S>),
-    /// On lines that miss each other, or meet too far away.
+    /// The edges lie on lines that miss each other, or meet too far away.
     Skew,
 }
 

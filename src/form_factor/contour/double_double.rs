@@ -1,4 +1,4 @@
-//! The double contour integral in double-double arithmetic, for what cancels in `f64`.
+//! The double contour integral in double-double arithmetic, for pairs whose terms cancel in `f64`.
 
 use super::coplanar::{Relation, Rounding, coplanar, relation};
 use super::edge::{Edge, PairIntegral, Precision};

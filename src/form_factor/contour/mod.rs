@@ -236,8 +236,8 @@ fn ask_ends(batch: &mut Batch, [a, b]: [&Edge<f64>; 2], relation: &Coplanar<f64>
     }
 }
 
-/// How far from a rule's edge others must be, as a sum of half-axes: [`ONE_PIECE_DISTANCE`], or where the
-/// largest rule does.
+/// The distance from a rule's edge that others must keep, as a sum of half-axes:
+/// [`ONE_PIECE_DISTANCE`], or the distance at which the largest rule is accurate enough.
 fn apart_from(log_per_length: f64) -> f64 {
     let log_rho = -(log_per_length + LN_2) / (2.0 * MOST_EDGE_POINTS);
     if log_rho <= 0.44 {

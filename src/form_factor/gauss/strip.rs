@@ -1,5 +1,5 @@
-//! What a line of points of one plane sends to a polygon: the rate at which an exchange area grows
-//! as a cut moves.
+//! The exchange between a line of points in one plane and a polygon: the rate at which an exchange
+//! area grows as a cut moves.
 //!
 //! ```text
 //!   ∂(A F)/∂t = breadth · ∫ F_x ds          over the cut line, x on it (Leibniz), F_x by Lambert's formula

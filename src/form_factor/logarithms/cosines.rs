@@ -1,4 +1,4 @@
-//! The part of the cosines, (a).
+//! The integrals of the logarithms of the cosines, formula (a) of the [module above](super).
 
 use super::face::{Edge, Face};
 use super::panels::{Singularities, over_panels, to_plane};
@@ -20,8 +20,8 @@ enum Level {
     Above,
 }
 
-/// Where the lowest point is higher than this part of the farthest distance, `h²/r²` is nearer to 1
-/// than to 0.
+/// Height of the lowest point, relative to the farthest distance, above which `h²/r²` is nearer to
+/// 1 than to 0.
 const ABOVE: f64 = 0.7;
 
 impl Face {

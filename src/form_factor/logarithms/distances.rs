@@ -1,5 +1,5 @@
-//! The part of the distance: (c) by Euler's identity where the planes meet, (b) where they are
-//! nearly parallel.
+//! The integral of the logarithm of the distance: formula (c) of the [module above](super), by
+//! Euler's identity, where the planes meet, (b) where they are nearly parallel.
 
 use super::face::Face;
 use super::panels::{REACH, Singularities, over_panels, to_plane};
@@ -34,8 +34,8 @@ impl Face {
         ]
     }
 
-    /// Where the planes meet, below the corner nearest to that line: distances from there vanish
-    /// for most edges that touch.
+    /// The point of the line where the planes meet that lies below the corner nearest to it:
+    /// distances from there vanish for most edges that touch.
     fn meeting_point(&self, other: &Self) -> DVec3 {
         let cosine = self.normal.dot(other.normal);
         let sine = self.normal.cross(other.normal).length_squared();

@@ -153,7 +153,7 @@ impl<E: Endpoint> Interval<E> {
         }
     }
 
-    /// atan t, |t| ≤ 1.
+    /// Encloses atan t for |t| ≤ 1.
     fn atan_within(t: &Self, constants: &Constants<E>) -> Self {
         let middle = t.midpoint().to_double(Direction::Down);
         if middle < 0.0 {

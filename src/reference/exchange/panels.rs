@@ -1,4 +1,5 @@
-//! How a range is divided so that a Gauss rule on each part is right to the digits asked for.
+//! The division of a range into parts on each of which a Gauss rule is right to the digits asked
+//! for.
 //!
 //! ```text
 //!   a rule of n points errs by about M ρ^(−2n),  ρ = a + √(a² − 1),  a = (|z − lower| + |z − upper|)/(upper − lower)

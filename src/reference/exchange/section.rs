@@ -21,7 +21,8 @@ pub(crate) struct Line<const N: usize> {
     pub from: FixedFloat<N>,
     pub at: FixedFloat<N>,
     pub slope: FixedFloat<N>,
-    /// Does the polygon lie on the side of smaller s, so that this is the upper end of a trapezoid?
+    /// Whether the polygon lies on the side of smaller s, so that this is the upper end of a
+    /// trapezoid.
     pub is_upper: bool,
 }
 
@@ -152,8 +153,7 @@ impl<const N: usize> Plate<N> {
     }
 }
 
-/// What is smaller than 2 to this power times the bits, relative to the size of the pair, is
-/// rounding.
+/// The power of two, relative to the size of the pair, below which a number is rounding.
 const fn negligible_power<const N: usize>() -> i64 {
     // two thirds of the digits
     -((N * 128 / 3) as i64)

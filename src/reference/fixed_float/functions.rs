@@ -18,7 +18,7 @@ const STEPS: u32 = 512;
 
 /// Tables that depend on the precision only.
 struct Tables<const N: usize> {
-    /// atan(i/512) for i up to 512.
+    /// Values of atan(i/512) for i up to 512.
     atan: Vec<FixedFloat<N>>,
     /// 1/3, 1/5, … as fixed point fractions.
     series: Vec<[u64; N]>,
@@ -67,8 +67,8 @@ impl<const N: usize> Tables<N> {
     }
 }
 
-/// atan r, |r| ≤ 2⁻⁹ (the table's first steps lose a bit per term, which the two spare terms make
-/// up for).
+/// The arc tangent of r for |r| ≤ 2⁻⁹ (the table's first steps lose a bit per term, which the two
+/// spare terms make up for).
 ///
 /// With q = r² as a fixed point fraction it is `r − r q (1/3 − q (1/5 − …))`, every bracket in (0,
 /// 1): no number needs its exponent moved.

@@ -103,13 +103,13 @@ impl<const N: usize> FixedFloat<N> {
         }
     }
 
-    /// Is it zero?
+    /// Tells whether the number is zero.
     #[must_use]
     pub const fn is_zero(&self) -> bool {
         self.words[N - 1] == 0
     }
 
-    /// Is it above zero?
+    /// Tells whether the number is above zero.
     #[must_use]
     pub const fn is_positive(&self) -> bool {
         !self.is_negative && !self.is_zero()
@@ -151,7 +151,7 @@ impl<const N: usize> FixedFloat<N> {
         words.map(move |(k, word)| (*word, self.exponent - below(k)))
     }
 
-    /// Is it below zero?
+    /// Tells whether the number is below zero.
     #[must_use]
     pub const fn is_negative(&self) -> bool {
         self.is_negative && !self.is_zero()

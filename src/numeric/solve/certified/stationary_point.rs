@@ -16,7 +16,8 @@
 use crate::numeric::{Dual, Interval, NumericError, Scalar};
 use nalgebra::DMatrix;
 
-/// A function of several variables, as many values as variables, written once for every number type.
+/// A function of several variables with as many values as variables, written once for every number
+/// type.
 pub trait VectorFunction {
     /// The values at a point; `None` where there are none.
     fn values<S: Scalar>(&self, point: &[S]) -> Option<Vec<S>>;
@@ -27,7 +28,8 @@ const ROOM: f64 = 1e-12;
 /// Steps, each of which adds about as many digits as the Jacobian's box leaves certain.
 const STEPS: u32 = 200;
 
-/// The root of a gradient near `near`, a strict local maximum, each coordinate enclosed to about `bits` bits.
+/// The root of a gradient near `near`, a strict local maximum, each coordinate enclosed to about
+/// `bits` bits.
 ///
 /// # Errors
 /// [`NumericError::NotIsolated`] if the operator does not map the box around `near` into itself, or the Hessian is not
@@ -139,8 +141,9 @@ fn hessian(
     )
 }
 
-/// Do all of Gershgorin's circles of `VᵀHV` lie left of 0? V is near the eigenvectors of H, which makes the product nearly diagonal; whatever
-/// V is, H is negative definite if the product is.
+/// Tells whether all of Gershgorin's circles of `VᵀHV` lie left of 0. V is near the eigenvectors of
+/// H, which makes the product nearly diagonal; whatever V is, H is negative definite if the product
+/// is.
 fn is_negative_definite(hessian: &[Vec<Interval<f64>>]) -> bool {
     let n = hessian.len();
     let middle = DMatrix::from_fn(n, n, |i, k| {
