@@ -19,9 +19,9 @@
 //! ```
 //!
 //! `horizon` clips what lies behind the other's plane, `view` measures what is left, `choice`
-//! chooses. [`crate::reference`] is a slow road of its own to judge them by, [`sampling`] another. A
-//! bound holds for corners as given: what their rounding does to a polygon that is not quite planar
-//! is in it.
+//! chooses. [`crate::reference`] is a slow road of its own to judge them by, [`sampling`] another.
+//! A bound holds for corners as given: what their rounding does to a polygon that is not quite
+//! planar is in it.
 //!
 //! [`LogMeans`] are those of distance and cosines, averaged over what a pair exchanges.
 //!

@@ -67,8 +67,8 @@ pub struct ContinuousInformation {
 ///
 /// # Errors
 /// [`ChainError::Scene`] if the room is not convex inside, an obstruction stands in it (leave it
-/// out with [`Scene::with_obstructions`]), or patches overlap; [`ChainError::Exchange`] if it is not
-/// closed, or a pair is refused.
+/// out with [`Scene::with_obstructions`]), or patches overlap; [`ChainError::Exchange`] if it is
+/// not closed, or a pair is refused.
 ///
 /// # Examples
 /// ```

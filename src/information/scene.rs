@@ -78,8 +78,8 @@ const DIVERGENCE_ERROR: usize = 3;
 /// The information of a scene's visibility chain, each pair taken once and none held.
 ///
 /// # Errors
-/// [`ChainError::Exchange`] for an open scene without [`OpenScene::AddOutsideState`], for rows above one, and if two patches are
-/// refused.
+/// [`ChainError::Exchange`] for an open scene without [`OpenScene::AddOutsideState`], for rows
+/// above one, and if two patches are refused.
 ///
 /// # Examples
 /// ```

@@ -7,8 +7,8 @@
 //!
 //! for a polygon in front of x, counter-clockwise seen from its own front; with c from x to the
 //! edge's end and e = c − a, a term is `(θ/sin θ) n·(a×e)/(|a| |c|)`, too, which takes one division
-//! less where no angle is wide. Beside the [contour](crate::form_factor::contour) one integration less is exact,
-//! and one power of the distance less cancels; the polygons must be apart.
+//! less where no angle is wide. Beside the [contour](crate::form_factor::contour) one integration
+//! less is exact, and one power of the distance less cancels; the polygons must be apart.
 //!
 //! **Rounding** of a term, in units of u = ε/2, with r the distance, R the radius about the origin,
 //! L = |e| and t = θ/sin θ: a and c are within (2 r + R) u, m = e×n within 4 u L, so that `n·(a×e)`

@@ -226,7 +226,8 @@ impl Lines {
     }
 
     /// A bound on the error in one direction, relative to `J_max h_max g_max / (π gap⁴)` times the
-    /// area of the unit square, with at most [`MOST_PER_DIRECTION`] points; infinite where there is none.
+    /// area of the unit square, with at most [`MOST_PER_DIRECTION`] points; infinite where there is
+    /// none.
     pub(crate) fn error(&self, points: usize) -> f64 {
         let bounds = self.bounds();
         bounds.map_or(f64::INFINITY, |bounds| {
@@ -234,8 +235,8 @@ impl Lines {
         })
     }
 
-    /// The fewest points from 2 on whose error is certain to be below `wanted`; [`MOST_PER_DIRECTION`] if less
-    /// than that do not do.
+    /// The fewest points from 2 on whose error is certain to be below `wanted`;
+    /// [`MOST_PER_DIRECTION`] if less than that do not do.
     pub(crate) fn points(&self, wanted: f64) -> usize {
         let found = self
             .bounds()

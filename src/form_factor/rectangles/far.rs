@@ -14,8 +14,8 @@
 //! ```
 //!
 //! On each piece w stands where a polygon's Jacobian does in the truncation bound of
-//! [`gauss_points`](crate::form_factor::gauss::points), at most twice its mean there, and no piece is longer than
-//! the longer side. Nothing cancels.
+//! [`gauss_points`](crate::form_factor::gauss::points), at most twice its mean there, and no piece
+//! is longer than the longer side. Nothing cancels.
 
 use super::layout::Layout;
 use crate::form_factor::ExchangeArea;

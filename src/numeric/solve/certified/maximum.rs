@@ -1,8 +1,9 @@
 //! The global maximum of a function on an open interval, with proof.
 //!
 //! Inside, every root of the derivative is found ([`certified_roots`]). Next to the two ends, where
-//! `t ln t` and divisions by zero live, the objective speaks for itself: by the sign of its derivative in an analytic
-//! form, or by an upper bound on its values, which then leaves only the neighbourhood of the maximum to be searched.
+//! `t ln t` and divisions by zero live, the objective speaks for itself: by the sign of its
+//! derivative in an analytic form, or by an upper bound on its values, which then leaves only the
+//! neighbourhood of the maximum to be searched.
 //!
 //! **Not covered**: several variables; maxima at the ends themselves.
 
@@ -116,8 +117,9 @@ impl<O: Maximand> IntervalFunction for SlopeNear<'_, O> {
 /// The global maximum of `objective` in the open interval `range`, enclosed to about `bits` bits.
 ///
 /// # Errors
-/// [`NumericError::EmptyInterval`]; [`NumericError::NoInteriorMaximum`] if the derivative has no root at which it
-/// falls, [`NumericError::NotIsolated`] if none is found and something is undecided.
+/// [`NumericError::EmptyInterval`]; [`NumericError::NoInteriorMaximum`] if the derivative has no
+/// root at which it falls, [`NumericError::NotIsolated`] if none is found and something is
+/// undecided.
 pub fn certified_maximum(
     objective: &impl Maximand,
     (lower, upper): (f64, f64),

@@ -1,7 +1,7 @@
 //! Roots and maxima that interval arithmetic proves.
 //!
-//! The search runs in `Interval<f64>`; what it finds is tightened at any precision. A result says what is proved
-//! about it, and what is not.
+//! The search runs in `Interval<f64>`; what it finds is tightened at any precision. A result says
+//! what is proved about it, and what is not.
 //!
 //! ```text
 //!   certified_roots               all roots of a function on an interval

@@ -1,14 +1,16 @@
 //! All roots of a function in an interval, with proof: none is missed, and each is the only one in
 //! its enclosure.
 //!
-//! Boxes that cannot contain a root are discarded by the mean value form; on the others Newton's operator
+//! Boxes that cannot contain a root are discarded by the mean value form; on the others Newton's
+//! operator
 //!
 //! ```text
 //!   N(X) = m − f(m)/f′(X)
 //! ```
 //!
-//! decides: `N(X)` inside X means exactly one root, and it lies in `N(X)`; an empty intersection means none. The
-//! search runs in `Interval<f64>`, the enclosures found are then tightened by the same operator at the precision asked for.
+//! decides: `N(X)` inside X means exactly one root, and it lies in `N(X)`; an empty intersection
+//! means none. The search runs in `Interval<f64>`, the enclosures found are then tightened by the
+//! same operator at the precision asked for.
 //!
 //! **Not covered**: multiple roots; they stay undecided and are reported as such.
 //!

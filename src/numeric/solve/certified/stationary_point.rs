@@ -1,13 +1,14 @@
 //! A stationary point in several variables, with proof that it exists and is the only one nearby.
 //!
-//! Krawczyk's operator, with C an approximate inverse of the Jacobian of f at the middle m of a box X,
+//! Krawczyk's operator, with C an approximate inverse of the Jacobian of f at the middle m of a box
+//! X,
 //!
 //! ```text
 //!   K(X) = m − C f(m) + (1 − C J(X)) (X − m)
 //! ```
 //!
-//! maps X into its inside only if f has exactly one root there, and the root lies in K(X). The Jacobian is enclosed once, in
-//! `Interval<f64>`; each further step needs f at one point only.
+//! maps X into its inside only if f has exactly one root there, and the root lies in K(X). The
+//! Jacobian is enclosed once, in `Interval<f64>`; each further step needs f at one point only.
 //!
 //! **Not covered**: searching; a point near the root is given.
 //!
@@ -32,8 +33,8 @@ const STEPS: u32 = 200;
 /// `bits` bits.
 ///
 /// # Errors
-/// [`NumericError::NotIsolated`] if the operator does not map the box around `near` into itself, or the Hessian is not
-/// shown to be negative definite there.
+/// [`NumericError::NotIsolated`] if the operator does not map the box around `near` into itself, or
+/// the Hessian is not shown to be negative definite there.
 pub fn certified_stationary_point(
     gradient: &impl VectorFunction,
     near: &[f64],
