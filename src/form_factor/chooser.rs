@@ -4,7 +4,7 @@
 //! ```text
 //!   aligned rectangles    closed form
 //!   moderate distance     contour, one Gauss rule for all edges apart
-//!   apart                 point to polygon (over the smaller one), kernel (over both): whichever needs less work
+//!   apart                 point to polygon (over the smaller one) or kernel (over both), by work
 //!   what cancels in f64   contour in double-double
 //!   what cancels there    closed form of aligned rectangles, in intervals of 256 bits
 //! ```

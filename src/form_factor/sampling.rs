@@ -1,9 +1,12 @@
 //! Form factors by lines at random: estimates with a standard error, of any two polygons.
 //!
 //! ```text
-//!   local lines     from uniform points of the first polygon, directions by cosine:  F = P(the line hits the second's front)
-//!   global lines    uniform among the lines that meet a sphere around both:          F = P(… the second's front | the first)
-//!   quasi-random    local lines from a lattice-like sequence in four dimensions, shifted at random 16 times
+//!   local lines     from uniform points of the first polygon, directions by cosine:
+//!                   F = P(the line hits the second's front)
+//!   global lines    uniform among the lines that meet a sphere around both:
+//!                   F = P(the line hits the second's front | it leaves the first's)
+//!   quasi-random    local lines from a lattice-like sequence in four dimensions, shifted at random
+//!                   16 times
 //! ```
 //!
 //! Uniform lines meet a surface by cosine and in proportion to its area (Crofton's formula: a line

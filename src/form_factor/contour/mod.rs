@@ -6,16 +6,19 @@
 //!
 //! An edge apart from all of the other polygon's takes one Gauss rule for all of them. Of the other
 //! pairs of edges each has a rule of its own, [graded panels](self::panels) or a
-//! [closed form](self::coplanar). What limits it is cancellation: the terms are of the size
-//! of perimeter × perimeter, and the sum falls like 1/distance².
+//! [closed form](self::coplanar). Cancellation limits the route: the terms are of the size of
+//! perimeter × perimeter, and the sum falls like 1/distance².
 //!
 //! In units of u = ε/2, beside the [potential's](self::potential) own error:
 //!
 //! ```text
-//!   coefficients w e_a·u_b      8 u of |w e_a| |U_b|: 3 u for w e_a, 2 u for u_b, 3 u for the product
+//!   coefficients w e_a·u_b      8 u of |w e_a| |U_b|: 3 u for w e_a, 2 u for u_b, 3 u for their
+//!                               product
 //!   length of u_b               5 u of U_b + L_b: common to all its coordinates
-//!   sums                        u of |w e_a| |U_b| for each addition, 3 u across a vector, 2 u for product and quotient
-//!   nodes off by δ              δ L_a |∇U_b|,  δ ≤ u (2 max |x| + 1.75 L_a),  |∇U_b| ≤ L_b/r,  |∇U_b|² ≤ π² + ln²(1 + L_b/r) ≤ (π + ln²(1 + L_b/r)/2π)²
+//!   sums                        u of |w e_a| |U_b| for each addition, 3 u across a vector, 2 u for
+//!                               product and quotient
+//!   nodes displaced by δ        δ L_a |∇U_b|,  δ ≤ u (2 max |x| + 1.75 L_a),  |∇U_b| ≤ L_b/r,
+//!                               |∇U_b|² ≤ π² + ln²(1 + L_b/r) ≤ (π + ln²(1 + L_b/r)/2π)²
 //!   u_a·u_b lost in rounding    28 u L_a max |U_b|, in place of the pair
 //! ```
 //!

@@ -1,8 +1,9 @@
 //! Lambert's formula, and a Gauss rule over one polygon with it.
 //!
 //! ```text
-//!   F_x = −(1/2π) Σ_b θ_b n·(a_b × u_b)/h_b      θ_b: angle that edge b subtends at x; a_b from x to its start,
-//!                                                u_b its direction, h_b = |a_b × u_b|
+//!   F_x = −(1/2π) Σ_b θ_b n·(a_b × u_b)/h_b      θ_b: angle that edge b subtends at x;
+//!                                                a_b from x to its start, u_b its direction,
+//!                                                h_b = |a_b × u_b|
 //! ```
 //!
 //! for a polygon in front of x, counter-clockwise seen from its own front; with c from x to the
@@ -271,9 +272,12 @@ fn wide([x, y, z]: [Lanes; 3], normal: Vector<f64>, sides: &[RelativeEdge]) -> L
 /// use glam::DVec3;
 /// use infoscene::form_factor::point_form_factor;
 /// use infoscene::geometry::Patch;
-/// // a square seen from the middle at half its side: 4 atan(√½ / …)… a quarter of a cube's opposite and side faces
+/// // a square of side 2, seen from the axis through its middle
 /// let face = |z: f64| Patch::try_new(vec![
-///     DVec3::new(-1.0, 1.0, z), DVec3::new(1.0, 1.0, z), DVec3::new(1.0, -1.0, z), DVec3::new(-1.0, -1.0, z),
+///     DVec3::new(-1.0, 1.0, z),
+///     DVec3::new(1.0, 1.0, z),
+///     DVec3::new(1.0, -1.0, z),
+///     DVec3::new(-1.0, -1.0, z),
 /// ]);
 /// let opposite = point_form_factor(DVec3::ZERO, DVec3::Z, &face(2.0)?)?;
 /// // Howell, B-3: (4/π)·(1/√5)·atan(1/√5) for a square of side 2 at distance 2

@@ -11,7 +11,8 @@
 //! of
 //!
 //! ```text
-//!   1/|z − a|⁴:   |α_k| ≤ ((k − 1)/q + ρ/q^(3/2) + 1/(η √q)) ρ^(−k)/η²            q = |a − 1| |a + 1|,  η = Im a
+//!   1/|z − a|⁴:   |α_k| ≤ ((k − 1)/q + ρ/q^(3/2) + 1/(η √q)) ρ^(−k)/η²
+//!                 q = |a − 1| |a + 1|,  η = Im a
 //! ```
 //!
 //! Off the end of the line, where η may be 0, it is a mean of 1/(z − a′)⁴ over a′ between a and ā,

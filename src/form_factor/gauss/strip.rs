@@ -2,7 +2,8 @@
 //! area grows as a cut moves.
 //!
 //! ```text
-//!   ∂(A F)/∂t = breadth · ∫ F_x ds          over the cut line, x on it (Leibniz), F_x by Lambert's formula
+//!   ∂(A F)/∂t = breadth · ∫ F_x ds       over the cut line, x on it (Leibniz);
+//!                                        F_x by Lambert's formula
 //! ```
 //!
 //! The polygon is clipped once at the plane, the line at the polygon's plane; then F_x is analytic

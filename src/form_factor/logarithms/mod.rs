@@ -1,7 +1,8 @@
-//! Logarithms of the distance and of the two cosines, averaged over what two polygons exchange.
+//! Logarithms of the distance and of the two cosines, integrated over the exchange of two polygons.
 //!
 //! ```text
-//!   F = cos θ cos θ'/(π r²),   E = ∫∫ F,   R = ∫∫ F ln r,   C = ∫∫ F ln cos θ,   C' = ∫∫ F ln cos θ'
+//!   F = cos θ cos θ'/(π r²),   E = ∫∫ F,   R = ∫∫ F ln r,
+//!   C = ∫∫ F ln cos θ,         C' = ∫∫ F ln cos θ'
 //!   ∫∫ F ln F = C + C' − 2 R − E ln π
 //! ```
 //!
@@ -11,24 +12,25 @@
 //! first outline by the divergence theorem, because `H/ρ` has a primitive in the plane:
 //!
 //! ```text
-//!   C = −E/2 + (1/8π) ∮∮ Li₂(1 − h(z)²/r²) dl·dl'                                                         (a)
-//!   R = ∫ F_x ln h(x) dA_x − C',     h(x) = r cos θ' the height of x over the second plane               (b)
+//!   C = −E/2 + (1/8π) ∮∮ Li₂(1 − h(z)²/r²) dl·dl'                                     (a)
+//!   R = ∫ F_x ln h(x) dA_x − C',     h(x) = r cos θ' the height of x over the second plane    (b)
 //! ```
 //!
 //! In (b) ln h is constant for parallel planes, and nearly so for nearly parallel ones, where a
-//! rule in two dimensions does what little is left. Where the planes meet, `F ln r` is homogeneous
+//! rule in two dimensions integrates the small rest. Where the planes meet, `F ln r` is homogeneous
 //! but for the logarithm about any point o of the line in which they meet, and Euler's identity
 //! takes the outer integral to the edges, at the distances p from o:
 //!
 //! ```text
-//!   2 R = −E + Σ_e p_e ∫_e m'(x) dl + Σ_e' p_e' ∫_e' m(y) dl,     m'(x) = ∫ F ln r dA_y                      (c)
-//!   m'(x) = F_x/2 + (n·n'/2π) ∫ dA_y/r² − (1/2π) Σ_b n·(a × t)/q ∫_b q ln r/r² ds                            (d)
-//!   ∫ dA_y/r² = Σ_b ∫_b ½ ln((cos²t + λ²)/cos²t) dt,     λ = |p_b|/d, with the sign of p_b                    (e)
+//!   2 R = −E + Σ_e p_e ∫_e m'(x) dl + Σ_e' p_e' ∫_e' m(y) dl,   m'(x) = ∫ F ln r dA_y       (c)
+//!   m'(x) = F_x/2 + (n·n'/2π) ∫ dA_y/r² − (1/2π) Σ_b n·(a × t)/q ∫_b q ln r/r² ds           (d)
+//!   ∫ dA_y/r² = Σ_b ∫_b ½ ln((cos²t + λ²)/cos²t) dt,   λ = |p_b|/d, with the sign of p_b    (e)
 //! ```
 //!
 //! The integrals in (d) and (e) are imaginary parts of the
-//! [dilogarithm](crate::numeric::imaginary_dilogarithm). What is left, one dimension in (c) and two
-//! in (a), is done by Gauss rules on panels short against the distance of the nearest singularity.
+//! [dilogarithm](crate::numeric::imaginary_dilogarithm). The remaining integrals, in one dimension
+//! in (c) and two in (a), take Gauss rules on panels short against the distance of the nearest
+//! singularity.
 //! For (d) take `∮ (ln r/r²) r × dl'` and Stokes' theorem: the kernel `1/r²` without a logarithm is
 //! Lambert's formula.
 //!
@@ -62,7 +64,8 @@ const LEVEL: f64 = 0.05;
 /// The relative error asked for of the exchange area.
 const EXCHANGE: f64 = 1e-13;
 
-/// Logarithms integrated over what two polygons exchange, in squared units of length.
+/// Integrals of ln r and ln cos θ over the exchange of two polygons, in squared units of length;
+/// divided by the exchange area they are means.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LogMeans {
     /// `E = ∫∫ F`, the exchange area.

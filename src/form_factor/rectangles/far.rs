@@ -10,7 +10,8 @@
 //! piecewise linear:
 //!
 //! ```text
-//!   ∫∫ f(x − ξ) dx dξ = ∫ w(u) f(u) du,     w(u): length of the x in [x0, x1] with x − u in [ξ0, ξ1]
+//!   ∫∫ f(x − ξ) dx dξ = ∫ w(u) f(u) du
+//!       w(u): length of the x in [x0, x1] with x − u in [ξ0, ξ1]
 //! ```
 //!
 //! On each piece w stands where a polygon's Jacobian does in the truncation bound of

@@ -1,5 +1,4 @@
-//! Intervals that contain every value their expression can take: the layer that may say
-//! *enclosure*.
+//! Intervals that contain every value of their expression, which makes a result an *enclosure*.
 //!
 //! An operation on intervals returns an interval that contains the results for all numbers in its
 //! operands, with ends rounded outwards. A formula written over [`Scalar`](super::Scalar) becomes

@@ -1,4 +1,4 @@
-//! Power series of intervals: what is left out is one more interval, an enclosure of the whole
+//! Power series of intervals: the terms left out are one more interval, an enclosure of the whole
 //! tail, from which the Horner scheme starts.
 
 use super::Interval;

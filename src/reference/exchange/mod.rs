@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Both polygons are cut into strips along the line where their planes meet (`section`); two strips
-//! exchange a closed form, and what is left is a twofold integral over u and v (`strips`), by Gauss
+//! exchange a closed form, and there remains a twofold integral over u and v (`strips`), by Gauss
 //! rules on parts that shrink towards the singular points (`panels`). No contour, no logarithm and
 //! no solid angle occurs: nothing is shared with the fast routes. Every pass is repeated finer and
 //! with the two polygons' parts exchanged; the difference is the error *estimate*, which is no

@@ -2,7 +2,8 @@
 //! for.
 //!
 //! ```text
-//!   a rule of n points errs by about M ρ^(−2n),  ρ = a + √(a² − 1),  a = (|z − lower| + |z − upper|)/(upper − lower)
+//!   a rule of n points errs by about M ρ^(−2n)
+//!       ρ = a + √(a² − 1),  a = (|z − lower| + |z − upper|)/(upper − lower)
 //! ```
 //!
 //! for the singularity z with the smallest ρ, where M is the size of the part's integral. A part

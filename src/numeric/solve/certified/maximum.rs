@@ -1,9 +1,9 @@
 //! The global maximum of a function on an open interval, with proof.
 //!
 //! Inside, every root of the derivative is found ([`certified_roots`]). Next to the two ends, where
-//! `t ln t` and divisions by zero live, the objective speaks for itself: by the sign of its
-//! derivative in an analytic form, or by an upper bound on its values, which then leaves only the
-//! neighbourhood of the maximum to be searched.
+//! `t ln t` and divisions by zero live, the objective itself excludes a maximum: by the sign of
+//! its derivative in an analytic form, or by an upper bound on its values, which then leaves only
+//! the neighbourhood of the maximum to be searched.
 //!
 //! **Not covered**: several variables; maxima at the ends themselves.
 
@@ -73,7 +73,8 @@ impl Display for Certificate {
             Self::Unique { .. } => write!(f, "the only highest point"),
             Self::Several { maximisers } => write!(
                 f,
-                "the maximum, attained at one or more of {maximisers} points equally high as far as enclosed"
+                "the maximum, attained at one or more of {maximisers} points equally high as far as \
+                 enclosed"
             ),
             Self::Unknown { reason } => write!(f, "not proved to be the highest: {reason}"),
         }
