@@ -5,7 +5,7 @@
 //!   I^c_ij = (1/A_T) [∫∫ F ln(A_T F)]_ij / ln 2
 //! ```
 //!
-//! over pairs of faces; the parts of a pair are [`Logarithms`], so nothing singular is integrated.
+//! over pairs of faces; the parts of a pair are [`LogMeans`], so nothing singular is integrated.
 //! The result does not depend on the division of the faces into patches. Both end angles of a chord
 //! of a closed room are cosine-distributed, `E[ln cos θ] = −½`:
 //!
@@ -22,7 +22,7 @@
 
 use crate::chain::ChainError;
 use crate::exchange::ExchangeError;
-use crate::form_factor::Logarithms;
+use crate::form_factor::LogMeans;
 use crate::geometry::{GeometryError, Patch};
 use crate::numeric::{CompensatedSum, Grade, compensated_sum, tolerance, try_parallel_map};
 use crate::scene::{Occlusion, Scene};
@@ -67,8 +67,8 @@ pub struct ContinuousInformation {
 ///
 /// # Errors
 /// [`ChainError::Scene`] if the room is not convex inside, an obstruction stands in it (leave it
-/// out with [`Scene::with_obstructions`]), or patches overlap; [`ChainError::Exchange`] if it is not
-/// closed, or a pair is refused.
+/// out with [`Scene::with_obstructions`]), or patches overlap; [`ChainError::Exchange`] if it is
+/// not closed, or a pair is refused.
 ///
 /// # Examples
 /// ```
@@ -91,7 +91,7 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
         .collect();
     let measured = try_parallel_map(places.len(), &|place| {
         let [first, second] = places[place];
-        Logarithms::of(&faces[first], &faces[second]).map_err(|source| ExchangeError::Pair {
+        LogMeans::of(&faces[first], &faces[second]).map_err(|source| ExchangeError::Pair {
             first: first_patch(first),
             second: first_patch(second),
             source,

@@ -35,7 +35,7 @@ use std::f64::consts::LN_2;
 /// The treatment of power that meets no patch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OpenScene {
-    /// It is refused.
+    /// An open scene is refused.
     Refuse,
     /// One more state, `outside`, takes what escapes.
     AddOutsideState,
@@ -78,8 +78,8 @@ const DIVERGENCE_ERROR: usize = 3;
 /// The information of a scene's visibility chain, each pair taken once and none held.
 ///
 /// # Errors
-/// [`ChainError::Exchange`] for an open scene without [`OpenScene::AddOutsideState`], for rows above one, and if two patches are
-/// refused.
+/// [`ChainError::Exchange`] for an open scene without [`OpenScene::AddOutsideState`], for rows
+/// above one, and if two patches are refused.
 ///
 /// # Examples
 /// ```
@@ -159,7 +159,7 @@ pub(super) fn information_with_sums<const N: usize>(
 
 /// The sums over the rows of a scene, in units of [`Unit`].
 struct RowSums<const N: usize> {
-    /// In the unit of the scene.
+    /// The area in the unit of the scene.
     total_area: f64,
     area: f64,
     areas: Vec<f64>,

@@ -29,7 +29,7 @@ pub enum Grade {
 }
 
 impl Grade {
-    /// Every grade, weakest first.
+    /// The grades, weakest first.
     pub const ALL: [Self; 5] = [
         Self::Sample,
         Self::Estimate,
@@ -68,7 +68,7 @@ impl Grade {
 pub struct Bounded {
     /// The number.
     pub value: f64,
-    /// Its absolute error, ≥ 0: what the grade says of it.
+    /// The absolute error of the value, ≥ 0; the grade tells its meaning.
     pub error: f64,
     /// The grade of the error.
     pub grade: Grade,

@@ -1,4 +1,4 @@
-//! The solution of the equations of [`RadiositySystem`], with a bound on its error.
+//! Solution of the equations of [`RadiositySystem`], with a bound on its error.
 
 use super::conjugate_gradients::conjugate_gradients;
 use super::{ExchangeOperator, Importance, RadiositySolution, RadiositySystem, TransportError};

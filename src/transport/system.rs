@@ -9,7 +9,7 @@
 //! scene e is 0 by construction, with `A_i = Σ_j J_ij`: the usual form `B = E + R F B` moves B by
 //! δ/(1−R) when a row sum is off by δ, this one does not.
 //!
-//! **Solution**: conjugate gradients, the residual anew with 106 bits, and again for what is left.
+//! **Solution**: conjugate gradients, the residual anew with 106 bits, and again for the remainder.
 //!
 //! **Error of the solution**, a *bound*, of each B_i relative to itself. The matrix M has an
 //! inverse without negative entries. With its diagonal D, its other entries −D T and right sides b,

@@ -1,4 +1,4 @@
-//! Sums of signed terms that know how large their terms were.
+//! Sums of signed terms that keep the magnitude of their terms, as a measure of rounding.
 //!
 //! The closed forms are alternating sums. Each term is written so that its own relative error is a
 //! few ε; then the error of the sum is a few ε times the sum of the terms' magnitudes, which is

@@ -108,8 +108,8 @@ impl Polygon {
         f64::EPSILON * (distance + radii) * ribbons
     }
 
-    /// Are the two so many sizes apart that closed forms of rectangles, which lose the fourth power
-    /// of that, lose more than rules do?
+    /// Tells whether the rectangles are so many sizes apart that closed forms, which lose the
+    /// fourth power of that ratio, lose more than rules do.
     fn is_far_from(&self, other: &Self) -> bool {
         let (first, second) = (&self.shape, &other.shape);
         let size = first.longest_edge.max(second.longest_edge);
@@ -155,8 +155,8 @@ impl Layout<'_, f64> {
         })
     }
 
-    /// Are the rectangles farther apart than long? Nearer ones would take rules with too many
-    /// points.
+    /// Tells whether the rectangles are farther apart than they are long. Nearer ones would take
+    /// rules with too many points.
     fn is_far(&self) -> bool {
         let gap = |[a, b]: &[&Span; 2]| {
             let gap = (b.lower() - a.upper()).max(a.lower() - b.upper()).max(0.0);

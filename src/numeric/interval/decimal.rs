@@ -7,9 +7,9 @@ use super::precise::Precise;
 /// Two decimal numbers that an interval lies between.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
 pub struct DecimalBounds {
-    /// At most the lower end.
+    /// A decimal number not above the lower end.
     pub lower: String,
-    /// At least the upper end.
+    /// A decimal number not below the upper end.
     pub upper: String,
 }
 
