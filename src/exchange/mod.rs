@@ -12,8 +12,8 @@
 //! * A *surface* is a patch or an obstruction as a file states it.
 //! * A *face* is one flat side of a room or a solid; its patches divide it.
 //! * A *part* is a patch that lies in another one, its *base*; the base counts without it.
-//! * A *group* is a set of patches that are summed ([`Scene::group_of`](crate::scene::Scene::group_of)): one patch, unless labels
-//!   say otherwise.
+//! * A *group* is a set of patches that are summed
+//!   ([`Scene::group_of`](crate::scene::Scene::group_of)): one patch, unless labels say otherwise.
 //! * A *row* stands for a group in matrices, lists and sums: its patches less their parts.
 //! * A *term* of a row is one of its polygons with its sign: 1, or −1 for a part of a base in it.
 //! * A *plane set* is the set of planes that the terms of a row lie in.
@@ -26,7 +26,8 @@
 //! plan. Nothing is evaluated yet, except one value for each class of congruent pairs. A pass then
 //! runs in three steps:
 //!
-//! 1. **Plan** (`plan`). Pairs of planes that do not face each other are left out whole; congruent pairs of axis-parallel rectangles share one value.
+//! 1. **Plan** (`plan`). Pairs of planes that do not face each other are left out whole; congruent
+//!    pairs of axis-parallel rectangles share one value.
 //! 2. **Tiles** (`passes/tiles`). The other pairs are walked in tiles, each pair once, on all
 //!    threads. The exchange area of two rows (`row_pair`) is the sum over the terms of both.
 //! 3. **Sums** (`passes`). The results of the tiles are added in their order, so that they do not
@@ -53,7 +54,8 @@
 //! pair on its own: a check on the plan, and a measure of its worth. A grid on a box finds its
 //! classes without comparing single pairs ([`BoxGrid`](crate::discretize::BoxGrid)).
 //!
-//! **Not covered**: occlusion. An occluded scene is refused ([`Occlusion`](crate::scene::Occlusion)).
+//! **Not covered**: occlusion. An occluded scene is refused
+//! ([`Occlusion`](crate::scene::Occlusion)).
 
 mod closure;
 mod error;

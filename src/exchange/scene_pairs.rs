@@ -1,7 +1,8 @@
 //! The pairs of a scene, ready to be evaluated by its plan.
 //!
 //! The exchange area of two rows is a sum over pairs of polygons
-//! ([`row_pair`](ScenePairs::row_pair)); the plan, its classes and its counts refer to pairs of polygons.
+//! ([`row_pair`](ScenePairs::row_pair)); the plan, its classes and its counts refer to pairs of
+//! polygons.
 //!
 //! The words are explained in [`exchange`](crate::exchange).
 //!

@@ -7,10 +7,10 @@
 //!   congruent    pairs equal up to a motion or reflection: the first of them is computed
 //! ```
 //!
-//! Open `facing` for the planes that see each other, `congruence` for the classes of congruent pairs
-//! (over `line_differences`), `perturbation` for the bound on the difference between congruent pairs,
-//! `base_offsets` for parts that lie slightly off their base's plane, and `counts` for the summary of
-//! plan and pass.
+//! Open `facing` for the planes that see each other, `congruence` for the classes of congruent
+//! pairs (over `line_differences`), `perturbation` for the bound on the difference between
+//! congruent pairs, `base_offsets` for parts that lie slightly off their base's plane, and `counts`
+//! for the summary of plan and pass.
 //!
 //! **Not covered**: congruence of polygons that are not axis-parallel rectangles.
 

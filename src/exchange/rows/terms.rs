@@ -6,8 +6,8 @@
 //! ```
 //!
 //! These are the formulas of [parts and rows](crate::scene::Scene::with_base), with the order of
-//! their sums exchanged. Where a part is summed into the row of its base, its terms cancel: the base
-//! counts whole, and the part is no polygon of any sum.
+//! their sums exchanged. Where a part is summed into the row of its base, its terms cancel: the
+//! base counts whole, and the part is no polygon of any sum.
 
 use crate::scene::{NamedPatch, Scene};
 use smallvec::SmallVec;
