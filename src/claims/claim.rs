@@ -10,7 +10,7 @@ pub enum Task {
     Compute {
         /// The computation.
         computation: Computation,
-        /// Its inputs.
+        /// The inputs of the computation.
         input: Inputs,
         /// Changes under which the verdict must turn.
         control: Control,
@@ -36,7 +36,7 @@ pub enum Task {
 pub struct Claim {
     /// Short name, unique.
     pub id: String,
-    /// Its place in the paper.
+    /// The place in the paper.
     pub place: String,
     /// The statement, in our own words.
     pub quantity: String,
@@ -66,7 +66,7 @@ pub struct Control {
 pub struct Printed {
     /// The text in the paper.
     pub text: String,
-    /// Its value.
+    /// The value of the text.
     pub value: f64,
     /// The number of its decimals.
     pub decimals: u32,
@@ -94,7 +94,7 @@ impl Printed {
         (self.value - half, self.value + half)
     }
 
-    /// Its ends, each enclosed; `None` if the text is no decimal number.
+    /// The ends of that interval, each enclosed; `None` if the text is no decimal number.
     #[must_use]
     pub fn exact_interval(&self, bits: u32) -> Option<[Interval; 2]> {
         let value = Interval::parse(&self.text, bits)?;
@@ -175,7 +175,8 @@ impl TryFrom<Entry> for Claim {
             }
             _ => {
                 return Err(format!(
-                    "claim {id}: needs computation and verdict, or proof and verdict, or not_checked"
+                    "claim {id}: needs computation and verdict, or proof and verdict, or \
+                     not_checked"
                 ));
             }
         };

@@ -9,7 +9,7 @@ pub enum Quantity {
     Value {
         /// The quantity.
         value: f64,
-        /// Its stated error.
+        /// The stated error.
         error: f64,
     },
     /// The residual of an identity, and the residual that rounding may leave.

@@ -7,7 +7,9 @@
 //! The 4 ε are for the area and the quotient; where an area is a sum or a difference, they are
 //! relative to the areas that it is made of.
 //!
-//! In an open scene, what a row lacks of one escapes.
+//! In an open scene the rest of the light of a row, one less its sum, escapes.
+//!
+//! **Not covered**: the state outside that takes this rest; it belongs to the chains.
 
 use super::{ExchangeAreas, ExchangeError, ScenePairs};
 use crate::numeric::CompensatedSum;
@@ -119,7 +121,7 @@ impl Closure {
         worst
     }
 
-    /// Does every row sum to one within its bound?
+    /// Whether every row sums to one within its bound.
     #[must_use]
     pub fn is_closed(&self) -> bool {
         self.rows

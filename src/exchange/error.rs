@@ -27,7 +27,7 @@ pub enum ExchangeError {
         row: usize,
         /// The name of its patch.
         name: String,
-        /// Its sum.
+        /// The sum of the row.
         sum: f64,
         /// The deviation that would count as closed.
         tolerance: f64,
@@ -42,14 +42,15 @@ pub enum ExchangeError {
         row: usize,
         /// The name of its patch.
         name: String,
-        /// Its sum.
+        /// The sum of the row.
         sum: f64,
         /// The bound on the error of the sum.
         tolerance: f64,
     },
     /// Random lines left the scene.
     #[error(
-        "the scene is open: {lost} of {lines} lines meet no front of a patch, and a chord has two ends"
+        "the scene is open: {lost} of {lines} lines meet no front of a patch, and a chord has two \
+         ends"
     )]
     LinesEscape {
         /// Lines that escape, or meet a back or an obstruction.
@@ -59,7 +60,8 @@ pub enum ExchangeError {
     },
     /// The scene is too thin for uniform lines.
     #[error(
-        "of ten thousand times {lines} lines through the sphere around the scene {met} meet it: take local lines"
+        "of ten thousand times {lines} lines through the sphere around the scene {met} meet it: \
+         take local lines"
     )]
     LinesMiss {
         /// Lines that meet a front.

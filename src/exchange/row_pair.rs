@@ -4,12 +4,12 @@
 //!   G_gh = Σ_k Σ_l c_gk c_hl G_kl ,     |error| ≤ Σ_k Σ_l (e_kl + 2 ε G_kl)
 //! ```
 //!
-//! with the signs of [`RowTerms`](crate::exchange::rows::terms::RowTerms); the rounding of the sum is the last
-//! term ([`CompensatedSum`]). A pair of rows has one value, whichever way it is asked for, so that
-//! `A_i F_ij = A_j F_ji` holds exactly. It is at least 0 and at most the smaller area, so that `0 ≤
-//! F ≤ 1`: a value beyond a limit is off by more than the limit is, and moving it there brings it
-//! nearer to the exact one. Where a base's remainder cancels below its bound, that bound stands
-//! beside the remainder.
+//! with the signs of [`RowTerms`](crate::exchange::rows::terms::RowTerms); the rounding of the sum
+//! is the last term ([`CompensatedSum`]). A pair of rows has one value, whichever way it is asked
+//! for, so that `A_i F_ij = A_j F_ji` holds exactly. It is at least 0 and at most the smaller area,
+//! so that `0 ≤ F ≤ 1`: a value beyond a limit is off by more than the limit is, and moving it
+//! there brings it nearer to the exact one. Where a base's remainder cancels below its bound, that
+//! bound stands beside the remainder.
 //!
 //! Cancellation costs digits: where the bound misses the tolerance, the terms are computed again to
 //! a finer one.

@@ -1,21 +1,10 @@
-//! The pairs of a scene, ready to be evaluated as its plan wants them.
+//! The pairs of a scene, ready to be evaluated by its plan.
 //!
 //! The exchange area of two rows is a sum over pairs of polygons
-//! ([`row_pair`](ScenePairs::row_pair)); the plan, its classes and its counts are about these.
+//! ([`row_pair`](ScenePairs::row_pair)); the plan, its classes and its counts refer to pairs of
+//! polygons.
 //!
-//! # Words
-//!
-//! * A *patch* is a named polygon of the scene with a material, the unit in which a user thinks.
-//! * A *polygon* is a patch as the form factors see it, prepared for evaluation.
-//! * A *surface* is what a file calls a patch, before it is checked.
-//! * A *part* is a patch that lies in another one, its *base*; the base counts without it.
-//! * A *group* is the set of patches that are summed ([`Scene::group_of`]): one patch, unless
-//!   labels say otherwise.
-//! * A *row* is what stands for a group in matrices, lists and sums: its patches less their parts.
-//! * A *term* of a row is one of its polygons with its sign: 1, or −1 for a part of a base in it.
-//! * A *plane set* is the planes that the terms of a row lie in.
-//! * A *tile* is the pairs of some rows with some rows, the unit of work of a pass over all pairs.
-//! * A *cell* is one rectangle of a grid on a face; the cells of a box are patches like any other.
+//! The words are explained in [`exchange`](crate::exchange).
 //!
 //! **Memory** O(n) and the distinct values. The ways to all pairs are
 //! [`row_sums`](ScenePairs::row_sums) (nothing is held), [`for_each_row`](ScenePairs::for_each_row)
@@ -189,7 +178,7 @@ impl ScenePairs<'_> {
         self.tolerance
     }
 
-    /// For each row the sum of weights over the rows that the plan leaves out for it, itself
+    /// Sums, for each row, the weights of the rows that the plan leaves out for it, its own weight
     /// included unless it may see itself.
     #[must_use]
     pub fn unseen(&self, weights: &[f64]) -> Vec<f64> {

@@ -13,11 +13,12 @@ pub enum SceneError {
     Empty,
     /// The name is not one of the built-in scenes.
     #[error(
-        "there is no built-in scene \"{name}\": use cornell-box, two-squares, three-squares, cube:N (N from 1 to \
-         {largest}), box:X,Y,Z, tetrahedron, octahedron, dodecahedron or icosahedron, or the path of a file that ends in .obj or .vs3"
+        "there is no built-in scene \"{name}\": use cornell-box, two-squares, three-squares, \
+         cube:N (N from 1 to {largest}), box:X,Y,Z, tetrahedron, octahedron, dodecahedron or \
+         icosahedron, or the path of a file that ends in .obj or .vs3"
     )]
     UnknownName {
-        /// As given.
+        /// The name as given.
         name: String,
         /// Largest N.
         largest: usize,
@@ -25,7 +26,7 @@ pub enum SceneError {
     /// A patch index is out of range.
     #[error("there is no patch {index}: the scene has patches 0 to {last}")]
     NoSuchPatch {
-        /// As given.
+        /// The index as given.
         index: usize,
         /// Largest index.
         last: usize,
@@ -33,9 +34,9 @@ pub enum SceneError {
     /// A patch has the wrong shape for what is asked.
     #[error("patch {index} ({name}): {source}")]
     Patch {
-        /// Its index.
+        /// The index of the patch.
         index: usize,
-        /// Its name.
+        /// The name of the patch.
         name: String,
         /// The geometric reason.
         source: GeometryError,
@@ -53,7 +54,8 @@ pub enum SceneError {
     },
     /// A part is not in the plane of its base.
     #[error(
-        "patch {part} lies {deviation:e} off the plane of its base, patch {base}, and {allowed:e} is accepted: move it into the plane"
+        "patch {part} lies {deviation:e} off the plane of its base, patch {base}, and {allowed:e} \
+         is accepted: move it into the plane"
     )]
     PartOffPlane {
         /// Index of the part.
@@ -85,7 +87,8 @@ pub enum SceneError {
     },
     /// Parts cover all of their base.
     #[error(
-        "the parts of patch {base} leave an area of {left:e} to it: leave the patch out, or its parts"
+        "the parts of patch {base} leave an area of {left:e} to it: leave the patch out, or its \
+         parts"
     )]
     NothingLeft {
         /// Index of the base.
@@ -95,8 +98,8 @@ pub enum SceneError {
     },
     /// The patches of a row have not the same material.
     #[error(
-        "patches {first} ({}) and {second} ({}) are summed into one row and differ in reflectance or emittance: \
-         give both the same, or a row each", names[0], names[1]
+        "patches {first} ({}) and {second} ({}) are summed into one row and differ in reflectance \
+         or emittance: give both the same, or a row each", names[0], names[1]
     )]
     MixedRow {
         /// Index of the first.
@@ -134,25 +137,26 @@ pub enum SceneError {
     },
     /// A wall has something behind it.
     #[error(
-        "the room is not convex inside: a corner lies {depth:e} behind the plane of patch {index} ({name})"
+        "the room is not convex inside: a corner lies {depth:e} behind the plane of patch {index} \
+         ({name})"
     )]
     NotConvex {
         /// Index of the patch.
         index: usize,
-        /// Its name.
+        /// The name of the patch.
         name: String,
         /// The depth of the deepest corner.
         depth: f64,
     },
     /// The patches of a plane do not cover a convex face.
     #[error(
-        "the patches in the plane of patch {index} ({name}) leave {relative:e} of the face between their corners open: a closed \
-         convex room is needed"
+        "the patches in the plane of patch {index} ({name}) leave {relative:e} of the face between \
+         their corners open: a closed convex room is needed"
     )]
     FaceNotCovered {
         /// Index of the first patch in the plane.
         index: usize,
-        /// Its name.
+        /// The name of the patch.
         name: String,
         /// The part of the face that is open; negative where patches overlap.
         relative: f64,
@@ -162,13 +166,14 @@ pub enum SceneError {
     GridLine {
         /// Index of the line.
         index: usize,
-        /// As given.
+        /// The position as given.
         position: f64,
     },
     /// Something may stand between two patches.
     #[error(
-        "patches {first} and {second} may not see each other fully: {obstacle} ({name}) stands between parts of them, and \
-         occlusion is not computed: take it away, or ask for unoccluded values"
+        "patches {first} and {second} may not see each other fully: {obstacle} ({name}) stands \
+         between parts of them, and occlusion is not computed: take it away, or ask for unoccluded \
+         values"
     )]
     MayBeBlocked {
         /// Index of the first.
@@ -177,7 +182,7 @@ pub enum SceneError {
         second: usize,
         /// The surface that stands between.
         obstacle: Obstacle,
-        /// Its name.
+        /// The name of that surface.
         name: String,
     },
     /// Two patches in one plane that face the same way lie on each other.

@@ -17,25 +17,25 @@ pub enum MaterialError {
     /// A reflectance outside `[0, 1)`.
     #[error("the reflectance is {reflectance}: it must be at least 0 and less than 1")]
     ReflectanceOutOfRange {
-        /// As given.
+        /// The reflectance as given.
         reflectance: f64,
     },
     /// An emittance that is negative or not finite.
     #[error("the emittance is {emittance}: it must be finite and at least 0")]
     EmittanceOutOfRange {
-        /// As given.
+        /// The emittance as given.
         emittance: f64,
     },
     /// An emissivity outside `(0, 1]`: it stands for a reflectance outside `[0, 1)`.
     #[error("the emissivity is {emissivity}: it must be greater than 0 and at most 1")]
     EmissivityOutOfRange {
-        /// As given.
+        /// The emissivity as given.
         emissivity: f64,
     },
 }
 
 impl Material {
-    /// Reflects nothing and emits nothing: what a patch has unless told otherwise.
+    /// The material that reflects and emits nothing, the default of a patch.
     pub const BLACK: Self = Self {
         reflectance: 0.0,
         emittance: 0.0,

@@ -1,4 +1,4 @@
-//! Scenes: named patches with their materials, and what they exchange.
+//! Scenes: named patches with their materials, and the surfaces that obstruct.
 //!
 //! The paper's own scenes are built in ([`Scene::built_in`]), others are read from [`files`] or
 //! made from patches. A scene also says what only obstructs, which patches lie in another one, and
@@ -73,16 +73,17 @@ impl NamedPatch {
     }
 }
 
-/// A list of patches, and how they belong together.
+/// A list of patches, their grouping, and surfaces that only obstruct.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
     patches: Vec<NamedPatch>,
     obstructions: Vec<NamedPatch>,
-    /// For each patch the one that it lies in.
+    /// The base of each patch that lies in another one.
     bases: Vec<Option<usize>>,
-    /// For each patch its row, numbered in the order of their first patches.
+    /// The row of each patch, numbered in the order of their first patches.
     groups: Vec<usize>,
-    /// What has been found of the surfaces; made anew wherever these change.
+    /// Planes and trees of the surfaces, found when first asked for and dropped when surfaces
+    /// change.
     prepared: Prepared,
 }
 

@@ -1,15 +1,20 @@
 //! The grouping of a scene's patches: obstructions, parts of a base, rows.
 //!
 //! ```text
-//!   A'_b = A_b − Σ_p A_p ,   A'_b F'_bj = A_b F_bj − Σ_p A_p F_pj       p: the parts that lie in the base b
-//!   A_g = Σ_i A'_i ,         A_g F_gh = Σ_i Σ_j A'_i F'_ij               i, j: the patches of the rows g and h
+//!   A'_b = A_b − Σ_p A_p ,   A'_b F'_bj = A_b F_bj − Σ_p A_p F_pj     p: the parts in the base b
+//!   A_g = Σ_i A'_i ,         A_g F_gh = Σ_i Σ_j A'_i F'_ij            i, j: the patches of g and h
 //! ```
 //!
 //! A part lies in the plane of its base, faces the same way and is inside it; the base counts
 //! without its parts (additivity). The shape of a base stays whole: what is left of it need not be
 //! a simple polygon. Patches of one row exchange with each other what the row exchanges with
-//! itself, `F_gg`. A row is called as its first patch is, and has a material only if all its
-//! patches have the same one.
+//! itself, `F_gg`. A row has the name of its first patch, and a material only if all its patches
+//! have the same one.
+//!
+//! In a View3D file, a surface with a `base` becomes a part of it, and surfaces with one `cmb`
+//! become one row of every answer, what they exchange among themselves on its diagonal. The error
+//! bounds of base and parts, and of all pairs of a row, add up. A plan and its counts are about
+//! pairs of patches, before they are summed into rows.
 //!
 //! **Not covered**: whether two parts of one base overlap ([`Scene::check_overlap`]).
 //!

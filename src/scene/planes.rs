@@ -6,16 +6,18 @@
 //! and the plan of exchange all ask the planes and the noise that stand here.
 //!
 //! ```text
-//!   noise = 64 ε · (largest coordinate) + 8 · (largest deviation of a corner from its patch's plane)
+//!   noise = 64 ε · (largest coordinate)
+//!         + 8 · (largest deviation of a corner from its patch's plane)
 //! ```
 //!
 //! ([`tolerance::TOUCHING`], [`tolerance::DEPTH_PER_DEVIATION`].) Below this length touching cannot
-//! be told from penetrating, in one plane from above it. Why one length serves all:
+//! be told from penetrating, nor a corner in a plane from one above it. One length serves all:
 //!
 //! ```text
 //!   corner      rotated and shifted, a corner is off by 6 ε of the largest coordinate at most
 //!   plane       put through three such corners, it leaves the others within 30 ε on either side
-//!   height      of one corner over it: 2 · 6 ε more at most for planes that are the same, and 4 ε of rounding
+//!   height      of one corner over it: 2 · 6 ε more at most for planes that are the same, and
+//!               4 ε of rounding
 //!   depth       of one body in another: twice the corners' 6 ε beside what the planes leave
 //! ```
 //!
@@ -79,7 +81,7 @@ pub(crate) struct ScenePlanes {
     unit: f64,
     noise: f64,
     planes: Vec<SharedPlane>,
-    /// For each patch, then for each obstruction.
+    /// The plane of each patch, then of each obstruction.
     plane_of: Vec<Placed>,
 }
 
@@ -160,8 +162,8 @@ impl ScenePlanes {
             .map(move |corner| *corner / unit)
     }
 
-    /// For each plane whether patches lie on both sides of it, so that a surface in it can be
-    /// between two.
+    /// Tells, for each plane, whether patches lie on both sides of it, so that a surface in it can
+    /// stand between two.
     pub(crate) fn splits(&self, patches: &[NamedPatch]) -> Vec<bool> {
         let all = patches.iter().flat_map(|patch| self.corners(patch));
         let mut corners: Vec<DVec3> = all.collect();

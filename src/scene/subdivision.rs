@@ -1,4 +1,10 @@
 //! Scenes whose patches are cut into smaller ones.
+//!
+//! ```text
+//!   n patches of 3 or 4 corners, cut k times   →   4ᵏ n patches, each with the index of its parent
+//! ```
+//!
+//! **Not covered**: patches that others lie in, which are refused.
 
 use super::{NamedPatch, Scene, SceneError};
 use crate::geometry::quartered;

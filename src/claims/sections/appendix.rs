@@ -190,8 +190,7 @@ pub(crate) fn mesh_gain_is_the_bound(case: &Case<'_>) -> Result<Finding, ClaimEr
     Ok(Finding::residual(largest(deviations), tolerance::IDENTITY))
 }
 
-/// With the shadow's line at `line`, the best cut through the lit part against the cut along the
-/// line.
+/// Compares the best cut through the lit part with the cut along the shadow's line, at `line`.
 pub(crate) fn a_lit_cut_can_beat_the_line(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let line = case.number("line")?;
     let shadow = ContactShadow::try_new(line)?;
@@ -203,8 +202,8 @@ pub(crate) fn a_lit_cut_can_beat_the_line(case: &Case<'_>) -> Result<Finding, Cl
     let one = ratio.constant(1.0);
     let limit = ContactShadow::limit_of_the_discontinuity_line()?;
     let note = format!(
-        "there the best cut is at {cut:.4}; the discontinuity is the best cut of a contact shadow only up to \
-         a line at {limit:.6} of the way from the common edge to the far one"
+        "there the best cut is at {cut:.4}; the discontinuity is the best cut of a contact shadow \
+         only up to a line at {limit:.6} of the way from the common edge to the far one"
     );
     // that this cut gains less says nothing of the others
     Ok(Finding::decided(ratio > one, false, ratio).noting(note))

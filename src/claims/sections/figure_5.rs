@@ -62,8 +62,9 @@ pub(crate) fn reading(case: &Case<'_>, lines: &[f64]) -> Result<String, ClaimErr
     #[allow(clippy::cast_precision_loss, reason = "exact up to 2^53 samples")]
     let thousands = samples as f64 / 1000.0;
     Ok(format!(
-        "read as plug-in estimates from random lines, of which {thousands:.1} thousand give the regular grid {printed} on average (fitted), \
-         this grid has {:.4} ± {:.4}: the best explanation found, not a proof",
+        "read as plug-in estimates from random lines, of which {thousands:.1} thousand give the \
+         regular grid {printed} on average (fitted), this grid has {:.4} ± {:.4}: \
+         the best explanation found, not a proof",
         grid.information()?.mutual_information + grid.expected_bias(samples)?,
         grid.expected_deviation(samples)?
     ))

@@ -1,4 +1,10 @@
 //! Computations of the claims, a file for each section of the paper.
+//!
+//! Each function takes a [`Case`](crate::claims::Case), its inputs and the precision asked for, and
+//! returns a [`Finding`](crate::claims::Finding), never a verdict: the rule of
+//! [`Verdict`](crate::claims::Verdict) judges it. [`Computation`](crate::claims::Computation) names
+//! the functions, and `data/paper` says which claim calls which. `continuous_limit` belongs to §2
+//! and Corollary 1, `figure_5` to §4.1, `section_3_light` to §3.4 and §3.5.
 
 pub(crate) mod appendix;
 pub(crate) mod continuous_limit;

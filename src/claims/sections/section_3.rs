@@ -156,7 +156,8 @@ pub(crate) fn subdivision_bound_is_attained(case: &Case<'_>) -> Result<Finding, 
         let own = fluxes[0] / weights[0] / (f64::from(parts) * probability);
         larger((gain - 1.0).abs(), (own - 1.0).abs())
     });
-    let note = "a sub-state cannot keep more than its own weight, so the bound is out of reach where m P_ij > 1";
+    let note = "a sub-state cannot keep more than its own weight, so the bound is out of reach \
+                where m P_ij > 1";
     Ok(Finding::residual(largest(deviations), tolerance::GAIN).noting(note))
 }
 

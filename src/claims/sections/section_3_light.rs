@@ -32,7 +32,7 @@ struct Lit {
 }
 
 impl Lit {
-    /// With `flaw`, every second patch's solution is wrong by that share.
+    /// Solves the case; with `flaw`, the solution of every second patch is wrong by that share.
     fn new(case: &Case<'_>) -> Result<Self, ClaimError> {
         let carrier = match case.switch("importance")? {
             true => Carrier::Importance,
@@ -257,8 +257,8 @@ pub(crate) fn printed_rows_of_light(case: &Case<'_>) -> Result<Finding, ClaimErr
     let narrow = off.constant(1e-30);
     let (is_one, is_not) = (off.abs() < narrow, off.abs() > narrow);
     Ok(Finding::decided(is_one, is_not, off).noting(
-        "with the numerator B_i as printed, two patches that see each other have row sums 2 and 1/2; with B_j rows sum to one \
-         and reciprocity holds",
+        "with the numerator B_i as printed, two patches that see each other have row sums 2 and \
+         1/2; with B_j rows sum to one and reciprocity holds",
     ))
 }
 

@@ -120,8 +120,8 @@ pub(crate) fn orthogonal_cut_gains_little(case: &Case<'_>) -> Result<Finding, Cl
     let best = certified(&orthogonal, case)?;
     let parallel = certified(&along(SplitAxis::U)?, case)?;
     let note = format!(
-        "best orthogonal cut {:.4} from a side edge, gain {:.6} bit; best parallel cut gains {:.5} bit; \
-         little: below {} of it",
+        "best orthogonal cut {:.4} from a side edge, gain {:.6} bit; best parallel cut gains \
+         {:.5} bit; little: below {} of it",
         best.position.to_f64(),
         best.value.to_f64(),
         parallel.value.to_f64(),
@@ -199,8 +199,8 @@ pub(crate) fn best_corner_cut(case: &Case<'_>) -> Result<Finding, ClaimError> {
     Ok(Finding::enclosed(best.position).noting(note))
 }
 
-/// At `fraction` of the two-square optimum the slope of the orthogonal gain must be negative: it
-/// grows towards the edge.
+/// Checks that the slope of the orthogonal gain is negative at `fraction` of the two-square
+/// optimum: the gain grows towards the edge.
 pub(crate) fn orthogonal_slope_explains_the_shift(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let pair = certified_place(&two_squares(SplitAxis::U)?, case)?.position;
     let three = certified_place(&corner(2)?, case)?.position;
@@ -306,7 +306,8 @@ pub(crate) fn best_grid_information(case: &Case<'_>) -> Result<Finding, ClaimErr
     )?;
     let all: Vec<f64> = all.lines().iter().map(Interval::to_f64).collect();
     let note = format!(
-        "lines at {} from either end, a strict local maximum, not shown to be the highest of all; the figure states neither cells nor lines; {}",
+        "lines at {} from either end, a strict local maximum, not shown to be the highest of all; \
+         the figure states neither cells nor lines; {}",
         lines.join(", "),
         reading(case, &all)?
     );
@@ -327,8 +328,8 @@ pub(crate) fn regular_grid_information(case: &Case<'_>) -> Result<Finding, Claim
         .filter(|level| interval.contains(*level))
         .count();
     let note = format!(
-        "of the regular grids with up to 12 cells a side {found} have the printed value: 7 cells give {:.4}, 8 \
-         give {:.4}; {}",
+        "of the regular grids with up to 12 cells a side {found} have the printed value: 7 cells \
+         give {:.4}, 8 give {:.4}; {}",
         levels[6],
         levels[7],
         reading(case, &regular_positions(case.count("cells")?))?

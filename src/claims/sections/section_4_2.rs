@@ -30,8 +30,9 @@ pub(crate) fn objective_follows(case: &Case<'_>) -> Result<Finding, ClaimError> 
         let printed = x_log2_ratio(flux, weight) + x_log2_ratio(1.0 - flux, 1.0 - weight);
         deviations.push((gain - printed).abs());
     }
-    let note = "the weight printed, with exponent n + 2, needs an irradiance that grows as l for every n; \
-                constant reflectance without emission gives 2n + 1, which agrees for n = 1 only";
+    let note = "the weight printed, with exponent n + 2, needs an irradiance that grows as l for \
+                every n; constant reflectance without emission gives 2n + 1, which agrees for \
+                n = 1 only";
     Ok(Finding::residual(largest(deviations), tolerance::IDENTITY).noting(note))
 }
 
@@ -73,8 +74,9 @@ pub(crate) fn information_cut(case: &Case<'_>) -> Result<Finding, ClaimError> {
     Ok(Finding::enclosed(found.position).noting(note))
 }
 
-/// At each cut the L2 error, by quadrature, must be lower than a thousandth to either side, and the
-/// printed polynomial `2n lⁿ − lⁿ⁻¹ − … − 1` (its n raised by `degree_shift`) must vanish.
+/// Checks that the L2 error at each cut, by quadrature, is lower than a thousandth to either side,
+/// and that the printed polynomial `2n lⁿ − lⁿ⁻¹ − … − 1` (its n raised by `degree_shift`)
+/// vanishes.
 pub(crate) fn polynomial_follows(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let shift = case.count("degree_shift")?;
     let mut values = Vec::new();

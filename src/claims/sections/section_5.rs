@@ -35,8 +35,8 @@ fn enclosed_information(scene: &Scene, like: &Interval) -> Result<Interval, Clai
     Ok(relative_entropy(&total, &total.square(), &pairs) / &total)
 }
 
-/// With B = 1 the radiosity chain is the visibility chain, so the true gain is `I′ − I` of the unit
-/// cube with one face cut, and Σw = A_T.
+/// Compares the printed gain with the true one for B = 1, where the radiosity chain is the
+/// visibility chain: the true gain is `I′ − I` of the unit cube with one face cut, and Σw = A_T.
 pub(crate) fn printed_gain_is_not_normalised(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let position = case.number("position")?;
     let like = case.interval("position")?;

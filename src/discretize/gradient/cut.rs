@@ -19,13 +19,14 @@
 //! ```
 //!
 //! So the maximum is unique for every p, m > 0, and pτ depends on m/p alone
-//! ([`GradientLimit`](crate::discretize::GradientLimit)). The mean-square error of two constants is stationary
-//! where `B(l)` is the arithmetic mean of the two: `2n lⁿ (1 − l) = 1 − lⁿ`, l ≠ 1; for whole n
-//! that is the paper's polynomial times (1 − l). It has one root for every n > 0: with l = e^−τ,
-//! `n (1 − e^−τ)/(e^nτ − 1)` falls from 1, as its logarithm's slope is
-//! `1/(e^τ − 1) − n/(1 − e^−nτ) < 1/τ − 1/τ`.
+//! ([`GradientLimit`](crate::discretize::GradientLimit)). The mean-square error of two constants is
+//! stationary where `B(l)` is the arithmetic mean of the two: `2n lⁿ (1 − l) = 1 − lⁿ`, l ≠ 1; for
+//! whole n that is the paper's polynomial times (1 − l). It has one root for every n > 0: with l =
+//! e^−τ, `n (1 − e^−τ)/(e^nτ − 1)` falls from 1, as its logarithm's slope is `1/(e^τ − 1) − n/(1 −
+//! e^−nτ) < 1/τ − 1/τ`.
 //!
-//! **Not covered**: other profiles than powers; they are in [`ProfileCut`](crate::discretize::ProfileCut).
+//! **Not covered**: other profiles than powers; they are in
+//! [`ProfileCut`](crate::discretize::ProfileCut).
 
 use crate::discretize::error::DiscretizeError;
 use crate::numeric::{Interval, IntervalFunction, NumericError, Scalar, certified_roots, root};

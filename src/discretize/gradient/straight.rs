@@ -38,7 +38,7 @@ pub struct StraightCut {
 pub struct BestStraightCut {
     /// The cut.
     pub cut: StraightCut,
-    /// Its gain in bits per unit of flux.
+    /// The gain of the cut, in bits per unit of flux.
     pub gain: f64,
 }
 

@@ -21,7 +21,7 @@ use rand_chacha::ChaCha8Rng;
 pub struct BestGrid {
     /// The grid.
     pub grid: BoxGrid,
-    /// Its mutual information.
+    /// The mutual information of the grid.
     pub information: GridInformation,
     /// The largest remaining derivative, in bits.
     pub slope: f64,

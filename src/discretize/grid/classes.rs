@@ -1,9 +1,11 @@
-//! All pairs of cells of a grid on a box that exchange something, congruent ones once.
+//! The pairs of cells of a grid on a box that see each other, each class of congruent ones once.
 //!
 //! The pairs of a tensor grid are products of relations along the axes, so that n cells an edge
-//! need n³ classes and no comparison of single pairs; a scene of any rectangles counts its congruent
-//! pairs by comparing all n². A row holds the pairs that differ in one relation only: opposite
-//! cells with the same relation along the first axis, adjacent ones at the same depths.
+//! need n³ classes and no comparison of single pairs. A scene of any rectangles has an engine of
+//! its own (`exchange/plan/congruence`), which looks each of its n² pairs of patches up; the test
+//! `the_grid_of_six_cells_is_the_scene_cube_6` sets one against the other. A row holds the pairs
+//! that differ in one relation only: opposite cells with the same relation along the first axis,
+//! adjacent ones at the same depths.
 
 use super::axis::{Axis, Depth, Relation};
 use super::pair::{CellPair, Faces};
@@ -14,7 +16,7 @@ use crate::numeric::Scalar;
 #[derive(Debug, Clone)]
 pub(crate) struct Classes<S> {
     edges: [S; 3],
-    /// For each axis the first one that is divided in the same way.
+    /// The first axis that is divided in the same way as each axis.
     kinds: [usize; 3],
     relations: [Vec<Relation<S>>; 3],
     depths: [Vec<Depth<S>>; 3],

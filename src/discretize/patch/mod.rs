@@ -1,4 +1,11 @@
-//! The cut of one patch that gains the most mutual information.
+//! The cut of one patch that gains the most mutual information (§4.1, §5).
+//!
+//! Open `split` first: the front door for any polygons. `search` finds the best positions,
+//! `part_exchange` turns exchange areas of parts into gain and slope, `rectangles` has them in
+//! closed form for aligned rectangles, with enclosures and proofs, and `polygons` for all others,
+//! in `f64`.
+//!
+//! **Not covered**: cuts that are not parallel to an edge at the first corner.
 
 pub(crate) mod part_exchange;
 pub(crate) mod polygons;

@@ -5,8 +5,8 @@
 //!   G_j(k) = A_k F_kj,  s_k: share of part k in the area,  β_j: product of two brightnesses
 //! ```
 //!
-//! [`PartExchange`] holds the terms of the formula: flux and share of a part, and their rates
-//! as a cut moves. [`RectangleSplit`](crate::discretize::RectangleSplit) has them in every number type,
+//! [`PartExchange`] holds the terms of the formula: flux and share of a part, and their rates as a
+//! cut moves. [`RectangleSplit`](crate::discretize::RectangleSplit) has them in every number type,
 //! [`PolygonSplit`](super::polygons::PolygonSplit) in `f64`; so only the first can be enclosed.
 
 use crate::discretize::error::DiscretizeError;

@@ -4,7 +4,8 @@
 //! of a part is that of two polygons ([`Polygon::exchange_area`]), that of a strip
 //! [`Polygon::segment_exchange`]; a thin part is the integral of its strips.
 //!
-//! **Not covered**: any number type but `f64`; see [`RectangleSplit`](crate::discretize::RectangleSplit).
+//! **Not covered**: any number type but `f64`; see
+//! [`RectangleSplit`](crate::discretize::RectangleSplit).
 
 use super::part_exchange::{PartExchange, SplitWeights};
 use super::rectangles::or_dark;

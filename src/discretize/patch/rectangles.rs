@@ -21,8 +21,8 @@ use crate::numeric::{
 
 /// A rectangle to be cut across one of its axes, judged by aligned rectangles.
 ///
-/// [`PatchSplit::rectangles`](crate::discretize::PatchSplit::rectangles) returns it; over intervals its gains
-/// are enclosures.
+/// [`PatchSplit::rectangles`](crate::discretize::PatchSplit::rectangles) returns it; over intervals
+/// its gains are enclosures.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RectangleSplit<S = f64> {
     pairs: Vec<RectanglePair<S>>,
@@ -156,7 +156,8 @@ impl Maximand for RectangleSplit {
         split.gain_derivative(std::slice::from_ref(x), 0).ok()
     }
 
-    /// With m the middle of the box X, r the exchange of a strip and G that of `[0, t]`,
+    /// Encloses the slope on a box X with middle m, where r is the exchange of a strip and G that
+    /// of `[0, t]`:
     ///
     /// ```text
     ///   r′(X) ⊂ r′(m) + r″(X) (X − m)

@@ -83,7 +83,7 @@ impl ExchangeAreas {
         &self.area_bounds
     }
 
-    /// May this row exchange something with itself?
+    /// Whether this row may exchange something with itself.
     #[must_use]
     pub fn sees_itself(&self, row: usize) -> bool {
         self.diagonal.contains_key(&row)

@@ -1,4 +1,8 @@
 //! Passes over all pairs of a scene: sums of rows, rows one by one, the whole matrix.
+//!
+//! Open `tiles` first: it has the one walk over pairs that all passes share. `row_sums` holds
+//! nothing but sums of functions of the pairs, `rows` yields one row (or single entries) at a time,
+//! and `matrix` holds everything as a packed symmetric matrix.
 
 pub(crate) mod matrix;
 pub(crate) mod row_sums;

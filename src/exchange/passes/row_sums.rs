@@ -4,9 +4,9 @@
 //!   S_i = Σ_j f(i, j),     f(i, j) = f(j, i) computed once, for rows that see each other
 //! ```
 //!
-//! Each [tile](crate::exchange::Tile) is summed on its own, over its rows and over its columns, and the sums
-//! of the tiles are added up in their order. So every sum takes its terms in an order that depends
-//! on the scene alone, and comes out the same for any number of threads.
+//! Each [tile](crate::exchange::Tile) is summed on its own, over its rows and over its columns, and
+//! the sums of the tiles are added up in their order. So every sum takes its terms in an order that
+//! depends on the scene alone, and comes out the same for any number of threads.
 //!
 //! **Memory** O(n).
 

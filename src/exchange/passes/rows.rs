@@ -40,8 +40,8 @@ impl ScenePairs<'_> {
     /// the same way: [tiles](Self::tiles) compute it once.
     ///
     /// # Errors
-    /// [`ExchangeError::Pair`](crate::exchange::ExchangeError::Pair) if two patches are refused, or what `visit`
-    /// returns.
+    /// [`ExchangeError::Pair`](crate::exchange::ExchangeError::Pair) if two patches are refused, or
+    /// the error that `visit` returns.
     pub fn for_each_row<E: From<ExchangeError>>(
         &self,
         mut visit: impl FnMut(usize, &[Answer]) -> Result<(), E>,

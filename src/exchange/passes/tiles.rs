@@ -1,8 +1,9 @@
 //! Tiles: the unit of work of a pass over all pairs.
 //!
 //! ```text
-//!   off the diagonal:  all (i, j) with i in the rows, j in the columns; these have no row in common
-//!   on the diagonal:   the pairs i ≤ j of one run of rows; (i, i) is 0 unless row i may see itself
+//!   off the diagonal:  all (i, j) with i in the rows, j in the columns, no row in common
+//!   on the diagonal:   the pairs i ≤ j of one run of rows; (i, i) is 0 unless row i may see
+//!                      itself
 //! ```
 //!
 //! All passes walk over pairs in the same way ([`ScenePairs::walk`]), each pair once. A tile needs
@@ -24,7 +25,7 @@ pub(crate) struct Block {
     pub(crate) rows: Range<usize>,
     /// The columns.
     pub(crate) columns: Range<usize>,
-    /// Is it known that the planes of all pairs face each other?
+    /// Whether the planes of all pairs are known to face each other.
     pub(crate) is_visible: bool,
 }
 

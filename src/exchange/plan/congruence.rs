@@ -5,14 +5,20 @@
 //! few such numbers:
 //!
 //! ```text
-//!   perpendicular   depth of each over the other's plane, relation of their spans on the common axis
+//!   perpendicular   depth of each over the other's plane, relation of their spans on the common
+//!                   axis
 //!   parallel        distance, relations of the spans on either axis
 //! ```
 //!
 //! Pairs with the same numbers, up to a reflection of an axis, an exchange of the axes and an
-//! exchange of the two, are congruent: they exchange the same. Differences equal up to a few
-//! roundings of the coordinates are numbered alike, too; [`Lattice::spread`] says how far apart
+//! exchange of the two, are congruent: they have the same exchange area. Differences equal up to a
+//! few roundings of the coordinates are numbered alike, too; [`Lattice::spread`] says how far apart
 //! such are.
+//!
+//! The lattice serves any axis-parallel rectangles and looks each of the n² pairs of patches up.
+//! The grid on a box has an engine of its own (`discretize/grid/classes`), which multiplies
+//! relations along the axes and needs n³ classes for n cells an edge, no comparison of pairs. The
+//! test `the_grid_of_six_cells_is_the_scene_cube_6` sets one against the other.
 //!
 //! **Not covered**: other polygons, and scenes with so many lines that the tables would outgrow the
 //! pairs.
@@ -53,9 +59,9 @@ impl<K: Hash + Eq> Numbering<K> {
 struct Cell {
     /// The axis along its normal.
     axis: usize,
-    /// Its plane and the side it faces.
+    /// The plane and the side it faces.
     plane: usize,
-    /// Its spans along the three axes; the one along the normal means nothing.
+    /// The spans along the three axes; the one along the normal means nothing.
     spans: [usize; 3],
 }
 

@@ -1,4 +1,11 @@
 //! The differences between the lines that bound axis-parallel rectangles.
+//!
+//! ```text
+//!   sizes |b − a| over all axes, sorted; equal ones, up to a few roundings, share a number
+//!   number(a, b) = −number(b, a)
+//! ```
+//!
+//! **Not covered**: lines that no rectangle begins or ends at.
 
 use crate::numeric::{tolerance, two_sum};
 

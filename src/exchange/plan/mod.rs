@@ -7,6 +7,11 @@
 //!   congruent    pairs equal up to a motion or reflection: the first of them is computed
 //! ```
 //!
+//! Open `facing` for the planes that see each other, `congruence` for the classes of congruent
+//! pairs (over `line_differences`), `perturbation` for the bound on the difference between
+//! congruent pairs, `base_offsets` for parts that lie slightly off their base's plane, and `counts`
+//! for the summary of plan and pass.
+//!
 //! **Not covered**: congruence of polygons that are not axis-parallel rectangles.
 
 pub(crate) mod base_offsets;
@@ -91,7 +96,7 @@ fn facing(facings: &FacingPlanes, first: usize, second: usize) -> Facing {
 #[derive(Debug, Clone, PartialEq)]
 struct Classes {
     lattice: Lattice,
-    /// For each class that occurs its number, from 1, among the representatives.
+    /// The number of each class that occurs, from 1, among the representatives.
     numbers: Vec<Option<NonZeroU32>>,
     /// The first pair of each class that occurs.
     representatives: Vec<[usize; 2]>,

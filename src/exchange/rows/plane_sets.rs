@@ -21,7 +21,7 @@ pub(crate) struct PlaneSets {
     of: Vec<usize>,
     /// The rows, in the order of their plane sets.
     order: Vec<usize>,
-    /// For each plane set the place in `order` at which its rows start, and where the last end.
+    /// The place in `order` at which the rows of each plane set start, and the end of the last.
     starts: Vec<usize>,
     planes: Vec<PlaneSet>,
 }
@@ -93,8 +93,8 @@ impl PlaneSets {
         most
     }
 
-    /// For each row the sum of the weights of all rows that it exchanges nothing with, its own
-    /// included if it cannot see itself.
+    /// Sums, for each row, the weights of all rows that it exchanges nothing with, its own included
+    /// if it cannot see itself.
     pub(crate) fn unseen(&self, facings: &FacingPlanes, weights: &[f64]) -> Vec<f64> {
         let sum = |places: Range<usize>| {
             compensated_sum(self.order[places].iter().map(|row| weights[*row]))

@@ -5,9 +5,9 @@
 //!   c_gk = [k is in the row g] − [the base of k is in the row g]
 //! ```
 //!
-//! These are the formulas of [parts and rows](crate::scene::Scene::with_base), their sums exchanged. Where
-//! a part is summed into the row of its base, its terms cancel: the base counts whole, and the part
-//! is no polygon of any sum.
+//! These are the formulas of [parts and rows](crate::scene::Scene::with_base), with the order of
+//! their sums exchanged. Where a part is summed into the row of its base, its terms cancel: the
+//! base counts whole, and the part is no polygon of any sum.
 
 use crate::scene::{NamedPatch, Scene};
 use smallvec::SmallVec;
@@ -30,7 +30,7 @@ pub(crate) struct RowTerms {
     /// The polygon that each one lies in, and no other: itself unless it is a part.
     roots: Vec<usize>,
     rows: Vec<SmallVec<[RowTerm; 1]>>,
-    /// For each row that is one polygon its number, from 1: side by side for speed.
+    /// The number, from 1, of the polygon of each row that is one polygon: side by side for speed.
     singles: Vec<Option<NonZeroU32>>,
 }
 

@@ -1,10 +1,10 @@
-//! A finished answer in any format.
+//! Finished answers, a table and records, in any format.
 
 use super::finite;
 use crate::report::Table;
 use serde_json::{Map, Value};
 
-/// How an answer is written.
+/// The format of an answer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Format {
     /// A table for a terminal.
@@ -96,14 +96,14 @@ impl Report {
         })
     }
 
-    /// The same, with a name under `key` before the list of records in JSON.
+    /// Adds a name under `key`, before the list of records in JSON.
     #[must_use]
     pub const fn entitled(mut self, key: &'static str, name: &'static str) -> Self {
         self.title = Some((key, name));
         self
     }
 
-    /// The same, with what concerns the whole list after it in JSON.
+    /// Adds a record that concerns the whole list, after it in JSON.
     ///
     /// # Errors
     /// As [`one`](Self::one).

@@ -1,8 +1,9 @@
 //! Figures of lines, in SVG.
 //!
-//! Each line has a colour, a dash pattern and a marker of its own: any one of the three tells it from the others. The page is
-//! 480 × 330 units, and a row above for each of several lines, with letters of 14, some 7 pt in a column 84 mm wide; it is drawn ten times finer, as the drawing library
-//! rounds to whole units.
+//! Each line has a colour, a dash pattern and a marker of its own: any one of the three tells it
+//! from the others. The page is 480 × 330 units, with a row above for each of several lines.
+//! Letters are 14 units high, some 7 pt in a column 84 mm wide. It is drawn ten times finer, as the
+//! drawing library rounds to whole units.
 //!
 //! **Not here**: computing.
 
@@ -27,9 +28,9 @@ pub struct Figure {
 /// An axis.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Axis {
-    /// What it measures, with the unit.
+    /// The quantity, with its unit.
     pub label: String,
-    /// Is it the logarithm that is evenly spaced?
+    /// Whether the logarithm of the quantity is evenly spaced, not the quantity.
     pub is_logarithmic: bool,
 }
 
@@ -47,7 +48,7 @@ const PAGE: (u32, u32) = (480, 330);
 const FINER: u32 = 10;
 /// A letter's height is 14; the library's size is 1.24 times that.
 const LETTERS: u32 = 174;
-/// White around it, and what the vertical axis takes.
+/// The margin around the figure, and the width of the vertical axis with its labels.
 const MARGIN: u32 = 12;
 const LEFT: u32 = 70;
 /// Height of a row of the legend, and length of the sample of a line in it.
@@ -55,7 +56,8 @@ const ROW: u32 = 20;
 const SAMPLE: i32 = 400;
 const SOLID: i32 = i32::MAX;
 
-/// What tells a line: colour (of Okabe and Ito, told apart with any kind of sight), dash and gap, corners of the marker.
+/// The look of a line: colour (of Okabe and Ito, distinct with any kind of sight), dash and gap,
+/// and corners of the marker.
 struct Look {
     colour: RGBColor,
     dash: [i32; 2],
@@ -102,8 +104,8 @@ impl Figure {
     /// The figure as an SVG file.
     ///
     /// # Errors
-    /// [`ReportError::NotFinite`] if a number is not, or has no logarithm where one is needed; [`ReportError::Figure`] if there
-    /// is nothing to draw, or too many lines.
+    /// [`ReportError::NotFinite`] if a number is not finite, or has no logarithm where one is
+    /// needed; [`ReportError::Figure`] if there is nothing to draw, or too many lines.
     pub fn to_svg(&self) -> Result<String, ReportError> {
         let refused = |reason: String| ReportError::Figure { reason };
         if self.lines.len() > LOOKS.len() {

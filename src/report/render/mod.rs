@@ -1,4 +1,9 @@
 //! Formats: documents, tables, numbers, figures, pages.
+//!
+//! Open `document` first: it carries an answer as a table and as records, and writes any format.
+//! `finite` refuses NaN and infinity in it, `table` and `latex` lay out text, `number` prints no
+//! more digits than are certain, `figure` (with `scale`) draws SVG, `npy` writes matrices for
+//! NumPy, and `page` fills the templates of `data/report`.
 
 pub(crate) mod document;
 pub(crate) mod figure;

@@ -1,11 +1,13 @@
 //! Matrices in NumPy's file format, version 1.0.
 //!
 //! ```text
-//!   "\x93NUMPY" 1 0 | length of the header, two bytes, little-endian | header, padded with blanks to a multiple of 64, newline |
+//!   "\x93NUMPY" 1 0 | length of the header, two bytes, little-endian |
+//!   header, padded with blanks to a multiple of 64, newline |
 //!   the entries row by row, eight bytes each, little-endian
 //! ```
 //!
-//! Written by hand: the crates for it bring a parser of Python literals, whose dependencies need a C compiler.
+//! It is written by hand: the crates for it bring a parser of Python literals, whose dependencies
+//! need a C compiler.
 //!
 //! Reference: NumPy Enhancement Proposal 1, *A simple file format for NumPy arrays*.
 

@@ -8,8 +8,8 @@ const MOST_DIGITS: i32 = 12;
 
 /// `value` with as many decimals as its error leaves certain.
 ///
-/// The last decimal shown is off by at most one unit; a value below its error is `0`. Meant for errors
-/// below 0.1: no digit before the point is ever left out.
+/// The last decimal shown is off by at most one unit; a value below its error is `0`. Meant for
+/// errors below 0.1: no digit before the point is ever left out.
 ///
 /// # Examples
 /// ```
@@ -90,7 +90,8 @@ pub fn enclosed_digits(enclosure: &Interval) -> String {
 /// Most decimals of an enclosed number in a table; records carry all.
 const MOST_DECIMALS: u32 = 20;
 
-/// The power of ten that is not below a number > 0, `1e-55`: what of a width another platform will print, too.
+/// The least power of ten that is not below a number > 0, `1e-55`. Of a width, another platform
+/// prints this, too.
 #[must_use]
 pub fn power_of_ten(value: f64) -> String {
     format!("1e{}", value.log10().ceil())

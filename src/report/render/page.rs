@@ -29,12 +29,12 @@ pub enum PageError {
         name: &'static str,
         /// The number.
         value: f64,
-        /// Its error.
+        /// The error of the number.
         error: f64,
         /// Decimals to show.
         decimals: u32,
     },
-    /// A sentence says what the numbers do not.
+    /// A sentence that the numbers no longer support.
     #[error("the page says what no longer holds: {statement}")]
     NoLonger {
         /// The statement.

@@ -11,7 +11,8 @@ pub(crate) struct Scale {
 }
 
 impl Scale {
-    /// The scale for what lies between two places. A tight one ends there, unless a tick is near; another ends at ticks.
+    /// The scale between two places. A tight one ends there, unless a tick is near; any other ends
+    /// at ticks.
     ///
     /// `None` if the ends are too near to each other, or too far apart, for `f64`.
     pub(crate) fn new(
@@ -39,7 +40,7 @@ impl Scale {
         })
     }
 
-    /// How many ticks there are.
+    /// The number of ticks.
     pub(crate) const fn ticks(&self) -> usize {
         self.ticks.len()
     }
@@ -96,10 +97,10 @@ impl Scale {
     }
 }
 
-/// How near to the end of an axis a tick is taken as its end, as a share of the axis.
+/// The distance from the end of an axis at which a tick becomes its end, as a share of the axis.
 const NEAR: f64 = 0.03;
 
-/// What rounding may leave between a tick and the end of a logarithmic axis.
+/// The largest distance that rounding may leave between a tick and the end of a logarithmic axis.
 const ROUNDING: f64 = 1e-9;
 
 impl Ranged for Scale {

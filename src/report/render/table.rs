@@ -72,8 +72,8 @@ impl Table {
         trimmed(&text)
     }
 
-    /// The table in LaTeX with `booktabs` rules and in plain ASCII: a `tabular`, or a `longtable` where it
-    /// would not fit on a page.
+    /// The table in LaTeX with `booktabs` rules and in plain ASCII: a `tabular`, or a `longtable`
+    /// where it would not fit on a page.
     #[must_use]
     pub fn to_latex(&self) -> String {
         let line = |cells: &mut dyn Iterator<Item = &str>| {

@@ -1,4 +1,5 @@
-//! The paper's own scenes, and a room that everybody has.
+//! Scenes by name: those of the paper, the insides of regular solids and boxes, and a well-known
+//! room.
 //!
 //! ```text
 //!   two-squares     fig. 2   unit squares at 90° with a common edge
@@ -6,8 +7,14 @@
 //!   cube:N          figs. 4, 5   the inside of the unit cube, N × N patches on a face
 //!   tetrahedron, octahedron, dodecahedron, icosahedron   the insides of the regular solids
 //!   box:X,Y,Z       the inside of a box with these edges
-//!   cornell-box     not of the paper: the empty room of Cornell University, from data/scenes/cornell-box.obj
+//!   cornell-box     not of the paper: the empty room of Cornell University, from
+//!                   data/scenes/cornell-box.obj
 //! ```
+//!
+//! Open this file for the names and the paper's squares, `boxes` for boxes with or without a grid
+//! on their faces, `solids` for the regular solids.
+//!
+//! **Not covered**: scenes with anything inside the room.
 
 pub(crate) mod boxes;
 pub(crate) mod solids;

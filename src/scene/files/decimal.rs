@@ -1,7 +1,9 @@
-//! One less a decimal, exactly: `1 − 0.9` is `0.1`, and not the `0.09999999999999998` of two roundings.
+//! One less a decimal, exactly: `1 − 0.9` is `0.1`, and not the `0.09999999999999998` of two
+//! roundings.
 //!
-//! View3D files hold the emissivity where a scene holds the reflectance. As decimals each is made from the other
-//! without a rounding, so that a reflectance that is written reads back to the same `f64`.
+//! View3D files hold the emissivity where a scene holds the reflectance. As decimals each is made
+//! from the other without a rounding, so that a reflectance that is written reads back to the same
+//! `f64`.
 
 /// More digits than any `f64` between 0 and 1 has before they are all zeros or cannot matter.
 const MOST_DIGITS: i64 = 1200;
@@ -56,7 +58,7 @@ pub(crate) fn complement(value: &str) -> Option<String> {
 mod tests {
     use super::complement;
 
-    /// By hand; the last is 1 − 2⁻⁵⁴, which no `f64` holds.
+    /// Values found by hand; the last is 1 − 2⁻⁵⁴, which no `f64` holds.
     #[test]
     fn one_less_a_decimal_has_no_rounding() {
         for (value, expected) in [

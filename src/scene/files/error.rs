@@ -57,7 +57,7 @@ pub enum Fault {
     /// The operating system gives no content.
     #[error("it cannot be read ({reason}): name a file that is there and may be read")]
     CannotRead {
-        /// What the system says.
+        /// The reason that the system gives.
         reason: String,
     },
     /// A folder.
@@ -71,7 +71,8 @@ pub enum Fault {
     },
     /// Neither of the two formats, to judge by its name.
     #[error(
-        "its name does not say what it is: a scene is a Wavefront .obj or a View3D .vs3 file, so rename or export it"
+        "its name does not say what it is: a scene is a Wavefront .obj or a View3D .vs3 file, so \
+         rename or export it"
     )]
     UnknownFormat,
     /// Bytes that are no text.
@@ -83,7 +84,7 @@ pub enum Fault {
     /// No patch in the file.
     #[error("it has no patch: {mend}")]
     NoPatch {
-        /// What defines one.
+        /// The statement that defines a patch.
         mend: &'static str,
     },
     /// A line begins with something that the format does not know.
@@ -93,23 +94,23 @@ pub enum Fault {
     UnknownKeyword {
         /// Name of the format.
         format: &'static str,
-        /// As given, shortened.
+        /// The text as given, shortened.
         keyword: String,
     },
     /// Something that the format knows and we do not.
     #[error("{what}: {mend}")]
     NotSupported {
-        /// Its name, and that it is not supported.
+        /// The name of the feature, and that it is not supported.
         what: String,
-        /// What to do instead.
+        /// The remedy.
         mend: &'static str,
     },
     /// A value is not there.
     #[error("{what} is missing: write {form}")]
     Missing {
-        /// Its name.
+        /// The name of the value.
         what: &'static str,
-        /// How the line should look.
+        /// The form of a correct line.
         form: &'static str,
     },
     /// There is more on the line than belongs there.
@@ -117,33 +118,34 @@ pub enum Fault {
     TooMany {
         /// The first of them, shortened.
         given: String,
-        /// How the line should look.
+        /// The form of a correct line.
         form: &'static str,
     },
     /// A number was expected.
     #[error("{what} is \"{given}\": write a number, as in {form}")]
     NotANumber {
-        /// Its name.
+        /// The name of the value.
         what: &'static str,
-        /// As given, shortened.
+        /// The text as given, shortened.
         given: String,
-        /// How the line should look.
+        /// The form of a correct line.
         form: &'static str,
     },
     /// A number that is NaN, infinite or beyond `f64`.
     #[error("{what} is \"{given}\": write a finite number")]
     NotFinite {
-        /// Its name.
+        /// The name of the value.
         what: &'static str,
-        /// As given, shortened.
+        /// The text as given, shortened.
         given: String,
     },
     /// A vertex that is not there.
     #[error(
-        "there is no vertex {index}: {defined} are defined before this line, so write 1 to {defined}, or -1 for the last"
+        "there is no vertex {index}: {defined} are defined before this line, so write 1 to \
+         {defined}, or -1 for the last"
     )]
     NoSuchVertex {
-        /// As given.
+        /// The index as given.
         index: String,
         /// Vertices defined so far.
         defined: usize,
@@ -159,9 +161,9 @@ pub enum Fault {
     DefinedTwice {
         /// Vertex or surface.
         what: &'static str,
-        /// Its number.
+        /// The number that occurs twice.
         number: usize,
-        /// Where it was defined first.
+        /// The line of the first definition.
         line: usize,
     },
     /// A number or name that nothing in the file has.
@@ -169,7 +171,7 @@ pub enum Fault {
     Undefined {
         /// Vertex, surface or material.
         what: &'static str,
-        /// As given, shortened.
+        /// The text as given, shortened.
         given: String,
     },
     /// A material file that cannot be used.

@@ -1,12 +1,13 @@
 //! A face that is not planar, split into triangles.
 //!
-//! Seen along its mean normal (Newell's) the outline must be simple. Ears are cut off one by one: an ear is a convex
-//! corner whose triangle holds no other corner. Among the ears those come first whose plane has all other corners in
-//! front. If the outline is convex, these make up the hull of the face as it is seen from behind: every triangle is
-//! in front of every other, and what is in front of the face stays convex. Of a quadrilateral, that is the
-//! diagonal farther from the front.
+//! Seen along its mean normal (Newell's) the outline must be simple. Ears are cut off one by one:
+//! an ear is a convex corner whose triangle holds no other corner. Among the ears those come first
+//! whose plane has all other corners in front. If the outline is convex, these make up the hull of
+//! the face as it is seen from behind: every triangle is in front of every other, and what is in
+//! front of the face stays convex. Of a quadrilateral, that is the diagonal farther from the front.
 //!
-//! **Not covered**: an outline that no ears of positive area divide, as with three neighbouring corners on one line.
+//! **Not covered**: an outline that no ears of positive area divide, as with three neighbouring
+//! corners on one line.
 
 use crate::geometry::{EarClipper, GeometryError, Patch};
 use glam::{DVec2, DVec3};
@@ -54,7 +55,7 @@ fn triangulated(corners: &[DVec3]) -> Result<Vec<Patch>, GeometryError> {
             .ears()
             .find(of_hull)
             .or_else(|| clipper.ears().next());
-        // with rounding a sliver may be no ear although it is one: any corner keeps the outline closed
+        // rounding may hide that a sliver is an ear: any corner keeps the outline closed
         triangles.push(clipper.cut(ear.unwrap_or(0)));
     }
     triangles.extend(<[usize; 3]>::try_from(clipper.left()));
@@ -72,7 +73,7 @@ fn triangulated(corners: &[DVec3]) -> Result<Vec<Patch>, GeometryError> {
     patches.collect()
 }
 
-/// Does the plane of a triangle have all corners that are left in front?
+/// Whether all remaining corners are in front of the plane of a triangle.
 fn has_all_in_front(corners: &[DVec3], left: &[usize], triangle: [usize; 3]) -> bool {
     let [a, b, c] = triangle.map(|k| corners[k]);
     let normal = (b - a).cross(c - a);

@@ -1,15 +1,22 @@
 //! Scene files: Wavefront OBJ with MTL, and View3D `.vs3`; read and written.
 //!
 //! ```text
-//!   .obj   v x y z | f v…                 one face, one patch    o g: names   mtllib usemtl: Kd reflectance, Ke emittance
-//!   .vs3   V n x y z | S n v1 v2 v3 v4 base cmb emit name        O: obstructs only      reflectance = 1 − emit
+//!   .obj   v x y z | f v…                 one face, one patch    o g: names
+//!          mtllib usemtl: Kd reflectance, Ke emittance
+//!   .vs3   V n x y z | S n v1 v2 v3 v4 base cmb emit name        O: obstructs only
+//!          reflectance = 1 − emit
 //! ```
 //!
-//! A reader stops at the first fault and says where it is and what would mend it ([`FileError`]). Numbers are
-//! written so that they read back to the same `f64`.
+//! A reader stops at the first fault and says where it is and what would mend it ([`FileError`]).
+//! Numbers are written so that they read back to the same `f64`.
 //!
-//! Both readers are our own: the libraries for OBJ keep coordinates in 32 bits or cut polygons into triangles, and none
-//! says in which line a number is wrong, or which patch is not planar; for `.vs3` there is none.
+//! Open `obj` or `view3d` for a format (each with its `writer`), `source` for lines and their
+//! numbers, `faces` for the triangulation of faces that are not planar, `decimal` for emissivities,
+//! and `error` for the refusals.
+//!
+//! Both readers are our own: the libraries for OBJ keep coordinates in 32 bits or cut polygons into
+//! triangles, and none says in which line a number is wrong, or which patch is not planar; for
+//! `.vs3` there is none.
 
 pub(crate) mod decimal;
 pub(crate) mod error;
@@ -28,15 +35,15 @@ pub use view3d::writer::write_view3d;
 use super::{Scene, SceneError};
 use std::path::Path;
 
-/// What is done with a face that is not planar.
+/// The treatment of a face that is not planar.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum NonPlanarFaces {
     /// The file is refused, with the deviation.
     #[default]
     Refuse,
-    /// The face is split into triangles, each a patch. Of the possible ones those that fold towards the front are
-    /// taken, so that what is in front of a bulging wall stays convex (of a quadrilateral: the diagonal farther from
-    /// the front). Faces that are planar stay whole.
+    /// The face is split into triangles, each a patch. Triangles that fold towards the front are
+    /// preferred, so that the space in front of a bulging wall stays convex (of a quadrilateral:
+    /// the diagonal farther from the front). Faces that are planar stay whole.
     Triangulate,
 }
 
@@ -45,7 +52,7 @@ pub enum NonPlanarFaces {
 pub struct LoadedScene {
     /// The scene.
     pub scene: Scene,
-    /// What was read and has no effect, a sentence each.
+    /// Statements that were read and have no effect, a sentence each.
     pub notes: Vec<String>,
 }
 
@@ -66,7 +73,7 @@ pub fn open(name: &str, faces: NonPlanarFaces) -> Result<LoadedScene, SceneError
     }
 }
 
-/// Does it look like a path rather than a misspelt name?
+/// Whether a name looks like a path rather than a misspelt built-in scene.
 fn is_path(name: &str) -> bool {
     let path = Path::new(name);
     path.extension().is_some() && !name.starts_with("cube:")

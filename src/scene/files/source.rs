@@ -68,7 +68,7 @@ impl Source {
         Self::from_bytes(path, bytes)
     }
 
-    /// Is there a file that could be read?
+    /// Checks that there is a file that could be read.
     pub(crate) fn check(path: &Path) -> Result<(), FileError> {
         match fs::metadata(path) {
             Err(error) => Err(cannot_read(path, &error)),

@@ -55,7 +55,7 @@ pub struct Blocker {
     pub second: usize,
     /// The first surface that stands between, patches before obstructions.
     pub obstacle: Obstacle,
-    /// Its name.
+    /// The name of that surface.
     pub name: String,
 }
 
@@ -79,7 +79,7 @@ pub struct Blockers<'a> {
     surfaces: Option<&'a Surfaces>,
     /// Indices of the planes with patches on both sides: what lies in another one blocks nothing.
     splitting: Vec<usize>,
-    /// For each patch the one that it lies in and that lies in no other. Patches of one root lie in
+    /// The outermost patch that each patch lies in: its root. Patches of one root lie in
     /// one plane and do not block each other.
     roots: Vec<usize>,
 }

@@ -18,8 +18,8 @@ pub struct GridLines {
     lines: Vec<f64>,
 }
 
-/// For each face the axis across it and those that its columns and rows run along; its side of the
-/// box is that of its number.
+/// The axis across each face and those that its columns and rows run along; even faces lie on the
+/// lower side of the box.
 const AXES: [[usize; 3]; 6] = [
     [2, 0, 1],
     [2, 1, 0],
@@ -33,7 +33,8 @@ impl GridLines {
     /// A box with these edges, whose faces all have these relative lines.
     ///
     /// # Errors
-    /// [`SceneError::Patch`] for what [`Scene::gridded_box`](crate::scene::Scene::gridded_box) refuses.
+    /// [`SceneError::Patch`] wherever [`Scene::gridded_box`](crate::scene::Scene::gridded_box)
+    /// refuses.
     pub fn try_new(edges: [f64; 3], lines: &[f64]) -> Result<Self, SceneError> {
         let ends = ends_of_cells(lines)?;
         // one face a direction, of the narrowest cells, has all that can be wrong

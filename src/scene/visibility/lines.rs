@@ -1,19 +1,20 @@
 //! Random straight lines through a scene, and the chords that the patches cut out of them.
 //!
 //! ```text
-//!   local line    from a uniform point of all fronts, direction by cosine, to what it first meets
-//!   global line   uniform among the lines that meet a sphere around the scene: every piece from a front to the next front
+//!   local line    from a uniform point of all fronts, direction by cosine, to the first surface
+//!   global line   uniform among the lines that meet a sphere around the scene: every piece from a
+//!                 front to the next front
 //! ```
 //!
 //! Both kinds of chords have the same distribution: from patch i to patch j with probability `A_i
-//! F_ij / A_T`, F with occlusion, because what a line first meets is what is visible. A line
-//! through a room that is convex inside has one chord; where it is concave or something stands in
-//! it, a global line may have several. A line goes on the innermost of patches that lie in each
+//! F_ij / A_T`, F with occlusion, because the first surface that a line meets is the visible one. A
+//! line through a room that is convex inside has one chord; where it is concave or something stands
+//! in it, a global line may have several. A line goes on the innermost of patches that lie in each
 //! other.
 //!
 //! No line slips between neighbours with a common edge. Candidates are found in a tree of boxes.
 //!
-//! **Not covered**: where the numbers come from.
+//! **Not covered**: the random numbers, which the caller supplies.
 //!
 //! Reference: Sbert, *An Integral Geometry Based Method for Fast Form-Factor Computation*,
 //! Eurographics 1993.
@@ -32,7 +33,7 @@ pub struct Chord {
     pub rows: [usize; 2],
     /// Cosines of the angles to both normals, > 0.
     pub cosines: [f64; 2],
-    /// Its length, squared, in units of the sum of the patches' areas; > 0.
+    /// The square of its length, in units of the sum of the patches' areas; > 0.
     pub square: f64,
 }
 
@@ -60,7 +61,7 @@ struct Surface {
 /// The point at which a line meets a surface.
 #[derive(Debug, Clone, Copy)]
 struct Crossing {
-    /// By which crossings are sorted.
+    /// The key by which crossings are sorted.
     rank: f64,
     distance: f64,
     /// Between line and normal: positive where the line leaves the front.

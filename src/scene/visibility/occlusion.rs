@@ -70,8 +70,8 @@ impl Scene {
     /// without a row all pairs are checked, as [`check_unblocked`](Self::check_unblocked) does.
     ///
     /// It admits the part of an occluded scene that is not hidden: after it
-    /// [`ScenePairs::try_new`](crate::exchange::ScenePairs::try_new) may be told to [`Occlusion::Ignore`],
-    /// and the values between these rows are right.
+    /// [`ScenePairs::try_new`](crate::exchange::ScenePairs::try_new) may be given
+    /// [`Occlusion::Ignore`], and the values between these rows are right.
     ///
     /// # Errors
     /// [`SceneError::NoSuchPatch`] if there is no such row; [`SceneError::MayBeBlocked`].

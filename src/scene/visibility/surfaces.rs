@@ -1,4 +1,4 @@
-//! The surfaces of a scene made ready, once, for all questions of how they lie to each other.
+//! The surfaces of a scene, prepared once for all questions about their relative positions.
 //!
 //! Planes, outlines and boxes are found when they are first asked for and kept with the scene.
 //! Every surface is in one of two trees of boxes: *candidates* lie in a plane that has patches on
@@ -105,7 +105,7 @@ impl Scene {
         planes.get_or_init(|| ScenePlanes::of(self))
     }
 
-    /// For each plane whether patches lie on both sides of it.
+    /// Tells, for each plane, whether patches lie on both sides of it.
     pub(crate) fn splits(&self) -> &[bool] {
         let splits = &self.prepared.0.splits;
         splits.get_or_init(|| self.planes().splits(&self.patches))

@@ -11,7 +11,7 @@ pub struct DirectionRow {
     pub patch: GradientCut,
     /// The best of the parallel cuts at this angle.
     pub best: BestStraightCut,
-    /// Its gain as a share of that of the best cut across the gradient.
+    /// The gain of that cut as a share of the gain of the best cut across the gradient.
     pub share: f64,
     /// Time of the search, in seconds.
     pub seconds: f64,

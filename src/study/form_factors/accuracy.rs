@@ -69,13 +69,13 @@ pub struct AccuracyRow {
 /// A method of computing an exchange area.
 #[derive(Debug, Clone, Copy)]
 enum Method {
-    /// By the chooser.
+    /// The chooser, at a tolerance.
     Chooser(f64),
-    /// By one route.
+    /// One route alone, at a tolerance.
     Alone(Route, f64),
-    /// By a Gauss rule of fixed order.
+    /// A Gauss rule of fixed order.
     Order(usize),
-    /// By lines at random.
+    /// Lines at random, so many.
     Lines(Sampler, u32),
 }
 

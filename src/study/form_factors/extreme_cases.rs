@@ -76,7 +76,7 @@ fn scaled(corners: &[DVec3], factor: f64) -> Vec<DVec3> {
 /// An extreme pair.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ExtremePair {
-    /// Its name.
+    /// The name of the pair.
     pub(crate) name: &'static str,
     /// The effort that its exact value takes.
     pub(crate) effort: Effort,

@@ -20,7 +20,7 @@ pub enum Family {
     SharedVertex,
     /// An edge, or a part of one, in common; opening angles near 0° and 180° too.
     SharedEdge,
-    /// In parallel planes, down to gaps of 1e-9, often overlapping.
+    /// Parallel planes, down to gaps of 1e-9, the polygons often overlapping in projection.
     Parallel,
     /// Each partly behind the other's plane.
     Horizon,
@@ -28,7 +28,7 @@ pub enum Family {
     Far,
     /// Needles and thin polygons, alone or at a shared edge.
     Sliver,
-    /// As with a shared edge or corner, moved apart by 1e-3 to 1e-12.
+    /// Pairs with a shared edge or corner, moved apart by 1e-3 to 1e-12.
     Near,
 }
 

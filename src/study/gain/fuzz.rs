@@ -1,10 +1,10 @@
 //! Theorem 1 under fire: random refinements until one breaks a promise.
 //!
-//! Each case is a random refinement ([`strategies::refinement_draw`]); it must be buildable, gain `≥ 0`, and
-//! its gain must be the difference of the two mutual informations to [`tolerance::IDENTITY`]. A
-//! sample is recomputed at 256 bits: there the gain must be right to [`tolerance::GAIN`] of itself,
-//! or, where an entry is below 1e-290 of the sum, to [`tolerance::TINY_GAIN`] bit. What fails is
-//! shrunk to few states and simple numbers.
+//! Each case is a random refinement ([`strategies::refinement_draw`]); it must be buildable, gain
+//! `≥ 0`, and its gain must be the difference of the two mutual informations to
+//! [`tolerance::IDENTITY`]. A sample is recomputed at 256 bits: there the gain must be right to
+//! [`tolerance::GAIN`] of itself, or, where an entry is below 1e-290 of the sum, to
+//! [`tolerance::TINY_GAIN`] bit. A failing case is shrunk to few states and simple numbers.
 //!
 //! The cases depend on the seed alone, not on the number of threads.
 
@@ -47,16 +47,16 @@ pub enum Sabotage {
 /// Counts of the kinds of cases.
 #[derive(Debug, Clone, PartialEq, Eq, Default, serde::Serialize)]
 pub struct Histograms {
-    /// By states before the division: 0, 1, 2, ….
+    /// Cases by the number of states before the division: 0, 1, 2, ….
     pub states: Vec<u64>,
-    /// By share of zero entries of the refined chain, in tenths.
+    /// Cases by the share of zero entries of the refined chain, in tenths.
     pub zero_tenths: Vec<u64>,
-    /// By `⌊log10 ΔI⌋`: the first for exactly 0, then below −60, −60 to −51, …, −10 to −1, 0 and
-    /// above.
+    /// Cases by `⌊log10 ΔI⌋`: the first for exactly 0, then below −60, −60 to −51, …, −10 to −1, 0
+    /// and above.
     pub gain_decades: Vec<u64>,
-    /// By family of chains, in the order of [`ChainFamily::ALL`].
+    /// Cases by family of chains, in the order of [`ChainFamily::ALL`].
     pub chain_families: Vec<u64>,
-    /// By family of divisions, in the order of [`DivisionFamily::ALL`].
+    /// Cases by family of divisions, in the order of [`DivisionFamily::ALL`].
     pub division_families: Vec<u64>,
 }
 
@@ -67,7 +67,7 @@ pub struct Counterexample {
     pub reason: String,
     /// Joint matrix of the refined chain, in rows.
     pub joint: Vec<Vec<f64>>,
-    /// For each of its states, the coarse state it is a part of.
+    /// The coarse state that each state of the refined chain is a part of.
     pub parents: Vec<usize>,
     /// Rust source that makes the refinement.
     pub source: String,
@@ -313,7 +313,8 @@ impl Counterexample {
             },
             Some(flow) => {
                 let source = format!(
-                    "// broken on purpose: w_k P_kl of a chain that is no refinement of the coarse one\n\
+                    "// broken on purpose: w_k P_kl of a chain that is no refinement of the coarse \
+                     one\n\
                      let flow = {flow:?};\nlet coarse = {:?};\nlet parents = {parents:?};",
                     rows(refinement.coarse())
                 );

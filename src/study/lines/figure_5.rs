@@ -17,7 +17,7 @@ use crate::study::StudyError;
 pub struct Figure5Row {
     /// The grid in words.
     pub case: &'static str,
-    /// Its lines, in units of the edge.
+    /// The lines of the grid, in units of the edge.
     pub lines: Vec<f64>,
     /// The printed value, in bits.
     pub printed: Option<f64>,

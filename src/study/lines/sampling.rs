@@ -28,7 +28,7 @@ pub const METHODS: [&str; 3] = ["plug-in", "miller-madow", "corrected"];
 pub struct SamplingRow {
     /// The scene.
     pub case: String,
-    /// Its patches.
+    /// The number of its patches.
     pub patches: usize,
     /// `"closed-forms"`, or one of [`METHODS`].
     pub method: &'static str,

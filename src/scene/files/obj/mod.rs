@@ -2,14 +2,16 @@
 //!
 //! ```text
 //!   v x y z                        a vertex
-//!   f a b c …                      a face: a or a/vt/vn; from 1 on in the order of the file, −1 is the last so far
-//!   o name, g name                 a face is called by these and its number among those of the same name, from 0 on
+//!   f a b c …                      a face: a or a/vt/vn, from 1 in the order of the file; −1 is
+//!                                  the last so far
+//!   o name, g name                 the name of a face, before its number among those of that name,
+//!                                  from 0
 //!   mtllib file, usemtl name       reflectance and emittance (MTL); black without
 //! ```
 //!
-//! The front of a face is the side from which it runs counter-clockwise. `#` begins a comment, a backslash at its end
-//! continues a line. Texture coordinates, normals and smoothing groups are read over; points and lines, which have
-//! no area, are noted as left out.
+//! The front of a face is the side from which it runs counter-clockwise. `#` begins a comment, a
+//! backslash at its end continues a line. Texture coordinates, normals and smoothing groups are
+//! read over; points and lines, which have no area, are noted as left out.
 //!
 //! **Not covered**: curves and free-form surfaces, which are refused.
 

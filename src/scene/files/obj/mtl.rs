@@ -4,7 +4,8 @@
 //!   newmtl name      Kd r [g b]      Ke r [g b]        scalar = (r + g + b)/3
 //! ```
 //!
-//! What says nothing about diffuse light is read over; gloss, transparency and textures are noted as left out.
+//! What says nothing about diffuse light is read over; gloss, transparency and textures are noted
+//! as left out.
 //!
 //! **Not covered**: spectral curves and CIEXYZ values, which are refused.
 

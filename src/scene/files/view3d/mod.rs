@@ -3,22 +3,26 @@
 //! ```text
 //!   T title            C key=value …                 F 3
 //!   V n x y z          S n v1 v2 v3 v4 base cmb emit name          v4 = 0: a triangle
-//!   O n v1 v2 v3 v4    (what follows is read over)    End of data
+//!   O n v1 v2 v3 v4    (anything after is skipped)    End of data
 //! ```
 //!
-//! The front is the side from which the corners run counter-clockwise; the reflectance is 1 − emit. A surface with a
-//! base lies in that one, which counts without it ([`Scene::with_base`]); one with `cmb` is summed into a row with the surface of that
-//! number and all others that name it ([`Scene::with_groups`]), and the row is called as the first of them. As in View3D, what lies in a
-//! base is separated from it before rows are summed, and `cmb` does not chain. `!` and `/` begin a comment, letters are of any case.
-//! Patches are the surfaces `S` in the order of the file, whatever their numbers.
+//! The front is the side from which the corners run counter-clockwise; the reflectance is 1 − emit.
+//! A surface with a base lies in that one, which counts without it ([`Scene::with_base`]); one with
+//! `cmb` is summed into a row with the surface of that number and all others that name it
+//! ([`Scene::with_groups`]), and the row has the name of the first of them. As in View3D, a part of
+//! a base is separated from it before rows are summed, and `cmb` does not chain. `!` and `/` begin
+//! a comment, letters are of any case. Patches are the surfaces `S` in the order of the file,
+//! whatever their numbers.
 //!
-//! The keys of `C` say how View3D is to compute, and change nothing here: they are noted as ignored.
+//! The keys of `C` control computations of View3D and change nothing here: they are noted as
+//! ignored.
 //!
-//! **Not covered**, and refused by name: masks and null surfaces (`M`, `N`), coordinate transformations (`X`),
-//! formats other than `F 3`.
+//! **Not covered**, and refused by name: masks and null surfaces (`M`, `N`), coordinate
+//! transformations (`X`), formats other than `F 3`.
 //!
 //! # Source
-//! Walton, *Calculation of Obstructed View Factors by Adaptive Integration*, NISTIR 6925, and the View3D 3.3 manual, §4 and §5.2.
+//! Walton, *Calculation of Obstructed View Factors by Adaptive Integration*, NISTIR 6925, and the
+//! View3D 3.3 manual, §4 and §5.2.
 
 pub(crate) mod surfaces;
 pub(crate) mod writer;
@@ -36,7 +40,7 @@ const FORMAT: &str = "\"F 3\"";
 const VERTEX: &str = "\"V n x y z\"";
 const SURFACE: &str = "\"S n v1 v2 v3 v4 base cmb emit name\"";
 
-/// What `C` may say to View3D.
+/// The keys of a `C` statement, which View3D alone obeys.
 const CONTROL: [&str; 14] = [
     "eps", "maxu", "maxo", "mino", "row", "col", "encl", "emit", "out", "list", "prjd", "prjr",
     "maxv", "solu",

@@ -24,7 +24,7 @@ pub(crate) struct Surface {
     pub name: String,
 }
 
-/// What became of a surface: its patches or obstructions, by index.
+/// The patches or obstructions that a surface became, by index.
 struct Placed<'a> {
     surface: &'a Surface,
     indices: std::ops::Range<usize>,
@@ -128,7 +128,8 @@ pub(crate) fn assemble(
         .map_err(|error| FileError::of_file(source.file(), Fault::Scene { source: error }))
 }
 
-/// What lies in an obstruction is a patch like any other: nothing of the obstruction counts.
+/// Checks a part of an obstruction, which is a patch like any other: the obstruction does not
+/// count.
 fn in_obstruction(scene: Scene, part: usize, base: &Placed) -> Result<Scene, Fault> {
     let index = base.indices.start;
     let (inner, outer) = (&scene.patches[part], &scene.obstructions[index]);
@@ -136,7 +137,8 @@ fn in_obstruction(scene: Scene, part: usize, base: &Placed) -> Result<Scene, Fau
         Ok(()) => Ok(scene),
         Err(_) => Err(Fault::NotSupported {
             what: format!(
-                "it is not inside the obstruction that is its base, surface {}, facing the same way",
+                "it is not inside the obstruction that is its base, surface {}, facing the same \
+                 way",
                 base.surface.number
             ),
             mend: "move it there, or write 0 as its base",
@@ -144,8 +146,8 @@ fn in_obstruction(scene: Scene, part: usize, base: &Placed) -> Result<Scene, Fau
     }
 }
 
-/// For each patch the surface that it is summed into, and which of its triangles stays apart from
-/// the others: those of one surface do unless it is combined.
+/// The labels of all patches: the surface that each is summed into, and the triangle of it that
+/// stays apart, as triangles of one surface do unless it is combined.
 fn labels(
     source: &Source,
     surfaces: &[Surface],
