@@ -59,9 +59,7 @@ pub fn open(name: &str, faces: NonPlanarFaces) -> Result<LoadedScene, OpenError>
             scene,
             notes: Vec::new(),
         }),
-        Err(SceneError::UnknownName { .. }) if is_path(name) => {
-            Ok(read(Path::new(name), faces)?)
-        }
+        Err(SceneError::UnknownName { .. }) if is_path(name) => Ok(read(Path::new(name), faces)?),
         Err(error) => Err(error.into()),
     }
 }

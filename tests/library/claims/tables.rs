@@ -30,7 +30,11 @@ fn assert_current(name: &str, current: &str) {
 #[test]
 fn the_readme_shows_the_current_verdicts() {
     let table = first_verdicts(&JUDGEMENTS).unwrap();
-    assert_eq!(table.lines().count(), 2 + 5, "a claim of the table is missing");
+    assert_eq!(
+        table.lines().count(),
+        2 + 5,
+        "a claim of the table is missing"
+    );
     let readme = fs::read_to_string(file("README.md")).unwrap();
     let (before, rest) = readme.split_once(BEGIN).unwrap();
     let (_, after) = rest.split_once(END).unwrap();
