@@ -9,17 +9,18 @@ use std::fmt;
 /// # Examples
 /// ```
 /// use infoscene::exchange::{Congruence, ScenePairs};
-/// use infoscene::scene::Scene;
+/// use infoscene::scene::{Occlusion, Scene};
 /// use std::sync::atomic::{AtomicUsize, Ordering};
 /// let done = AtomicUsize::new(0);
 /// let listener = |finished| {
 ///     done.fetch_add(finished, Ordering::Relaxed);
 /// };
 /// let cube = Scene::built_in("cube:2")?;
-/// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared)?.with_progress(&listener);
+/// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
+/// let pairs = pairs.with_progress(&listener);
 /// pairs.exchange_areas()?;
 /// assert_eq!(done.load(Ordering::Relaxed), pairs.pairs());
-/// # Ok::<(), infoscene::scene::SceneError>(())
+/// # Ok::<(), infoscene::exchange::ExchangeError>(())
 /// ```
 pub trait Progress: Sync {
     /// So many more units of work are finished: pairs, cases. It is called from any thread.
