@@ -9,7 +9,7 @@ use infoscene::discretize::DiscretizeError;
 use infoscene::exchange::ExchangeError;
 use infoscene::geometry::GeometryError;
 use infoscene::scene::SceneError;
-use infoscene::scene::files::Fault;
+use infoscene::scene::files::{Fault, OpenError};
 use infoscene::study::StudyError;
 use infoscene::transport::TransportError;
 use std::error::Error;
@@ -41,8 +41,10 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
 
 /// The cause of an error. One that only passes on another's message has it inside.
 fn cause<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'static)> {
-    if let Some(SceneError::File(inner)) = error.downcast_ref() {
-        return Some(&**inner);
+    match error.downcast_ref() {
+        Some(OpenError::Scene(inner)) => return Some(inner),
+        Some(OpenError::File(inner)) => return Some(inner),
+        _ => {}
     }
     if let Some(ExchangeError::Scene(inner)) = error.downcast_ref() {
         return Some(inner);

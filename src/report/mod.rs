@@ -9,6 +9,7 @@
 //! **Not here**: computing, but for the numbers of [`findings_page`]; all others come finished.
 
 mod answers;
+mod error;
 mod render;
 
 pub use answers::claims::{curve_figure, curve_report, reproduction_report};
@@ -27,7 +28,8 @@ pub use answers::studies::plain::fuzz_report;
 pub use answers::studies::plain::study_report;
 pub use answers::studies::routes::{accuracy_report, stability_report};
 pub use answers::studies::sampling::{figure_5_report, sampling_report};
-pub use render::document::{Format, Report, ReportError, json_text};
+pub use error::ReportError;
+pub use render::document::{Format, Report, json_text};
 pub use render::figure::{Axis, Figure, Line};
 pub use render::npy::{write_npy_head, write_npy_row};
 pub use render::number::{certain_digits, enclosed_digits, power_of_ten, scientific};

@@ -15,6 +15,7 @@ mod geometry;
 mod information;
 mod numeric;
 mod reference;
+mod report;
 mod scene;
 mod study;
 mod support;

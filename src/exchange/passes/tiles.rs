@@ -104,16 +104,16 @@ impl ScenePairs<'_> {
     /// # Examples
     /// ```
     /// use infoscene::exchange::{Congruence, ScenePairs};
-    /// use infoscene::scene::Scene;
+    /// use infoscene::scene::{Occlusion, Scene};
     /// let cube = Scene::built_in("cube:2")?;
-    /// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared)?;
+    /// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
     /// let mut sum = 0.0;
     /// for tile in pairs.tiles(8) {
     ///     sum += 2.0 * pairs.tile(&tile)?.values.iter().sum::<f64>();
     /// }
     /// // faces of four patches each: no tile is on the diagonal, and the scene is closed
     /// assert!((sum - 6.0).abs() < 1e-13);
-    /// # Ok::<(), infoscene::scene::SceneError>(())
+    /// # Ok::<(), infoscene::exchange::ExchangeError>(())
     /// ```
     pub fn tiles(&self, side: usize) -> impl Iterator<Item = Tile> {
         self.bands(side).flat_map(|band| band.tiles)

@@ -25,18 +25,17 @@ pub fn claims_page(judgements: &[Judgement]) -> Result<String, PageError> {
     texts.filled(TEMPLATE)
 }
 
-/// The claims of the front page: the best cuts of figs. 2 and 3, a pair of cuts of §4.2, a theorem,
-/// and a statement that is refuted.
-const FIRST: [&str; 6] = [
+/// The claims of the front page: the best cuts of figs. 2 and 3, a pair of cuts of §4.2, a theorem.
+const FIRST: [&str; 5] = [
     "fig2-parallel-cut",
     "fig3-cut",
     "s42-information-cut-2",
     "s42-mean-square-cut-2",
     "theorem-1",
-    "s5-gain-for-constant-radiosity",
 ];
 
-/// The short table of the front page in Markdown: id, place, printed, computed, verdict.
+/// The short table of the front page in Markdown: id, place, printed, computed, verdict. For a claim
+/// in words the evidence stands in the place of a number.
 ///
 /// # Errors
 /// [`ReportError`] if the table cannot be rendered.
@@ -46,19 +45,16 @@ pub fn first_verdicts(judgements: &[Judgement]) -> Result<String, ReportError> {
         .filter_map(|id| judgements.iter().find(|j| j.claim.id == *id));
     let row = |judgement: &Judgement| {
         let claim = &judgement.claim;
-        let printed = claim.printed.as_ref();
-        let printed = printed.map_or_else(|| "in words".to_owned(), |p| p.text.clone());
-        let computed = judgement.finding.as_ref().map(|finding| {
-            let (value, error) = match finding.quantity {
-                Quantity::Value { value, error } => (value, error),
-                Quantity::Residual { value, tolerance } => (value, tolerance),
-            };
-            certain_digits(value, error)
+        let printed = claim.printed.as_ref().map(|printed| printed.text.clone());
+        let finding = judgement.finding.as_ref();
+        let computed = finding.map(|finding| match finding.quantity {
+            Quantity::Value { value, error } if printed.is_some() => certain_digits(value, error),
+            _ => finding.grade.name().to_owned(),
         });
         vec![
             claim.id.clone(),
             claim.place.clone(),
-            printed,
+            printed.unwrap_or_else(|| "in words".to_owned()),
             computed.unwrap_or_default(),
             judgement.verdict.name().replace('_', " "),
         ]
