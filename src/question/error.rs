@@ -29,6 +29,16 @@ pub enum QuestionError {
     /// A claim was refused.
     #[error(transparent)]
     Claim(#[from] ClaimError),
+    /// An enclosure was asked for of a grid with so many cells that it would take too long.
+    #[error("an enclosure of {bits} bits is for up to {most} cells an edge, and here are {cells}")]
+    TooManyCellsToEnclose {
+        /// Bits asked for.
+        bits: u32,
+        /// Cells an edge of the grid.
+        cells: u32,
+        /// The most cells an edge that are enclosed.
+        most: u32,
+    },
     /// A study was refused.
     #[cfg(feature = "report")]
     #[error(transparent)]

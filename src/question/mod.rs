@@ -7,6 +7,11 @@
 //!
 //! **Not here**: formats, arguments, files that answers are written to.
 
+mod decimals;
 mod error;
+mod grid;
+mod sampled_information;
 
 pub use error::QuestionError;
+pub use grid::{Grid, GridAnswer, GridEnclosures, GridLines, GridSample};
+pub use sampled_information::SampledInformation;
