@@ -34,8 +34,12 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
     if let Some(DiscretizeError::NotEnclosed) = error.downcast_ref() {
         return Some("; leave out --precision");
     }
-    if let Some(QuestionError::TooManyCellsToEnclose { .. }) = error.downcast_ref() {
-        return Some("; leave out --precision");
+    match error.downcast_ref() {
+        Some(QuestionError::TooManyCellsToEnclose { .. }) => {
+            return Some("; leave out --precision");
+        }
+        Some(QuestionError::NonePrinted { .. }) => return Some("; leave out --printed"),
+        _ => {}
     }
     if let Some(ClaimError::UnknownClaim { .. }) = error.downcast_ref() {
         return Some("; `infoscene reproduce` shows all ids");

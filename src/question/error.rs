@@ -29,6 +29,28 @@ pub enum QuestionError {
     /// A claim was refused.
     #[error(transparent)]
     Claim(#[from] ClaimError),
+    /// The claim has no curve.
+    #[error("claim \"{id}\" has no curve; these have one: {}", with_curve.join(", "))]
+    NoCurve {
+        /// The id of the claim.
+        id: String,
+        /// The ids of the claims that have one.
+        with_curve: Vec<String>,
+    },
+    /// Only claims that print a number were asked for, and none of those named does.
+    #[error("none of the claims named prints a number")]
+    NonePrinted {
+        /// The ids as given.
+        ids: Vec<String>,
+    },
+    /// More cuts were asked for than anybody reads.
+    #[error("{pairs} pairs of exponents are more than {most}")]
+    TooManyPairsOfExponents {
+        /// The number of pairs asked for.
+        pairs: usize,
+        /// The most pairs that are answered.
+        most: usize,
+    },
     /// An enclosure was asked for of a grid with so many cells that it would take too long.
     #[error("an enclosure of {bits} bits is for up to {most} cells an edge, and here are {cells}")]
     TooManyCellsToEnclose {

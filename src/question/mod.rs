@@ -7,11 +7,17 @@
 //!
 //! **Not here**: formats, arguments, files that answers are written to.
 
+mod curve;
+mod cut;
 mod decimals;
 mod error;
 mod grid;
+mod reproduce;
 mod sampled_information;
 
+pub use curve::{Curve, CurveAnswer, CurvePoint};
+pub use cut::{Cut, CutAnswer, CutEnclosures, Cuts, CutsAnswer, IrradianceExponent};
 pub use error::QuestionError;
 pub use grid::{Grid, GridAnswer, GridEnclosures, GridLines, GridSample};
+pub use reproduce::{JudgedClaim, Reproduce, ReproduceAnswer};
 pub use sampled_information::SampledInformation;
