@@ -15,3 +15,12 @@ pub(super) fn all_ends<S: Serializer>(
 ) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(enclosures.iter().map(Interval::every_decimal))
 }
+
+/// Serializes the ends of an enclosure with 60 decimals at most.
+#[cfg(feature = "report")]
+pub(super) fn ends_to_60<S: Serializer>(
+    enclosure: &Interval,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    enclosure.to_decimal(60).serialize(serializer)
+}

@@ -61,6 +61,16 @@ pub enum QuestionError {
         /// The most cells an edge that are enclosed.
         most: u32,
     },
+    /// Refinements of chains with so many states are not drawn.
+    #[error("chains of {states} states are not drawn: it must be {least} to {most}")]
+    StatesOutOfRange {
+        /// The most states asked for.
+        states: usize,
+        /// The fewest that may be asked for.
+        least: usize,
+        /// The most that may be asked for.
+        most: usize,
+    },
     /// A study was refused.
     #[cfg(feature = "report")]
     #[error(transparent)]

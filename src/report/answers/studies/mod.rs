@@ -1,6 +1,42 @@
-//! Answers of the studies.
+//! Tables and figures of studies.
 
-pub(crate) mod gradient;
-pub(crate) mod plain;
-pub(crate) mod routes;
-pub(crate) mod sampling;
+mod gradient_cuts;
+mod measurements;
+mod refinement;
+mod routes;
+mod sampling;
+
+use crate::question::StudyAnswer;
+use crate::report::{Figure, Report, ReportError};
+
+/// The answer to [`Study`](crate::question::Study): its table, and its rows under `rows` in JSON.
+///
+/// # Errors
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
+pub fn study_report(answer: &StudyAnswer) -> Result<Report, ReportError> {
+    match answer {
+        StudyAnswer::Accuracy(rows) => routes::accuracy_report(rows),
+        StudyAnswer::Stability(rows) => routes::stability_report(rows),
+        StudyAnswer::Precision(rows) => {
+            measurements::measurements_report("precision", "relative width", rows)
+        }
+        StudyAnswer::Limits(rows) => gradient_cuts::limits_report(rows),
+        StudyAnswer::Profiles(rows) => gradient_cuts::profiles_report(rows),
+        StudyAnswer::Directions(rows) => gradient_cuts::directions_report(rows),
+        StudyAnswer::Walks(rows) => {
+            measurements::measurements_report("walks", "deviation of a walk, relative", rows)
+        }
+        StudyAnswer::Refinement(rows) => refinement::refinements_report(rows),
+        StudyAnswer::Sampling(rows) => sampling::sampling_report(rows),
+        StudyAnswer::Figure5(rows) => sampling::figure_5_report(rows),
+    }
+}
+
+/// The figure of a study; none but the study of refinements has one.
+#[must_use]
+pub fn study_figure(answer: &StudyAnswer) -> Option<Figure> {
+    match answer {
+        StudyAnswer::Refinement(rows) => Some(refinement::refinements_figure(rows)),
+        _ => None,
+    }
+}
