@@ -8,6 +8,7 @@ use infoscene::claims::ClaimError;
 use infoscene::discretize::DiscretizeError;
 use infoscene::exchange::ExchangeError;
 use infoscene::geometry::GeometryError;
+use infoscene::question::QuestionError;
 use infoscene::scene::SceneError;
 use infoscene::scene::files::{Fault, OpenError};
 use infoscene::study::StudyError;
@@ -32,6 +33,13 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
     }
     if let Some(DiscretizeError::NotEnclosed) = error.downcast_ref() {
         return Some("; leave out --precision");
+    }
+    match error.downcast_ref() {
+        Some(QuestionError::TooManyCellsToEnclose { .. }) => {
+            return Some("; leave out --precision");
+        }
+        Some(QuestionError::NonePrinted { .. }) => return Some("; leave out --printed"),
+        _ => {}
     }
     if let Some(ClaimError::UnknownClaim { .. }) = error.downcast_ref() {
         return Some("; `infoscene reproduce` shows all ids");
@@ -78,6 +86,16 @@ fn cause<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'stati
         Some(StudyError::Claim(inner)) => return Some(inner),
         Some(StudyError::Transport(inner)) => return Some(inner),
         Some(StudyError::Discretize(inner)) => return Some(inner),
+        _ => {}
+    }
+    match error.downcast_ref() {
+        Some(QuestionError::Scene(inner)) => return Some(inner),
+        Some(QuestionError::Exchange(inner)) => return Some(inner),
+        Some(QuestionError::Chain(inner)) => return Some(inner),
+        Some(QuestionError::Transport(inner)) => return Some(inner),
+        Some(QuestionError::Discretize(inner)) => return Some(inner),
+        Some(QuestionError::Claim(inner)) => return Some(inner),
+        Some(QuestionError::Study(inner)) => return Some(inner),
         _ => {}
     }
     error.source()

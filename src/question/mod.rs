@@ -7,6 +7,29 @@
 //!
 //! **Not here**: formats, arguments, files that answers are written to.
 
+mod curve;
+mod cut;
+mod decimals;
 mod error;
+#[cfg(all(feature = "proptest", feature = "report"))]
+mod fuzz;
+mod grid;
+mod reproduce;
+mod sampled_information;
+#[cfg(feature = "report")]
+mod study;
+#[cfg(feature = "report")]
+mod study_rows;
 
+pub use curve::{Curve, CurveAnswer, CurvePoint};
+pub use cut::{Cut, CutAnswer, CutEnclosures, Cuts, CutsAnswer, IrradianceExponent};
 pub use error::QuestionError;
+#[cfg(all(feature = "proptest", feature = "report"))]
+pub use fuzz::{Fuzz, FuzzAnswer};
+pub use grid::{Grid, GridAnswer, GridEnclosures, GridLines, GridSample};
+pub use reproduce::{JudgedClaim, Reproduce, ReproduceAnswer};
+pub use sampled_information::SampledInformation;
+#[cfg(feature = "report")]
+pub use study::{Study, StudyAnswer, StudySubject};
+#[cfg(feature = "report")]
+pub use study_rows::{DirectionRecord, LimitRecord, ProfileRecord};

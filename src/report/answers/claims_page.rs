@@ -2,6 +2,7 @@
 
 use crate::claims::{Judgement, Quantity, Verdict};
 use crate::numeric::Grade;
+use crate::question::ReproduceAnswer;
 use crate::report::render::page::{PageError, Texts};
 use crate::report::{Format, ReportError, Table, certain_digits, reproduction_report};
 
@@ -20,7 +21,7 @@ pub fn claims_page(judgements: &[Judgement]) -> Result<String, PageError> {
     let grades = Grade::ALL.map(|grade| format!("| {} | {} |\n", grade.name(), grade.meaning()));
     texts.text("verdicts", verdicts.concat());
     texts.text("grades", grades.concat());
-    let table = reproduction_report(judgements)?;
+    let table = reproduction_report(&ReproduceAnswer::from(judgements))?;
     texts.text("claims", table.render(Format::Markdown)?);
     texts.filled(TEMPLATE)
 }

@@ -2,6 +2,7 @@
 //! `INFOSCENE_REFRESH=1 cargo test --test library claims`.
 
 use super::{JUDGEMENTS, judgements};
+use infoscene::question::ReproduceAnswer;
 use infoscene::report::{
     Format, claims_page, curve_figure, findings_page, first_verdicts, reproduction_report,
 };
@@ -83,7 +84,8 @@ fn findings_need_their_claims() {
 /// Two runs write the same bytes in every format.
 #[test]
 fn two_runs_write_the_same_bytes() {
-    let [first, second] = [&JUDGEMENTS, &judgements()].map(|j| reproduction_report(j).unwrap());
+    let answers = [&JUDGEMENTS, &judgements()].map(|j| ReproduceAnswer::from(j.as_slice()));
+    let [first, second] = answers.map(|answer| reproduction_report(&answer).unwrap());
     for format in [
         Format::Table,
         Format::Markdown,
