@@ -4,7 +4,7 @@ use super::sampled::SampledRecord;
 use crate::discretize::{BestGrid, BoxGrid, GridInformation, Spacing};
 use crate::information::LineSample;
 use crate::numeric::interval::DecimalBounds;
-use crate::numeric::{Grade, Interval};
+use crate::numeric::{Bounded, Grade, Interval};
 use crate::report::{Report, ReportError, Table, certain_digits, enclosed_digits, scientific};
 
 /// What is said about a grid.
@@ -107,10 +107,10 @@ pub fn grid_report(answer: &GridAnswer<'_>) -> Result<Report, ReportError> {
         cells,
         spacing: grid.spacing().name(),
         lines: grid.lines(),
-        mutual_information: information.mutual_information,
-        error: information.error,
-        error_grade: Grade::Bound,
-        regular_mutual_information: regular.mutual_information,
+        mutual_information: information.mutual_information.value,
+        error: information.mutual_information.error,
+        error_grade: information.mutual_information.grade,
+        regular_mutual_information: regular.mutual_information.value,
         patches: 6 * cells.pow(2),
         pairs: 15 * cells.pow(4),
         classes: information.classes,
@@ -124,7 +124,11 @@ pub fn grid_report(answer: &GridAnswer<'_>) -> Result<Report, ReportError> {
         starts_lost: best.map(|best| best.search.lost),
         other_maxima: best.map(|best| best.search.others.as_slice()),
         sampled: answer.sampled.as_ref().map(|(sample, seed, bias)| {
-            SampledRecord::new(sample, *seed, Some([information.mutual_information, *bias]))
+            SampledRecord::new(
+                sample,
+                *seed,
+                Some([information.mutual_information.value, *bias]),
+            )
         }),
         enclosures: answer.enclosed.as_ref().and_then(Enclosures::new),
     };
@@ -141,9 +145,9 @@ pub fn grid_report(answer: &GridAnswer<'_>) -> Result<Report, ReportError> {
         (_, false) => lines.join(", "),
     };
     let [x, y, z] = answer.edges;
-    let gain = information.mutual_information - regular.mutual_information;
-    let gain = certain_digits(gain, information.error + regular.error);
-    let bits = |of: &GridInformation| certain_digits(of.mutual_information, of.error);
+    let (found, plain) = (information.mutual_information, regular.mutual_information);
+    let gain = certain_digits(found.value - plain.value, found.error + plain.error);
+    let bits = |of: Bounded| certain_digits(of.value, of.error);
     let mut rows = vec![
         ("edges of the box", format!("{x}, {y}, {z}")),
         ("cells an edge", cells.to_string()),
@@ -151,15 +155,15 @@ pub fn grid_report(answer: &GridAnswer<'_>) -> Result<Report, ReportError> {
         ("pairs that see each other", record.pairs.to_string()),
         ("classes of congruent ones", record.classes.to_string()),
         ("lines, relative to the edge", lines),
-        ("mutual information, bits", bits(information)),
+        ("mutual information, bits", bits(found)),
         (
             "its error, bits",
-            format!("{} (bound)", scientific(information.error)),
+            format!("{} (bound)", scientific(found.error)),
         ),
     ];
     if !is_regular {
         rows.extend([
-            ("that of the regular grid, bits", bits(regular)),
+            ("that of the regular grid, bits", bits(plain)),
             ("more than that, bits", gain),
         ]);
     }
