@@ -230,7 +230,7 @@ fn assert_best_grid(cells: u32) {
     for (line, enclosure) in fast.grid.lines().iter().zip(&certified.half) {
         assert_near(*line, enclosure, tolerance::POSITION, &what);
     }
-    let information = fast.information.mutual_information;
+    let information = fast.information.mutual_information.value;
     let allowed = tolerance::GRID_INFORMATION * information;
     assert_near(information, &certified.mutual_information, allowed, &what);
 }

@@ -149,7 +149,7 @@ fn random_chords_agree() {
     {
         let scene = Scene::built_in(name).unwrap();
         let sample = chord_information(&scene, 40_000, seed as u64).unwrap();
-        let off = (sample.mutual_information - information(name).mutual_information).abs();
+        let off = (sample.mutual_information - information(name).mutual_information.value).abs();
         assert!(
             off < 5.0 * sample.standard_error,
             "{name}: {off} {sample:?}"
@@ -174,7 +174,7 @@ fn chords_stop_at_what_they_meet() {
     let walls = [polygon("above", &square), polygon("below", &back)];
     let patches: Vec<NamedPatch> = cube.patches().iter().cloned().chain(walls).collect();
     let sample = chord_information(&Scene::try_new(patches).unwrap(), 40_000, 1).unwrap();
-    let expected = information("box:1,1,0.5").mutual_information + 1.0;
+    let expected = information("box:1,1,0.5").mutual_information.value + 1.0;
     assert!(
         (sample.mutual_information - expected).abs() < 5.0 * sample.standard_error,
         "{sample:?}"
@@ -218,7 +218,7 @@ fn sphere_is_zero() {
         }
     }
     let mut room = Scene::built_in("icosahedron").unwrap();
-    let mut before = information("icosahedron").mutual_information;
+    let mut before = information("icosahedron").mutual_information.value;
     for _ in 0..2 {
         let (fine, _) = room.subdivided(1).unwrap();
         room = crate::support::rooms::mapped(&fine, DVec3::normalize);
