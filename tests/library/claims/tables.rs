@@ -20,7 +20,8 @@ fn assert_current(name: &str, current: &str) {
     let committed = fs::read_to_string(file(name)).unwrap_or_default();
     assert!(
         committed == current,
-        "{name} is stale; run INFOSCENE_REFRESH=1 cargo test --test library claims, and read the difference"
+        "{name} is stale; run INFOSCENE_REFRESH=1 cargo test --test library claims, and read the \
+         difference"
     );
 }
 

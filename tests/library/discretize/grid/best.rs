@@ -4,7 +4,8 @@ use crate::support::references::{rows, value};
 use infoscene::discretize::{BestGrid, BoxGrid, CertifiedGrid, UNIT_CUBE};
 use infoscene::numeric::{Certificate, Scalar, tolerance};
 
-/// Lines to 1e-14, values to their bounds, against 20 and 28 digits; the estimated error of the lines is no less than the real one.
+/// Lines to 1e-14, values to their bounds, against 20 and 28 digits; the estimated error of the
+/// lines is no less than the real one.
 #[test]
 fn best_grids_of_the_cube_agree_with_their_references() {
     for cells in [3, 4, 6] {
@@ -34,7 +35,8 @@ fn best_grids_of_the_cube_agree_with_their_references() {
     }
 }
 
-/// Neighbours with one line moved say less, and so does the regular grid; on cubes, and on long and flat boxes.
+/// Neighbours with one line moved say less, and so does the regular grid; on cubes, and on long and
+/// flat boxes.
 #[test]
 fn best_grids_beat_their_neighbours() {
     for edges in [
@@ -82,7 +84,8 @@ fn best_grids_beat_their_neighbours() {
     }
 }
 
-/// Every start ends at the same maximum, on every box tried: evidence, not proof, that there is one only.
+/// Every start ends at the same maximum, on every box tried: evidence, not proof, that there is one
+/// only.
 #[test]
 fn all_starts_end_at_one_maximum() {
     for edges in [
@@ -103,7 +106,7 @@ fn all_starts_end_at_one_maximum() {
     }
 }
 
-/// With one cell or two no line is free.
+/// One cell or two leave no line free.
 #[test]
 fn grids_without_free_lines_are_regular() {
     for cells in [1, 2] {

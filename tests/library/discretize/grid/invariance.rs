@@ -1,4 +1,4 @@
-//! What must not change a grid's mutual information: units, the order of axes, mirror images.
+//! Changes that leave a grid's mutual information alone: units, the order of axes, mirror images.
 
 use super::{edges, grid, lines};
 use crate::support::intervals::cases;
@@ -39,7 +39,8 @@ proptest! {
         let here = grid(edges, &lines).information().unwrap();
         let there = grid(edges, &mirrored).information().unwrap();
         let difference = here.mutual_information - there.mutual_information;
-        // 1 − t is rounded, which narrow cells notice most: 1e-4 of an edge moves by 1e-12 of itself
+        // 1 − t is rounded, which narrow cells notice most: 1e-4 of an edge moves by 1e-12 of
+        // itself
         prop_assert!(difference.abs() <= here.error + there.error + 1e-14, "{difference:e}");
     }
 
