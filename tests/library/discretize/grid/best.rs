@@ -147,7 +147,7 @@ fn best_grids_of_three_and_eight_cells_are_enclosed() {
 /// Lines of 32 cells are still known to 1e-9, and both starts agree.
 #[test]
 #[ignore = "a minute unoptimised: cargo test --release --test library discretize::grid -- --ignored"]
-fn fine_best_grids_come_to_rest() {
+fn fine_best_grids_converge() {
     let best = BestGrid::find(UNIT_CUBE, 32).unwrap();
     assert!(best.line_error <= 1e-9 && best.search.lost == 0 && best.search.others.is_empty());
     assert!(best.curvature.unwrap() < -best.curvature_error);
