@@ -1,7 +1,7 @@
 //! The generic formulas over `f64` against copies of them by hand, without trait or type parameter.
 //!
-//! The copies live here only: the same operations in the same order on plain doubles. Equal results, bit by bit, are
-//! checked before anything is timed.
+//! The copies live here only: the same operations in the same order on plain doubles. Equal
+//! results, bit by bit, are checked before anything is timed.
 #![allow(
     missing_docs,
     reason = "criterion's macros write undocumented functions"
@@ -278,7 +278,8 @@ fn by_hand(pair: &[Span; 2]) -> [Side; 2] {
     })
 }
 
-/// The copies by hand use the standard library's functions, the crate its own: the last places differ.
+/// The copies by hand use the standard library's functions, the crate its own: the last places
+/// differ.
 fn assert_close(generic: f64, hand: f64, allowed: f64) {
     assert!(
         (generic - hand).abs() <= allowed,

@@ -46,7 +46,8 @@ fn measures(criterion: &mut Criterion) {
     });
 }
 
-/// 2000 states, a joint matrix of 32 MB, in multiples of reading it and taking one logarithm per entry.
+/// 2000 states, a joint matrix of 32 MB, in multiples of reading it and taking one logarithm per
+/// entry.
 fn large_chain(criterion: &mut Criterion) {
     let n = 2000;
     // w_i P_ij = 1 + 1/(i+j+1): a known chain, symmetric, far from independent in one corner only

@@ -1,7 +1,8 @@
 //! Any two polygons, by family, in multiples of the textbook's sixteen terms timed beside them.
 //!
-//! Each family is checked first: a pair taken the other way round agrees within the bounds, and the bounds meet the tolerance.
-//! Criterion's means are over whole families, escalated pairs included; the medians over the pairs are printed before.
+//! Each family is checked first: a pair taken the other way round agrees within the bounds, and the
+//! bounds meet the tolerance. Criterion's means are over whole families, escalated pairs included;
+//! the medians over the pairs are printed before.
 #![allow(
     missing_docs,
     reason = "criterion's macros write undocumented functions"
@@ -36,7 +37,8 @@ fn rotation(random: &mut ChaCha8Rng) -> DMat3 {
     DMat3::from_axis_angle(axis.normalize(), random.random_range(0.0..TAU))
 }
 
-/// Pairs that exchange something, from a recipe; all but a few meet the tolerance, and both ways round agree.
+/// Pairs that exchange something, from a recipe; all but a few meet the tolerance, and both ways
+/// round agree.
 fn family(seed: u64, mut recipe: impl FnMut(&mut ChaCha8Rng) -> Pair) -> Vec<Pair> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let (mut pairs, mut missed) = (Vec::new(), 0);
@@ -59,7 +61,8 @@ fn family(seed: u64, mut recipe: impl FnMut(&mut ChaCha8Rng) -> Pair) -> Vec<Pai
     pairs
 }
 
-/// The median over a family of the time per pair, in seconds: of each pair the fastest of some runs.
+/// The median over a family of the time per pair, in seconds: of each pair the fastest of some
+/// runs.
 fn median_time(pairs: &[Pair]) -> f64 {
     const CALLS: u32 = 32;
     let fastest = |[first, second]: &Pair| {
@@ -77,7 +80,7 @@ fn median_time(pairs: &[Pair]) -> f64 {
     times[times.len() / 2]
 }
 
-/// The same of the textbook's formula.
+/// The form factor by the textbook's formula.
 fn textbook_time() -> f64 {
     const CALLS: u32 = 2000;
     let runs = (0..20).map(|_| {

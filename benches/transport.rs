@@ -25,7 +25,8 @@ fn room() -> (ExchangeAreas, Vec<Material>, Vec<f64>) {
     (exchange, materials, emittances)
 }
 
-/// One product with the exchange areas, entry by entry, as a memory of what the matrix costs to read.
+/// One product with the exchange areas, entry by entry, as a memory of what the matrix costs to
+/// read.
 fn read_once(values: &[f64], x: &[f64]) -> f64 {
     let mut sum = 0.0;
     let mut start = 0;

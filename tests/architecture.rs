@@ -23,8 +23,8 @@ fn sources(folder: &str) -> Vec<PathBuf> {
     found
 }
 
-/// What a module names: every path that begins with `crate`, `super` or `self`, and all that it
-/// imports.
+/// The names that a module uses: every path that begins with `crate`, `super` or `self`, and all
+/// that it imports.
 struct Module {
     paths: Vec<String>,
     imports: Vec<String>,
@@ -102,7 +102,7 @@ fn paths(code: &str) -> Vec<String> {
     starts.flat_map(|at| tree(&code[at..]).0).collect()
 }
 
-/// What the code imports by `use`, public or not, groups in braces taken apart.
+/// The imports of code by `use`, public or not, groups in braces taken apart.
 fn imports(code: &str) -> Vec<String> {
     let statements = code.split(';').filter_map(|statement| {
         let words = statement.trim_start();
@@ -177,7 +177,7 @@ fn definition(modules: &Modules, from: &str, path: &str, steps: usize) -> String
     at
 }
 
-/// For each module the modules of its room that it uses. A folder's `mod.rs` may name what is in
+/// The modules of its room that each module uses. A folder's `mod.rs` may name what is in
 /// it.
 fn uses(modules: &Modules) -> BTreeMap<&str, BTreeSet<String>> {
     let used = modules.iter().map(|(name, module)| {
@@ -258,8 +258,8 @@ fn every_folder_of_the_library_is_in_the_flow() {
 
 #[test]
 fn the_arrow_is_read_over_several_lines() {
-    let head = "//! A house.\n//!\n//! ```text\n//! a = b\n//! ```\n//!\n//! ```text\n//! numeric → \
-        geometry →\n//!     chain\n//! ```\nmod x;\n";
+    let head = "//! A house.\n//!\n//! ```text\n//! a = b\n//! ```\n//!\n//! ```text\n//! \
+        numeric → geometry →\n//!     chain\n//! ```\nmod x;\n";
     let flow = flow(head);
     assert_eq!(flow, ["numeric", "geometry", "chain"]);
     let places = ["numeric", "chain", "cli", "main", "attic"].map(|room| place(&flow, room));

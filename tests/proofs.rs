@@ -1,6 +1,6 @@
-//! The folder `proofs` without Coq: page, files, claims and decimals name the same theorems and the same numbers, and
-//! intervals enclose what is proved.
-//! That the proofs hold is what `proofs/check` checks.
+//! The folder `proofs` without Coq: page, files, claims and decimals name the same theorems and the
+//! same numbers, and intervals enclose what is proved. That the proofs hold is what `proofs/check`
+//! checks.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use infoscene::discretize::{GradientCut, PatchSplit};
@@ -80,7 +80,8 @@ struct Row {
     files: Vec<String>,
 }
 
-/// The rows of the index of `proofs/README.md`: statement, paper, theorem, file, uses, axioms, status.
+/// The rows of the index of `proofs/README.md`: statement, paper, theorem, file, uses, axioms,
+/// status.
 fn index(page: &str) -> Vec<Row> {
     let table = page.split("\n## Index\n").nth(1).unwrap_or("");
     let rows = table.lines().filter(|line| line.starts_with("| "));
@@ -101,7 +102,7 @@ fn index(page: &str) -> Vec<Row> {
         .collect()
 }
 
-/// What is wrong with a row, given the theorems of a file.
+/// The fault of a row, given the theorems of a file.
 fn faults(row: &Row, theorems_of: impl Fn(&str) -> Vec<String>) -> Vec<String> {
     let held: Vec<(&String, Vec<String>)> = row
         .files
@@ -263,7 +264,7 @@ fn table() -> csv::Reader<fs::File> {
         .unwrap()
 }
 
-/// What interval arithmetic encloses under the name of a row of the table.
+/// The enclosure by interval arithmetic of the number that a row of the table names.
 fn enclosed(name: &str) -> Interval {
     const BITS: u32 = 192;
     let best = |scene, against: &[usize]| {
@@ -351,7 +352,8 @@ fn a_theorem_in_a_comment_is_none() {
 
 #[test]
 fn a_wrong_row_is_seen() {
-    let page = "\n## Index\n\n| statement | paper | theorem | file | uses | axioms | status |\n|---|\n\
+    let page = "\n## Index\n\n| statement | paper | theorem | file | uses | axioms | \
+                status |\n|---|\n\
                 | s | eq. (1) | `one`, `two` | [A.v](a/A.v), [B.v](b/B.v) |  | R | proved |\n";
     let rows = index(page);
     assert_eq!(rows.len(), 1);

@@ -57,7 +57,7 @@ fn two_thirds_of_the_cases_are_hard() {
     );
 }
 
-/// The same seed makes the same cases, whatever the number of threads.
+/// One seed makes one list of cases, whatever the number of threads.
 #[test]
 fn the_cases_depend_on_the_seed_alone() {
     let run = |threads: &str, seed: &str| {
@@ -77,8 +77,9 @@ fn the_cases_depend_on_the_seed_alone() {
     assert_ne!(run("1", "3"), run("1", "4"));
 }
 
-/// With a hypothesis broken on purpose the command reports within a second however many cases are asked for,
-/// exits with 1, and leaves a file with the shrunk chain; and so, in a few seconds, with a gain off by 1e-9 of it.
+/// The command, with a hypothesis broken on purpose, reports within a second however many cases are
+/// asked for, exits with 1, and leaves a file with the shrunk chain; and so, in a few seconds, with
+/// a gain off by 1e-9 of it.
 #[test]
 fn a_broken_promise_is_found_within_a_second() {
     for (broken, message) in [
@@ -102,8 +103,8 @@ fn a_broken_promise_is_found_within_a_second() {
             .args(["--output", output.to_str().unwrap()])
             .assert()
             .code(1);
-        // debug builds are some twenty times slower than what users run, and what the 256-bit recomputation
-        // finds it also shrinks
+        // debug builds are some twenty times slower than what users run, and what the 256-bit
+        // recomputation finds it also shrinks
         let is_quick = !cfg!(debug_assertions) && broken != "gain";
         let limit = Duration::from_secs(if is_quick { 1 } else { 60 });
         assert!(start.elapsed() < limit, "{broken}: {:?}", start.elapsed());
@@ -160,7 +161,7 @@ fn assert_falls(found: &serde_json::Value) {
     assert!((fall - printed).abs() < 1e-14, "{fall:e} {printed:e}");
 }
 
-/// With many states the cases are no emptier than with few.
+/// Cases of many states are no emptier than those of few.
 #[test]
 fn large_chains_are_not_empty() {
     let answer = json(&["fuzz", "--cases", "1000", "--states", "40"]);

@@ -89,7 +89,7 @@ fn each_cut_is_judged_by_both_measures() {
     assert!((error - (x.powi(3) + (1.0 - x).powi(3)) / 12.0).abs() < 1e-15);
 }
 
-/// With --precision every record of a list is enclosed, and the table has the digits.
+/// Every record of a list is enclosed with --precision, and the table has the digits.
 #[test]
 fn lists_are_enclosed_on_request() {
     let lists = [

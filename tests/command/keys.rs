@@ -1,4 +1,4 @@
-//! What scripts rely on: the keys of the JSON, and numbers that read back exactly.
+//! The keys that scripts rely on: those of the JSON, and numbers that read back exactly.
 
 use crate::{json, stdout};
 use infoscene::claims::registry;

@@ -96,7 +96,8 @@ fn light_makes_other_chains() {
     assert!((weights.sum::<f64>() - 1.0).abs() < 1e-14);
 }
 
-/// Two squares, one of which emits: the cut is that of fig. 2, and Σw = 2 J B₁ B₂ takes the brightness out of the gain.
+/// Two squares, one of which emits: the cut is that of fig. 2, and Σw = 2 J B₁ B₂ takes the
+/// brightness out of the gain.
 #[test]
 fn the_cut_under_light_is_judged_by_section_5() {
     let dark = json(&["split", "two-squares", "--patch", "0", "--axis", "u"]);

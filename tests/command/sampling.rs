@@ -9,7 +9,7 @@ fn number(value: &Value) -> f64 {
         .unwrap_or_else(|| panic!("{value} is no number"))
 }
 
-/// cube_grids.csv, row cube_regular_3.
+/// The value is that of cube_grids.csv, row cube_regular_3.
 const CUBE_3: f64 = 0.994_346_184_970_692_6;
 
 #[test]
@@ -36,7 +36,8 @@ fn sampled_values_stand_beside_the_exact_one() {
         five(of("mutual_information") - of("expected_bias") - CUBE_3);
         five(of("corrected") - CUBE_3);
         five(of("miller_madow") - CUBE_3);
-        // 1215 pairs see each other: the first order of the bias, which is 1.6 % short of it here or less
+        // 1215 pairs see each other: the first order of the bias, which is 1.6 % short of it here
+        // or less
         let first_order = 1214.0 / (2.0 * 50_000.0 * std::f64::consts::LN_2);
         assert!(
             (of("expected_bias") / first_order - 1.0).abs() < 0.05,
@@ -52,7 +53,8 @@ fn sampled_values_stand_beside_the_exact_one() {
     }
 }
 
-/// Too few lines: no interval, and the table says so. The exact value stays out where something is in the way.
+/// Too few lines: no interval, and the table says so. The exact value stays out where something is
+/// in the way.
 #[test]
 fn sampled_values_know_their_limits() {
     let call = ["measure", "cube:6", "--sample", "5000"];
@@ -123,7 +125,8 @@ fn what_lines_do_not_know_is_refused() {
     }
 }
 
-/// A grid of 24,576 patches: lines find their cells, the bias is known, and the estimate less the bias agrees.
+/// A grid of 24,576 patches: lines find their cells, the bias is known, and the estimate less the
+/// bias agrees.
 #[test]
 fn grids_are_sampled() {
     let small = [
@@ -147,7 +150,8 @@ fn grids_are_sampled() {
         .code(2);
 }
 
-/// Errors are those that the known bias and the standard error explain: within a factor, of four seeds.
+/// Errors are those that the known bias and the standard error explain: within a factor, of four
+/// seeds.
 #[test]
 fn sampling_study_has_the_errors_it_expects() {
     let answer = json(&["study", "sampling", "--quick"]);
@@ -174,8 +178,9 @@ fn sampling_study_has_the_errors_it_expects() {
     assert!(table.contains("closed-forms") && table.contains("10⁴") && !table.contains("NaN"));
 }
 
-/// The reading of fig. 5: an exact expectation of the estimator, computed apart for this reading to five digits: 1.33311, 1.35689, 1.25441
-/// and, for a first line at 0.1, 1.35580, from N = 213,900 lines; the exact values are those of cube_grids.csv.
+/// The reading of fig. 5: an exact expectation of the estimator, computed apart for this reading to
+/// five digits: 1.33311, 1.35689, 1.25441 and, for a first line at 0.1, 1.35580, from N = 213,900
+/// lines; the exact values are those of cube_grids.csv.
 #[test]
 fn figure_5_reading_is_found_again() {
     let answer = json(&["study", "figure-5", "--quick"]);

@@ -53,8 +53,8 @@ fn a_file_answers_as_the_built_in_scene_does() {
     }
 }
 
-/// The light of the Cornell box against the right wall: as in fig. 2 the best cut is nearer to the wall, which is where
-/// axis v runs to.
+/// The light of the Cornell box against the right wall: as in fig. 2 the best cut is nearer to the
+/// wall, which is where axis v runs to.
 #[test]
 fn the_cornell_box_is_a_scene() {
     let right = infoscene::scene::Scene::built_in("cornell-box").unwrap();
@@ -102,8 +102,8 @@ fn every_patch_of_the_cornell_box_can_be_cut() {
 #[test]
 fn what_is_ignored_is_said_on_standard_error() {
     let folder = tempfile::tempdir().unwrap();
-    let text = "C encl=1 maxU=9\nF 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 1 0\nV 4 0 1 0\nV 5 0 0 1\nV 6 0 1 1\n\
-        S 1 1 2 3 4 0 0 .5 floor\nS 2 1 4 6 5 0 0 .5 wall\nO 3 1 3 5 0\nEnd of data\n";
+    let text = "C encl=1 maxU=9\nF 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 1 0\nV 4 0 1 0\nV 5 0 0 1\n\
+        V 6 0 1 1\nS 1 1 2 3 4 0 0 .5 floor\nS 2 1 4 6 5 0 0 .5 wall\nO 3 1 3 5 0\nEnd of data\n";
     let path = written(&folder, "squares.vs3", text);
     let path = path.to_str().unwrap();
     let arguments = ["split", path, "--patch", "0", "--format", "json"];
@@ -177,7 +177,8 @@ fn bad_files_are_refused_and_nothing_is_written() {
     assert_refused(folder.path(), &["it is a folder"]);
 }
 
-/// What is written is the same scene, in either format; what a format cannot hold is refused and nothing is written.
+/// A scene that is written is the same when read, in either format; one that a format cannot hold
+/// is refused and nothing is written.
 #[test]
 fn scenes_are_converted() {
     let folder = tempfile::tempdir().unwrap();

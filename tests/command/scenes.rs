@@ -153,8 +153,9 @@ fn threads_do_not_change_a_byte() {
     assert_eq!(matrix("1"), matrix("2"));
 }
 
-/// The continuous mutual information of a room does not depend on its division: the cube's to 37 digits from outside. Random chords have the
-/// same key, and refuse what the pairs refuse only if it is open.
+/// The continuous mutual information of a room does not depend on its division: the cube's to 37
+/// digits from outside. Random chords have the same key, and refuse what the pairs refuse only if
+/// it is open.
 #[test]
 fn measure_answers_with_the_continuous_one_if_asked() {
     let exact = 1.610_473_346_468_777_7;
@@ -211,7 +212,7 @@ fn measure_answers_with_the_continuous_one_if_asked() {
         .code(2);
 }
 
-/// cube_grids.csv, row cube_regular_3.
+/// The value is that of cube_grids.csv, row cube_regular_3.
 #[test]
 fn measure_finds_the_mutual_information_of_a_cube() {
     let answer = json(&["measure", "cube:3"]);

@@ -18,7 +18,8 @@ fn number(row: &Value, key: &str) -> f64 {
         .unwrap_or_else(|| panic!("{key} is no number: {row}"))
 }
 
-/// Every pair's bound holds against the exact value, by every route; the chosen route refuses none and reaches 1e-12.
+/// Every pair's bound holds against the exact value, by every route; the chosen route refuses none
+/// and reaches 1e-12.
 fn assert_stable(rows: &[Value]) -> usize {
     // other solvers of radiosities have no bound
     let others = ["elimination", "bounces"];
@@ -82,7 +83,8 @@ fn all_extreme_pairs_keep_their_bounds() {
     assert!(assert_stable(rows(&answer)) >= 40 + 13);
 }
 
-/// Every case has the chooser at all tolerances and lines at random; no number is missing; what was asked for is met.
+/// Every case has the chooser at all tolerances and lines at random; no number is missing; what was
+/// asked for is met.
 #[test]
 fn accuracy_study_meets_what_was_asked_for() {
     assert_eq!(ACCURACY["study"], "accuracy");
@@ -109,7 +111,8 @@ fn accuracy_study_meets_what_was_asked_for() {
             number(row, "mean_square_error"),
         );
         assert!(square <= error * (1.0 + 4.0 * f64::EPSILON), "{row}");
-        // corners in the file are decimals: rounding them moves a value by some ε, as the reference's own test has it
+        // corners in the file are decimals: rounding them moves a value by some ε, as the
+        // reference's own test has it
         let known = 4.0 * f64::EPSILON;
         if row["bound"].is_number() {
             assert!(error <= number(row, "bound") + known, "{row}");
@@ -142,7 +145,7 @@ fn accuracy_table_is_a_digest() {
     assert!(!table.contains("NaN"));
 }
 
-/// What the naive forms lose and the sum of terms keeps, from gains of 1 bit to 1e-30.
+/// Digits that the naive forms lose and the sum of terms keeps, from gains of 1 bit to 1e-30.
 #[test]
 fn stability_study_shows_what_naive_forms_lose() {
     let rows = rows(&STABILITY);
@@ -209,7 +212,8 @@ fn precision_study_shows_what_certainty_costs() {
     }
 }
 
-/// Discrete values stay below the continuous one, in the records, in the table with its last line, and drawn.
+/// Discrete values stay below the continuous one, in the records, in the table with its last line,
+/// and drawn.
 #[test]
 fn refinement_study_is_a_table_and_a_figure() {
     let folder = tempfile::tempdir().unwrap();

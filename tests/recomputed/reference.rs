@@ -25,7 +25,7 @@ pub fn row(file: &str, id: &str) -> Row {
     found.unwrap_or_else(|| panic!("{file}.csv has no row {id}"))
 }
 
-/// How many digits of a printed number count.
+/// The number of digits of a printed number that count.
 #[derive(Clone, Copy)]
 pub enum Digits {
     /// All that are printed, but at least 28: a printed 0.5 stands for 0.5000….

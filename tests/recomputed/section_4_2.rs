@@ -2,7 +2,8 @@
 //!
 //! Two one-variable problems for the powers n: the objective of section 4.2 is maximised, as
 //! printed and with the weight exponent 2n + 1, and the mean square error of two pieces minimised,
-//! neither by way of a derivative; then what either becomes as n grows, l = 1 − x/n. A search finds the place to half the working digits, here 40.
+//! neither by way of a derivative; then what either becomes as n grows, l = 1 − x/n. A search finds
+//! the place to half the working digits, here 40.
 
 use crate::maximum::golden_section;
 use crate::precision::Real;
@@ -25,7 +26,8 @@ pub fn ids() -> Vec<String> {
     all.chain(limits).collect()
 }
 
-/// With G = l^(n+1), W = l^(n+1+m): G log2(G/W) + (1 − G) log2((1 − G)/(1 − W)); m = 1 is printed.
+/// The objective with G = l^(n+1), W = l^(n+1+m): G log2(G/W) + (1 − G) log2((1 − G)/(1 − W)); m =
+/// 1 is printed.
 fn objective(n: usize, m: usize, l: &Real) -> Real {
     let one = Real::int(1);
     let flux = l.powi(n + 1);
@@ -91,7 +93,7 @@ fn searching_the_mean_square_error_reproduces_its_optima() {
     }
 }
 
-/// The same with the weight exponent 2n + 1: section_4_2.csv, rows `mi42same_*`.
+/// The cuts with the weight exponent 2n + 1: section_4_2.csv, rows `mi42same_*`.
 #[test]
 fn searching_the_objective_under_the_hypotheses_reproduces_its_optima() {
     for n in 1..=4 {
@@ -101,10 +103,12 @@ fn searching_the_objective_under_the_hypotheses_reproduces_its_optima() {
     }
 }
 
-/// What the objectives become for n → ∞ at l = 1 − x/n, radiosity e^−u at u = n (1 − position): section_4_2.csv, rows `limit42_*`.
+/// The limits of the objectives for n → ∞ at l = 1 − x/n, radiosity e^−u at u = n (1 − position):
+/// section_4_2.csv, rows `limit42_*`.
 ///
-/// * printed: weights differ from fluxes by a factor 1 − u/n, so that the gain goes as the variance of u between the two
-///   parts, weighted by flux: p₁ m₁² + p₂ m₂² with p₁ = 1 − e^−x, m₂ = x + 1, p₁ m₁ + p₂ m₂ = 1;
+/// * printed: weights differ from fluxes by a factor 1 − u/n, so that the gain goes as the variance
+///   of u between the two parts, weighted by flux: p₁ m₁² + p₂ m₂² with p₁ = 1 − e^−x, m₂ = x + 1,
+///   p₁ m₁ + p₂ m₂ = 1;
 /// * weight exponent 2n + 1: G = e^−x, W = e^−2x;
 /// * mean square: on an endless patch the explained part is (1 − e^−x)²/x.
 #[test]

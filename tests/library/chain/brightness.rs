@@ -45,7 +45,8 @@ fn off(
     worst
 }
 
-/// `P_ij = R_i F_ij B_j/(B_i − E_i)` with rows that sum to one, `w_i ∝ A_i B_i (B_i − E_i)/R_i`; rows of F to 1e-13 at least.
+/// `P_ij = R_i F_ij B_j/(B_i − E_i)` with rows that sum to one, `w_i ∝ A_i B_i (B_i − E_i)/R_i`;
+/// rows of F to 1e-13 at least.
 #[test]
 fn the_radiosity_chain_is_that_of_section_3_4() {
     for (name, scene) in closed_scenes() {
@@ -122,7 +123,8 @@ fn rows_and_reciprocity(chain: &ReversibleChain, name: &str) {
     }
 }
 
-/// `E = k (1 − R)` makes the radiosity chain the visibility chain; `V = k (1/R − 1)` the importance chain.
+/// `E = k (1 − R)` makes the radiosity chain the visibility chain; `V = k (1/R − 1)` the importance
+/// chain.
 #[test]
 fn even_light_reverts_to_visibility() {
     for (name, scene) in closed_scenes() {
@@ -165,7 +167,8 @@ fn even_light_reverts_to_visibility() {
     assert!((mutual_information(&chain) - mutual_information(&visibility)).abs() > 1e-3);
 }
 
-/// Dividing patches keeps the hypotheses of Theorem 1, so that information grows: a cube's faces in 9, of any brightness each.
+/// Dividing patches keeps the hypotheses of Theorem 1, so that information grows: a cube's faces in
+/// 9, of any brightness each.
 #[test]
 fn dividing_patches_refines_the_radiosity_chain() {
     let fine = Scene::built_in("cube:3").unwrap().exchange_areas().unwrap();
@@ -219,7 +222,8 @@ fn constant_light_makes_the_continuous_chain_discrete() {
     }
 }
 
-/// RadiositySolution that varies: two facing squares, against a Gauss rule over both that knows the kernel only.
+/// RadiositySolution that varies: two facing squares, against a Gauss rule over both that knows the
+/// kernel only.
 #[test]
 fn varying_light_agrees_with_gauss_rules() {
     let scene = Scene::facing_squares(0.75).unwrap();
@@ -271,7 +275,8 @@ fn varying_light_agrees_with_gauss_rules() {
 /// B(x) of a finer solution, E and R even: the paper's weight `∫ B (B − E)/R` is the row sum.
 #[test]
 fn weights_of_a_varying_solution_are_row_sums() {
-    // the light of a bright face of a cube on the others, where it is smooth: between two facing squares in the open
+    // the light of a bright face of a cube on the others, where it is smooth: between two facing
+    // squares in the open
     let scene = Scene::facing_squares(1.0).unwrap();
     let (fine, parents) = scene.subdivided(5).unwrap();
     let exchange = fine.exchange_areas().unwrap();

@@ -177,7 +177,8 @@ fn a_statement_is_judged_by_its_evidence() {
     }
 }
 
-/// Where doubles would not tell: the end of [0.395, 0.405] itself, 1e-26 inside of it, and a third.
+/// Cases that doubles could not decide: the end of [0.395, 0.405] itself, 1e-26 inside of it, and a
+/// third.
 #[test]
 fn enclosures_are_compared_with_the_exact_decimal_ends() {
     let third = Interval::precise(1.0, 128) / Interval::precise(3.0, 128);

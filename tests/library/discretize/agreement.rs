@@ -1,4 +1,4 @@
-//! What doubles compute agrees with its enclosure, over all configurations.
+//! Values computed in doubles agree with their enclosures, over all configurations.
 
 use glam::DVec3;
 use infoscene::discretize::{
@@ -65,7 +65,7 @@ fn examples() -> Vec<Example> {
     examples
 }
 
-/// What the error bounds of the parts' exchange areas come to in the gain: its derivative by the
+/// The effect of the error bounds of the parts' exchange areas on the gain: its derivative by the
 /// exchange `G_k` of a part is `(2/A_T) log2( (G_k/G) / (W_k/W) )`.
 fn propagated(scene: &Scene, against: &[usize], axis: SplitAxis, cuts: &[f64]) -> f64 {
     let first = scene.rectangle(0).unwrap();
@@ -269,7 +269,7 @@ fn crossing(share: f64) -> PatchSplit {
     PatchSplit::try_new(&scene.unwrap(), 0, &[1], SplitAxis::U).unwrap()
 }
 
-/// Where a box of cuts lies on either side of the other patch's plane nothing is said about it: the
+/// A box of cuts on both sides of the other patch's plane gets no enclosure: the
 /// floor gains the most at the plane, where its gain has a corner, and no stationary point
 /// elsewhere is certified.
 #[test]

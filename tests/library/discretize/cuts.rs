@@ -1,4 +1,4 @@
-//! What every best cut has in common.
+//! Laws that every best cut obeys.
 
 use infoscene::discretize::{ContactShadow, GradientCut, PatchSplit, regular_positions};
 use infoscene::geometry::SplitAxis;
@@ -32,7 +32,8 @@ fn gain_derivatives_are_derivatives_of_the_gain() {
     }
 }
 
-/// More parts gain more, never beyond `2 w P log2 m`, and the best cuts gain at least what equal parts do.
+/// More parts gain more, never beyond `2 w P log2 m`, and the best cuts gain at least what equal
+/// parts do.
 #[test]
 fn more_parts_gain_more() {
     for axis in SplitAxis::ALL {
@@ -97,8 +98,8 @@ fn exponents_are_checked() {
     }
 }
 
-/// Without occlusion the contact shadow's gain would be that of two squares; with a lit part it is larger at
-/// the line than where the shadow is cut off by a cut deeper in the dark (appendix B.1).
+/// Without occlusion the contact shadow's gain would be that of two squares; with a lit part it is
+/// larger at the line than where the shadow is cut off by a cut deeper in the dark (appendix B.1).
 #[test]
 fn contact_shadow_prefers_its_line_to_the_dark() {
     for line in [0.2, 0.5, 0.8] {

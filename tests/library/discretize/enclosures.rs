@@ -21,7 +21,8 @@ fn number(text: &str) -> Interval {
     Interval::parse(text, 2 * BITS).unwrap()
 }
 
-/// `text ± 1` of its last digit. Where fewer digits are printed than are promised the rest are zeros.
+/// `text ± 1` of its last digit. Where fewer digits are printed than are promised the rest are
+/// zeros.
 fn printed(text: &str, promised: usize) -> Interval {
     let fraction = text.split_once('.').map_or("", |(_, fraction)| fraction);
     let unit = number(&format!("1e-{}", fraction.len().max(promised)));
@@ -158,7 +159,8 @@ fn curves_are_enclosed_to_28_digits() {
     assert_eq!(count, 10, "rows of curves");
 }
 
-/// Every row of §4.2: n = 1, 2, 3, 4, 8, 64 as printed, n = 1, 2, 3, 4 where irradiance grows as radiosity, the limits.
+/// Every row of §4.2: n = 1, 2, 3, 4, 8, 64 as printed, n = 1, 2, 3, 4 where irradiance grows as
+/// radiosity, the limits.
 #[test]
 fn cuts_of_section_4_2_are_enclosed_to_28_digits() {
     let mut count = 0;
@@ -264,7 +266,8 @@ fn figure_4_is_enclosed_to_13_digits() {
     }
 }
 
-/// The extents of a row's two polygons along x, y and z, as the decimals that they are printed with.
+/// The extents of a row's two polygons along x, y and z, as the decimals that they are printed
+/// with.
 fn extents(row: &Row) -> [[[Interval; 2]; 3]; 2] {
     let polygons: Vec<&str> = row.text("inputs").split(';').collect();
     [0, 1].map(|which| {
@@ -280,8 +283,8 @@ fn extents(row: &Row) -> [[[Interval; 2]; 3]; 2] {
     })
 }
 
-/// Exchange area of two rectangles by their extents; the first lies in a plane z = 0, the second is parallel to it, or in
-/// the plane x = 0.
+/// Exchange area of two rectangles by their extents; the first lies in a plane z = 0, the second is
+/// parallel to it, or in the plane x = 0.
 fn exchange(row: &Row) -> Interval {
     let [first, second] = extents(row);
     let span = |[lower, upper]: &[Interval; 2]| Span::try_new(lower.clone(), upper.clone());
@@ -301,7 +304,8 @@ fn exchange(row: &Row) -> Interval {
     }
 }
 
-/// The 18 aligned pairs, of the decimals as printed (0.1 is no double); and by their doubles, where these are the same.
+/// The 18 aligned pairs, of the decimals as printed (0.1 is no double); and by their doubles, where
+/// these are the same.
 #[test]
 fn exchange_areas_are_enclosed_to_30_digits() {
     let like = Interval::precise(1.0, BITS);

@@ -18,7 +18,7 @@ fn row(n: u32, quantity: &str) -> f64 {
     value("section_4_2.csv", &format!("{prefix}_n{n}_{suffix}"))
 }
 
-/// n = 1, 2, 3, 4, 8, 64: the printed reading, m = 1.
+/// Cuts for n = 1, 2, 3, 4, 8, 64: the printed reading, m = 1.
 #[test]
 fn printed_cuts_agree_with_28_digits() {
     assert_eq!(rows("section_4_2.csv").len(), 51);
@@ -35,7 +35,8 @@ fn printed_cuts_agree_with_28_digits() {
     }
 }
 
-/// n = 1, 2, 3, 4 under the section's own hypotheses, m = n: 0.4828, 0.6224, 0.7034, 0.7560.
+/// Cuts for n = 1, 2, 3, 4 under the section's own hypotheses, m = n: 0.4828, 0.6224, 0.7034,
+/// 0.7560.
 #[test]
 fn cuts_under_the_hypotheses_agree_with_30_digits() {
     for n in 1..=4 {
@@ -88,8 +89,9 @@ fn plain_gain(p: f64, m: f64, tau: &HighPrecision) -> HighPrecision {
     (near + &((rest_g.clone() / &rest_w).ln() * &rest_g)) / &number(2.0).ln()
 }
 
-/// Exponents from one end of the range to the other, printed (m = 1) and derived (m = n) reading: position to
-/// 1e-14, complement to 1e-12 relative, gain to 1e-13 relative, against the 256-bit root of the plain derivative.
+/// Exponents from one end of the range to the other, printed (m = 1) and derived (m = n) reading:
+/// position to 1e-14, complement to 1e-12 relative, gain to 1e-13 relative, against the 256-bit
+/// root of the plain derivative.
 #[test]
 fn cuts_agree_with_their_references() {
     let small = [1e-6, 1e-3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 4.0];
@@ -116,8 +118,8 @@ fn cuts_agree_with_their_references() {
     }
 }
 
-/// The same for the mean-square condition `(2n+1) lⁿ − 2n lⁿ⁺¹ = 1`, and for the error that is left,
-/// `1/(2n+1) − l m² − (1−l) m′²` with the two means.
+/// The mean-square condition `(2n+1) lⁿ − 2n lⁿ⁺¹ = 1`, and for the error that is
+/// left, `1/(2n+1) − l m² − (1−l) m′²` with the two means.
 #[test]
 fn mean_square_cuts_agree_with_256_bits() {
     for n in [

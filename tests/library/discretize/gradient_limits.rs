@@ -1,10 +1,12 @@
-//! As the exponent n of §4.2 grows, `n (1 − l)` tends to its limit, and misses it by a multiple of 1/n.
+//! The cuts of §4.2 for growing exponents n: `n (1 − l)` tends to its limit, and misses it by a
+//! multiple of 1/n.
 
 use infoscene::discretize::{GradientCut, GradientLimit};
 use infoscene::numeric::{Interval, Scalar};
 use infoscene::study::cuts::limits::gradient_limits;
 
-/// The third term: `n (n (1 − l) − limit) − rate` is 6.2/n, 3.2/n and 2.5/n in 60-digit arithmetic at n = 1e3, and falls as 1/n.
+/// The third term: `n (n (1 − l) − limit) − rate` is 6.2/n, 3.2/n and 2.5/n in 60-digit arithmetic
+/// at n = 1e3, and falls as 1/n.
 const THIRD: f64 = 7.0;
 
 /// All three cuts from n = 10 to 1e12, each difference enclosed.
@@ -62,7 +64,8 @@ fn limits_are_related() {
     assert!(difference.contains_zero() && difference.width() < 1e-50);
 }
 
-/// As n falls to 0 with m = n, both cuts tend to e^−x, x the limit with fixed m: at n = 1e-6 within some n.
+/// Both cuts tend to e^−x as n falls to 0 with m = n, x the limit with fixed m: at n = 1e-6 within
+/// some n.
 #[test]
 fn cuts_meet_where_radiosity_is_a_logarithm() {
     let x = GradientLimit::FixedIrradiance.enclosed(128).unwrap().limit;

@@ -47,7 +47,7 @@ fn exchange(first: &[DVec3], second: &[DVec3]) -> f64 {
     first.exchange_area(&second, 1e-13).unwrap().exchange.value
 }
 
-/// By the angle of the triangle 3-4-5 about each of two axes.
+/// A rotation by the angle of the triangle 3-4-5 about each of two axes.
 fn turned(point: &DVec3) -> DVec3 {
     let DVec3 { x, y, z } = *point;
     let (x, y) = (0.6 * x - 0.8 * y, 0.8 * x + 0.6 * y);

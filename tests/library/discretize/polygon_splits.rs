@@ -1,4 +1,5 @@
-//! Best cuts of squares at any angle, turned in space and with more corners than they need, against 25-digit values.
+//! Best cuts of squares at any angle, turned in space and with more corners than they need, against
+//! 25-digit values.
 //!
 //! Rotations have rational entries, so that only the corners' last bits are off.
 
@@ -13,7 +14,7 @@ fn splits(id: &str) -> f64 {
     value("splits.csv", id)
 }
 
-/// By the angles of the triangles 3-4-5 and 5-12-13, about two axes.
+/// A rotation by the angles of the triangles 3-4-5 and 5-12-13, about two axes.
 fn turned(point: DVec3) -> DVec3 {
     let z = DMat3::from_cols(
         DVec3::new(0.6, 0.8, 0.0),
@@ -25,7 +26,8 @@ fn turned(point: DVec3) -> DVec3 {
     x * (z * point)
 }
 
-/// The outlines as a scene; `more` adds the middles of all edges but those at v0, which leaves the shape as it is.
+/// The outlines as a scene; `more` adds the middles of all edges but those at v0, which leaves the
+/// shape as it is.
 fn scene(outlines: &[Vec<DVec3>], place: fn(DVec3) -> DVec3, more: bool) -> Scene {
     let patches = outlines.iter().enumerate().map(|(index, corners)| {
         let n = corners.len();

@@ -1,4 +1,5 @@
-//! The two best cuts for profiles that are no powers, against searches that share no formula with them.
+//! The two best cuts for profiles that are no powers, against searches that share no formula with
+//! them.
 
 use crate::support::high_precision::HighPrecision;
 use infoscene::discretize::{GradientCut, Irradiance, Profile, ProfileCut};
@@ -71,7 +72,8 @@ fn parts_of_profiles_agree_with_quadrature() {
     }
 }
 
-/// Both objectives on 20,000 cuts, their integrals by Simpson's rule on the same grid: nothing lies higher than what was found.
+/// Both objectives on 20,000 cuts, their integrals by Simpson's rule on the same grid: nothing lies
+/// higher than what was found.
 #[test]
 fn no_cut_on_a_fine_grid_is_better() {
     const STEPS: usize = 20_000;
@@ -139,7 +141,8 @@ fn max(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
     if b.0 > a.0 { b } else { a }
 }
 
-/// e^(kl): both conditions at 256 bits, written out plainly, change their sign within 1e-10 of what is found.
+/// The profile e^(kl): both conditions at 256 bits, written out plainly, change their sign within
+/// 1e-10 of what is found.
 #[test]
 fn profile_cuts_agree_with_256_bits() {
     for rate in [0.01, 0.1, 1.0, 4.0, 16.0, 100.0, -4.0] {
@@ -182,7 +185,8 @@ fn profile_cuts_agree_with_256_bits() {
     }
 }
 
-/// A step is cut where it is, by both; a profile with one level would leave nothing to cut, and is refused.
+/// A step is cut where it is, by both; a profile with one level would leave nothing to cut, and is
+/// refused.
 #[test]
 fn steps_are_cut_at_the_step() {
     for at in [0.1, 0.3, 0.9] {
@@ -218,8 +222,9 @@ fn constant_irradiance_gains_nothing() {
     }
 }
 
-/// Mutual information knows flux and weight, not lengths: a bump whose tails are dark is cut alike wherever it lies, on either
-/// side. The mean square sees how much dark is left on each side, and is far off: a third of the gain is lost there.
+/// Mutual information knows flux and weight, not lengths: a bump whose tails are dark is cut alike
+/// wherever it lies, on either side. The mean square sees how much dark is left on each side, and
+/// is far off: a third of the gain is lost there.
 #[test]
 fn mutual_information_moves_with_a_narrow_bump_and_mean_square_does_not() {
     let width = 0.05;

@@ -1,4 +1,5 @@
-//! Of all straight cuts of a square the best is perpendicular to the gradient (§4.2), if radiosity and irradiance vary along it alone.
+//! The best of all straight cuts of a square is perpendicular to the gradient (§4.2), if radiosity
+//! and irradiance vary along it alone.
 
 use infoscene::discretize::{GradientCut, StraightCut};
 use infoscene::information::divergence;
@@ -9,7 +10,8 @@ fn patch(n: f64, m: f64) -> GradientCut {
     GradientCut::try_new(n, m).unwrap()
 }
 
-/// A straight cut across the gradient is the cut of the closed form, and one that hardly leans nearly so.
+/// A straight cut across the gradient is the cut of the closed form, and one that hardly leans
+/// nearly so.
 #[test]
 fn straight_cuts_agree_with_the_closed_form() {
     for (n, m) in [(1.0, 1.0), (3.0, 1.0), (2.0, 2.0), (0.5, 30.0), (1e3, 1.0)] {
@@ -27,8 +29,9 @@ fn straight_cuts_agree_with_the_closed_form() {
     }
 }
 
-/// By strips along the gradient instead of across: a strip at t is cut at `l = (c − t sin θ)/cos θ`, within 0 and 1, and has
-/// the flux `l^(n+1)` and the weight `l^(n+m+1)` before the cut; by quadrature between the kinks.
+/// The gain by strips along the gradient instead of across: a strip at t is cut at `l = (c − t sin
+/// θ)/cos θ`, within 0 and 1, and has the flux `l^(n+1)` and the weight `l^(n+m+1)` before the cut;
+/// by quadrature between the kinks.
 fn shares_by_strips(degrees: f64, offset: f64, n: f64, m: f64) -> [f64; 2] {
     let (sine, cosine) = degrees.to_radians().sin_cos();
     let reach = offset * (sine + cosine);
@@ -59,7 +62,8 @@ fn straight_cuts_agree_with_quadrature_the_other_way() {
                     .gain(&patch(n, m));
                 let [flux, weight] = shares_by_strips(degrees, offset, n, m);
                 let strips = divergence(&[flux, 1.0 - flux], &[weight, 1.0 - weight]);
-                // both shares to 1e-13 and more pieces than one; the gain's slopes are logarithms and ratios of flux to weight
+                // both shares to 1e-13 and more pieces than one; the gain's slopes are logarithms
+                // and ratios of flux to weight
                 let slope = 40.0 + flux / weight + (1.0 - flux) / (1.0 - weight);
                 let left = (gain - strips).abs() / slope;
                 assert!(left < 1e-12, "{degrees} {offset} {n} {m}: {left:e}");
@@ -98,7 +102,8 @@ proptest! {
     }
 }
 
-/// The highest gain over offsets of the lines at one angle, radiosity ∝ l and irradiance `H(l, t)`, by midpoint sums.
+/// The highest gain over offsets of the lines at one angle, radiosity ∝ l and irradiance `H(l, t)`,
+/// by midpoint sums.
 fn best_by_sums(degrees: f64, irradiance: impl Fn(f64, f64) -> f64) -> f64 {
     const CELLS: u32 = 160;
     let (sine, cosine) = degrees.to_radians().sin_cos();
@@ -128,7 +133,8 @@ fn best_by_sums(degrees: f64, irradiance: impl Fn(f64, f64) -> f64) -> f64 {
     best
 }
 
-/// The sums see what the closed forms see; and the order of the irradiance along l does not matter for straight cuts.
+/// The sums see what the closed forms see; and the order of the irradiance along l does not matter
+/// for straight cuts.
 #[test]
 fn best_line_is_perpendicular_for_any_irradiance_along_the_gradient() {
     let across = StraightCut::best(0.0, &patch(1.0, 1.0)).unwrap().gain;
@@ -146,8 +152,8 @@ fn best_line_is_perpendicular_for_any_irradiance_along_the_gradient() {
     }
 }
 
-/// The control: an irradiance that varies across the gradient of the radiosity, too, turns the best cut; one that varies
-/// across it only lays it along.
+/// The control: an irradiance that varies across the gradient of the radiosity, too, turns the best
+/// cut; one that varies across it only lays it along.
 #[test]
 fn best_line_turns_with_an_irradiance_across_the_gradient() {
     let oblique = |l: f64, t: f64| l + 2.0 * t;

@@ -32,7 +32,8 @@ fn turned(scene: &Scene) -> Scene {
     mapped(scene, |corner| turn * corner)
 }
 
-/// Rows of both scenes by number: what each exchanges is the same within both bounds, and the bounds are small.
+/// Rows of both scenes by number: what each exchanges is the same within both bounds, and the
+/// bounds are small.
 fn assert_same(one: &ExchangeAreas, other: &ExchangeAreas, most: f64) {
     let n = one.rows();
     assert_eq!(n, other.rows());
@@ -115,7 +116,8 @@ fn bases_may_be_nested() {
     assert_eq!(nested.overlap(), None);
 }
 
-/// A strip of this width is left of the floor: as a patch of its own it exchanges what the difference says, within its bound.
+/// A strip of this width is left of the floor: as a patch of its own it exchanges what the
+/// difference says, within its bound.
 #[test]
 fn what_cancels_keeps_an_honest_bound() {
     let widths = [1e-3, 1e-6, 1e-9, 1e-12].into_iter();
@@ -161,7 +163,8 @@ fn areas_that_cancel_keep_an_honest_bound() {
     }
 }
 
-/// All that is left of the floor lies behind the wall: it exchanges 0, and rounding makes it neither negative nor certain.
+/// All that is left of the floor lies behind the wall: it exchanges 0, and rounding makes it
+/// neither negative nor certain.
 #[test]
 fn what_cancels_to_its_bound_is_never_negative() {
     for (step, place) in (1..20).map(|step| (step, f64::from(step) / 20.0)) {
@@ -183,8 +186,8 @@ fn what_cancels_to_its_bound_is_never_negative() {
     }
 }
 
-/// Off the plane by what is accepted: the base lacks the part's projection, and the bound covers the difference; the part hides
-/// nothing of its base, and is hidden by nothing of it.
+/// Off the plane by what is accepted: the base lacks the part's projection, and the bound covers
+/// the difference; the part hides nothing of its base, and is hidden by nothing of it.
 #[test]
 fn a_part_may_lie_off_the_plane_within_rounding() {
     let scene = |height: f64| {

@@ -1,4 +1,4 @@
-//! What the rows of a scene exchange: sums over parts, plans, closed rooms.
+//! Exchange between the rows of a scene: sums over parts, plans, closed rooms.
 
 mod bases;
 mod closure;

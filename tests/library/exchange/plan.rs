@@ -1,4 +1,5 @@
-//! What a plan leaves out and shares: known by counting, and without a change of any value beyond its bound.
+//! Pairs that a plan leaves out and shares: known by counting, and without a change of any value
+//! beyond its bound.
 
 use crate::support::rooms::{mapped, placing};
 use glam::DVec3;
@@ -47,9 +48,10 @@ fn floor_and_wall(lines: &[f64], at: DVec3) -> Scene {
     Scene::try_new(patches).unwrap()
 }
 
-/// N × N cells on six faces: n = 6 N²; 6 · N²(N² − 1)/2 pairs in one plane; 3 N⁴ parallel pairs with offsets |Δu| ≤ |Δv| < N,
-/// that is N(N + 1)/2 of them different; 12 N⁴ perpendicular ones with N offsets along the common edge and N(N + 1)/2 pairs
-/// of depths. Lines are exact where N is a power of two, so that all congruent pairs share.
+/// N × N cells on six faces: n = 6 N²; 6 · N²(N² − 1)/2 pairs in one plane; 3 N⁴ parallel pairs
+/// with offsets |Δu| ≤ |Δv| < N, that is N(N + 1)/2 of them different; 12 N⁴ perpendicular ones
+/// with N offsets along the common edge and N(N + 1)/2 pairs of depths. Lines are exact where N is
+/// a power of two, so that all congruent pairs share.
 #[test]
 fn the_plan_of_a_cube_is_known_by_counting() {
     for cells in [1, 2, 4, 8] {
@@ -76,7 +78,8 @@ fn the_plan_of_a_cube_is_known_by_counting() {
     }
 }
 
-/// Lines at thirds are rounded, the pairs congruent within some 1e-16: they share at 1e-6 and at 1e-12, and not at 1e-16.
+/// Lines at thirds are rounded, the pairs congruent within some 1e-16: they share at 1e-6 and at
+/// 1e-12, and not at 1e-16.
 #[test]
 fn rounded_lines_share_within_the_tolerance() {
     let scene = cube(3);
@@ -91,7 +94,7 @@ fn rounded_lines_share_within_the_tolerance() {
     assert_eq!(computed(1e-16), 15 * 81);
 }
 
-/// pairs = untouched + congruent + computed = Σ routes
+/// Every pair is counted once: pairs = untouched + congruent + computed = Σ routes.
 fn assert_counted_once(summary: &PlanSummary) {
     let parts = summary.untouched + summary.congruent + summary.computed;
     assert_eq!(parts, summary.pairs);
@@ -121,8 +124,8 @@ fn planes_that_see_nothing_are_not_looked_at() {
         DVec3::Y * 0.3,
     ));
     let summary = account(&Scene::try_new(patches).unwrap(), Congruence::Shared).plan;
-    // six pairs in the floor, six in the wall; the floor's four patches behind the table, and, found by looking, the
-    // lower two of the wall
+    // six pairs in the floor, six in the wall; the floor's four patches behind the table, and,
+    // found by looking, the lower two of the wall
     assert_eq!(
         (summary.coplanar, summary.back_facing, summary.untouched),
         (12, 6, 16)
@@ -132,20 +135,27 @@ fn planes_that_see_nothing_are_not_looked_at() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
 
-    /// The walls of a turned cube are six planes, however many patches they are divided into: all pairs in one wall are
-    /// left out, 6 · N²(N² − 1)/2.
+    /// The walls of a turned cube are six planes, however many patches they are divided into: all
+    /// pairs in one wall are left out, 6 · N²(N² − 1)/2.
     #[test]
-    fn the_walls_of_a_turned_room_are_one_plane_each((turn, size, shift) in placing(), cells in 1..7usize) {
+    fn the_walls_of_a_turned_room_are_one_plane_each(
+        (turn, size, shift) in placing(),
+        cells in 1..7usize,
+    ) {
         let turned = mapped(&cube(cells), |corner| turn * corner * size + shift);
-        let pairs = ScenePairs::try_new(&turned, 0.5, Congruence::Ignored, Occlusion::Ignore).unwrap();
+        let pairs =
+            ScenePairs::try_new(&turned, 0.5, Congruence::Ignored, Occlusion::Ignore).unwrap();
         let plan = pairs.entries(None, None).unwrap().1.plan;
         let coplanar = 3 * cells * cells * (cells * cells - 1);
-        prop_assert_eq!((plan.planes, plan.untouched, plan.coplanar), (6, coplanar, coplanar));
+        prop_assert_eq!(
+            (plan.planes, plan.untouched, plan.coplanar),
+            (6, coplanar, coplanar)
+        );
     }
 }
 
-/// A value shared and the same computed differ by less than their bounds, which the rounding of lines widens: far from the
-/// origin coordinates are rounded to 1e-13.
+/// A value shared and the same computed differ by less than their bounds, which the rounding of
+/// lines widens: far from the origin coordinates are rounded to 1e-13.
 #[test]
 fn congruence_changes_no_value_beyond_its_bound() {
     let lines = [0.0, 0.1, 0.2, 0.3, 0.7, 1.0];
@@ -193,7 +203,8 @@ fn nearly_congruent_pairs_do_not_share() {
     assert_eq!((even.computed, uneven.computed), (6, 10));
 }
 
-/// One value per pair: `A_i F_ij = A_j F_ji` to the last bit, shared or not, in a row, in the matrix, and alone.
+/// One value per pair: `A_i F_ij = A_j F_ji` to the last bit, shared or not, in a row, in the
+/// matrix, and alone.
 #[test]
 fn reciprocity_is_exact() {
     for congruence in [Congruence::Shared, Congruence::Ignored] {

@@ -13,7 +13,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 const TOLERANCE: f64 = 1e-12;
 
-/// Opposite faces of a cube, `(2/π)(ln(2/√3) + 2√2 arctan(1/√2) − π/2)`: Howell, C-11 with X = Y = 1.
+/// Opposite faces of a cube, `(2/π)(ln(2/√3) + 2√2 arctan(1/√2) − π/2)`: Howell, C-11 with X = Y =
+/// 1.
 fn opposite() -> f64 {
     let arc = 2.0 * 2f64.sqrt() * (0.5f64.sqrt()).atan();
     2.0 / std::f64::consts::PI * ((2.0 / 3f64.sqrt()).ln() + arc - std::f64::consts::FRAC_PI_2)
@@ -88,7 +89,8 @@ fn furnished(labels: bool) -> Scene {
     let scene = Scene::try_new(patches).unwrap();
     let scene = scene.with_base(6, 0).unwrap();
     let scene = scene.with_base(7, left).unwrap().with_base(8, 7).unwrap();
-    // the pane counts with the ceiling, the window with the wall that it is in, the back with the mat
+    // the pane counts with the ceiling, the window with the wall that it is in, the back with the
+    // mat
     let labels = if labels {
         vec![0, 1, 2, 3, 4, 6, 6, 2, 1]
     } else {
@@ -139,10 +141,12 @@ fn a_summed_scene_is_the_coarser_chain() {
     assert!(off <= measured.error && measured.error <= 1e-10, "{off}");
 }
 
-/// As they come, held, by rows and by entries: the same values, sums, counts and information; on any number of threads.
+/// Pairs as they come, held, by rows and by entries have the same values, sums, counts and
+/// information; on any number of threads.
 #[test]
 fn all_ways_to_the_rows_agree() {
-    // a roof over the room that is summed with its floor, and a mast: open, with planes behind each other
+    // a roof over the room that is summed with its floor, and a mast: open, with planes behind each
+    // other
     let mut patches = furnished(true).patches().to_vec();
     patches.push(square("roof", 0.0, 1.0, 1.5));
     patches.push(square("mast", 0.0, 0.5, 3.0));

@@ -1,5 +1,5 @@
-//! Tiles hold each pair that the plan does not leave out, and their sums do not depend on where they
-//! are made.
+//! Tiles hold each pair that the plan does not leave out, and their sums do not depend on where
+//! they are made.
 
 use infoscene::exchange::{Congruence, ScenePairs, Tile, TileSums};
 use infoscene::form_factor::Route;
@@ -82,8 +82,8 @@ fn sums_do_not_depend_on_where_tiles_are_summed() {
     }
 }
 
-/// Row i of a packed matrix has i entries, and blocks of rows share the entries out evenly: each has
-/// its part of n²/2, within the two rows at its ends.
+/// Row i of a packed matrix has i entries, and blocks of rows share the entries out evenly: each
+/// has its part of n²/2, within the two rows at its ends.
 #[test]
 fn blocks_of_rows_cover_a_packed_matrix_evenly() {
     let n = 1000;

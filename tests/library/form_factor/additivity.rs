@@ -7,8 +7,8 @@ use infoscene::geometry::{Rectangle, SplitAxis};
 use proptest::prelude::*;
 
 proptest! {
-    /// `A F = A_near F_near + A_far F_far`, within the three bounds, by relative parts of the pair and
-    /// by cutting the rectangle itself.
+    /// `A F = A_near F_near + A_far F_far`, within the three bounds, by relative parts of the pair
+    /// and by cutting the rectangle itself.
     #[test]
     fn exchange_of_the_parts_is_the_exchange_of_the_whole(
         (first, second) in rectangle_pair(),
@@ -17,21 +17,34 @@ proptest! {
     ) {
         let position = f64::from(eighth) / 8.0;
         let pair = RectanglePair::try_new(&first, &second).unwrap();
-        let Ok(whole) = pair.exchange_area() else { return Ok(()) };
+        let Ok(whole) = pair.exchange_area() else {
+            return Ok(());
+        };
         let near = pair.part(axis, &0.0, &position).unwrap();
         let far = pair.part(axis, &position, &1.0).unwrap();
-        let [cut_near, cut_far] = first.split(axis, position).unwrap().map(|part| {
-            RectanglePair::try_new(&part, &second).unwrap()
-        });
+        let [cut_near, cut_far] = first
+            .split(axis, position)
+            .unwrap()
+            .map(|part| RectanglePair::try_new(&part, &second).unwrap());
         // the cut rectangle's new corner is rounded: the line moves by ε of its coordinates
-        let coordinate = first.corners().iter().map(|c| c.abs().max_element()).fold(0.0, f64::max);
+        let coordinate = first
+            .corners()
+            .iter()
+            .map(|c| c.abs().max_element())
+            .fold(0.0, f64::max);
         let moved = 2.0 * f64::EPSILON * coordinate / first.edge(axis).length();
         let strip = pair.strip_exchange(axis, &position).unwrap().abs();
         for ([near, far], rounding) in [([near, far], 0.0), ([cut_near, cut_far], moved * strip)] {
-            let (Ok(near), Ok(far)) = (near.exchange_area(), far.exchange_area()) else { return Ok(()) };
+            let (Ok(near), Ok(far)) = (near.exchange_area(), far.exchange_area()) else {
+                return Ok(());
+            };
             let allowed = whole.error + near.error + far.error + rounding;
             let gap = (near.value + far.value - whole.value).abs();
-            prop_assert!(gap <= allowed, "gap {gap:e}, allowed {allowed:e} of {:e}", whole.value);
+            prop_assert!(
+                gap <= allowed,
+                "gap {gap:e}, allowed {allowed:e} of {:e}",
+                whole.value
+            );
         }
     }
 }
@@ -53,8 +66,8 @@ fn parts_with_a_gap_between_them_do_not_add_up() {
     assert!(gap > 1e-6 && gap > whole.error);
 }
 
-/// A part 2⁻⁴⁰ wide exchanges what its strip does: its width is not recomputed from its rounded ends, which
-/// would be off by 1e-4 of it.
+/// A part 2⁻⁴⁰ wide exchanges what its strip does: its width is not recomputed from its rounded
+/// ends, which would be off by 1e-4 of it.
 #[test]
 fn thin_parts_keep_their_digits() {
     let floor = Rectangle::try_new(DVec3::ZERO, 0.7 * DVec3::X, 0.9 * DVec3::Y).unwrap();

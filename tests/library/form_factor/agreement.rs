@@ -11,7 +11,7 @@ use infoscene::reference::exchange as reference;
 use infoscene::study::form_factors::families::Family;
 use rayon::prelude::*;
 
-/// What one pair came to, relative to the exact value.
+/// The result of one pair, relative to the exact value.
 struct Outcome {
     number: u64,
     answer: Answer,
@@ -49,7 +49,8 @@ impl Outcome {
             || error > DEFAULT_TOLERANCE
         {
             return Err(named(format!(
-                "{} by {} with bound {:.1e} against {} ± {:.0e}: error {error:.1e}, bound {bound:.1e} relative",
+                "{} by {} with bound {:.1e} against {} ± {:.0e}: error {error:.1e}, bound \
+                 {bound:.1e} relative",
                 answer.exchange.value,
                 answer.route.name(),
                 answer.exchange.error,
@@ -93,7 +94,8 @@ fn assert_agreement(families: &[Family], count: u64) {
             .map(|part| format!("{} {}", part.len(), part[0]));
         let parts: Vec<_> = parts.collect();
         println!(
-            "{family:?}: {} right, worst error {worst:.1e}, widest bound {widest:.1e}, median bound/error {slack:.0}; {}",
+            "{family:?}: {} right, worst error {worst:.1e}, widest bound {widest:.1e}, \
+             median bound/error {slack:.0}; {}",
             found.len(),
             parts.join(", "),
         );
@@ -123,7 +125,7 @@ fn answers_agree_with_the_slow_reference() {
     assert_agreement(&Family::ALL, 2);
 }
 
-/// The same for 200 pairs of each family; the number may be set, and one family chosen.
+/// All of this for 200 pairs of each family; the number may be set, and one family chosen.
 #[test]
 #[ignore = "takes half an hour: INFOSCENE_COUNT=200 INFOSCENE_FAMILY=Far cargo test --release --test library answers -- --ignored --nocapture"]
 fn answers_agree_with_the_slow_reference_on_many_pairs() {
@@ -136,8 +138,9 @@ fn answers_agree_with_the_slow_reference_on_many_pairs() {
     assert_agreement(&families, count);
 }
 
-/// `|A F − exact| ≤ 1e-12 A F` and the bound holds, both ways, for every row of the file. Its corners are decimals: rounding them by ε of
-/// themselves, at most 1e6, moves the value by less than ε·perimeter.
+/// `|A F − exact| ≤ 1e-12 A F` and the bound holds, both ways, for every row of the file. Its
+/// corners are decimals: rounding them by ε of themselves, at most 1e6, moves the value by less
+/// than ε·perimeter.
 #[test]
 fn every_row_of_thirty_digits_is_met() {
     let mut count = 0;

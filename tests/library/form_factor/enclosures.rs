@@ -71,7 +71,8 @@ proptest! {
         agree(&fast, &pair.lifted(&Interval::precise(1.0, 256)).exchange_value().unwrap())?;
     }
 
-    /// The same for extreme ones, with 512 bits: their terms cancel by the cube of the distance.
+    /// Extreme rectangles are enclosed with 512 bits: their terms cancel by the cube of the
+    /// distance.
     #[test]
     fn extreme_exchange_areas_agree_with_their_enclosures((first, second) in extreme_pair()) {
         let Ok(pair) = RectanglePair::try_new(&first, &second) else { return Ok(()) };

@@ -38,12 +38,13 @@ proptest! {
     fn parallel_bound_is_never_below_the_error((first, second, distance) in parallel_pair()) {
         let fast = parallel::exchange_area(&first, &second, &distance).unwrap();
         let [first, second] = [first, second].map(|pair| pair.each_ref().map(wide));
-        let exact = parallel::exchange_area(&first, &second, &HighPrecision::new(distance)).unwrap();
+        let exact =
+            parallel::exchange_area(&first, &second, &HighPrecision::new(distance)).unwrap();
         let (share, _) = judged(&fast, &exact.value);
         prop_assert!(share <= 1.0, "error is {share} of the bound");
     }
 
-    /// The same for perpendicular rectangles.
+    /// Bounds of perpendicular rectangles are not below their errors.
     #[test]
     fn perpendicular_bound_is_never_below_the_error(
         first in (depth(), span()),
@@ -58,8 +59,8 @@ proptest! {
     }
 }
 
-/// The bound is worth having: for rectangles of sides 0.2 to 2 within two sizes of each other it is below
-/// 1e-11 of the value, and below 1e-13 a size apart.
+/// The bound is worth having: for rectangles of sides 0.2 to 2 within two sizes of each other it is
+/// below 1e-11 of the value, and below 1e-13 a size apart.
 #[test]
 fn bounds_of_near_rectangles_are_small() {
     let span = |a: f64, b: f64| Span::try_new(a, b).unwrap();

@@ -1,4 +1,5 @@
-//! Aligned rectangles at all distances: the answer's bound is never below its error, and the rules along the sides take part.
+//! Aligned rectangles at all distances: the answer's bound is never below its error, and the rules
+//! along the sides take part.
 
 use glam::DVec3;
 use infoscene::form_factor::{Polygon, RectanglePair, Route};
@@ -26,8 +27,9 @@ fn pair(random: &mut ChaCha8Rng, dyadic: bool) -> [Rectangle; 2] {
     [floor, other.unwrap()]
 }
 
-/// `|A F − exact| ≤ bound` against the closed form with 256 bits of the same pair as placed; decimal coordinates are
-/// placed with a rounding, which the bound counts and the enclosure does not: there the two agree within twice it.
+/// `|A F − exact| ≤ bound` against the closed form with 256 bits of the same pair as placed;
+/// decimal coordinates are placed with a rounding, which the bound counts and the enclosure does
+/// not: there the two agree within twice it.
 #[test]
 fn aligned_rectangles_keep_their_bound_at_all_distances() {
     let mut random = ChaCha8Rng::seed_from_u64(11);

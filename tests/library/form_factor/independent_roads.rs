@@ -44,7 +44,8 @@ fn point(rectangle: &Rectangle, [s, t]: [f64; 2]) -> DVec3 {
     v0 + s * (v1 - v0) + t * (v3 - v0)
 }
 
-/// `A F = ∫∫∫∫ kernel`, four nested rules at 1e-8: a formula that shares nothing with the closed form.
+/// `A F = ∫∫∫∫ kernel`, four nested rules at 1e-8: a formula that shares nothing with the closed
+/// form.
 #[test]
 fn closed_form_agrees_with_quadrature_of_the_kernel() {
     let nested = |f: &dyn Fn([f64; 4]) -> f64| {
@@ -96,8 +97,8 @@ fn closed_form_agrees_with_sampling() {
     }
 }
 
-/// A rectangle behind the other's plane, turned away or in the same plane exchanges exactly nothing; half
-/// behind it exchanges what its front half does.
+/// A rectangle behind the other's plane, turned away or in the same plane exchanges exactly
+/// nothing; half behind it exchanges what its front half does.
 #[test]
 fn what_lies_behind_exchanges_nothing() {
     let floor = Rectangle::try_new(DVec3::ZERO, DVec3::X, DVec3::Y).unwrap();

@@ -1,22 +1,25 @@
-//! What may not change an exchange area, family by family.
+//! Changes that leave an exchange area alone, family by family.
 //!
 //! ```text
 //!   A F(P, Q) = A F(Q, P)                     the two exchanged
-//!   A F(MP, MQ) = A F(P, Q)                   moved: exactly by quarter turns, mirrors and short shifts
+//!   A F(MP, MQ) = A F(P, Q)                   moved: exactly by quarter turns, mirrors
+//!                                             and short shifts
 //!   A F(2ᵏP, 2ᵏQ) = 4ᵏ A F(P, Q)              enlarged
 //!   A F(P, Q) = A F(P₁, Q) + A F(P₂, Q)       cut in two
 //! ```
 //!
-//! each within the error bounds of what is compared. A turn by any angle rounds the corners, by at most δ. The exchange
-//! area is the flux through P of the vector irradiance Φ of Q, which has no sources outside Q: it depends on the
-//! outline of P only, and a moved outline changes it by the flux through the ribbon swept,
+//! each within the error bounds of what is compared. A turn by any angle rounds the corners, by at
+//! most δ. The exchange area is the flux through P of the vector irradiance Φ of Q, which has no
+//! sources outside Q: it depends on the outline of P only, and a moved outline changes it by the
+//! flux through the ribbon swept,
 //!
 //! ```text
 //!   |ΔA F| ≤ δ·(perimeter P · max|Φ_Q| + perimeter Q · max|Φ_P|),   |Φ_Q| ≤ min(1, A_Q/(π d²))
 //! ```
 //!
-//! at distance d. Where one polygon cuts or touches the plane of the other, what lies in front changes as well: Φ is 0 in the
-//! plane outside Q, and inside it the cut, no longer than the perimeter, moves by δ/sin θ for planes at an angle θ.
+//! at distance d. Where one polygon cuts or touches the plane of the other, what lies in front
+//! changes as well: Φ is 0 in the plane outside Q, and inside it the cut, no longer than the
+//! perimeter, moves by δ/sin θ for planes at an angle θ.
 
 use glam::{DMat3, DVec3};
 use infoscene::form_factor::{Answer, DEFAULT_TOLERANCE, Polygon, Route};
@@ -77,7 +80,8 @@ fn compare(what: &str, case: &Case, other: &Pair, factor: f64, allowed: f64) -> 
         return Ok(());
     }
     Err(format!(
-        "{what}: {} and {} differ by {difference:.2e}, bounds {:.1e} and {:.1e}, allowed {allowed:.1e}\n  {}",
+        "{what}: {} and {} differ by {difference:.2e}, bounds {:.1e} and {:.1e}, allowed \
+         {allowed:.1e}\n  {}",
         one.value * factor,
         two.value,
         one.error * factor,
@@ -148,7 +152,8 @@ fn enlarged(case: &Case) -> Result<(), String> {
     )
 }
 
-/// One of the 48 symmetries of the cube, exactly; a mirror image has its corners in the other order.
+/// One of the 48 symmetries of the cube, exactly; a mirror image has its corners in the other
+/// order.
 fn turned_by_quarters(case: &Case) -> Result<(), String> {
     let number = case.number;
     let order = [
@@ -178,7 +183,8 @@ fn turned_by_quarters(case: &Case) -> Result<(), String> {
     compare("turned by quarters", case, &image, 1.0, 0.0)
 }
 
-/// By a shift that every corner takes without rounding; other pairs are left out, and counted by the caller.
+/// Moves a pair by a shift that every corner takes without rounding; other pairs are left out, and
+/// counted by the caller.
 fn shifted(case: &Case) -> Option<Result<(), String>> {
     let (pair, number) = (&case.pair, case.number);
     let short = |k: u64| ((number * 37 + k * 101) % 1024) as f64 / 128.0 - 4.0;
@@ -224,7 +230,7 @@ fn perimeter(patch: &Patch) -> f64 {
     corners.iter().zip(next).map(|(a, b)| a.distance(*b)).sum()
 }
 
-/// What corners moved by `delta` may change, by the module's formula.
+/// The change that corners moved by `delta` may cause, by the module's formula.
 fn allowance(pair: &Pair, delta: f64) -> f64 {
     let [p, q] = pair;
     let radius = |patch: &Patch| {
@@ -258,8 +264,8 @@ fn allowance(pair: &Pair, delta: f64) -> f64 {
     delta * (perimeter(p) * flux(q) + perimeter(q) * flux(p)) * cut
 }
 
-/// A coordinate is three products of entries and coordinates, each factor and operation rounded: off by 2ε of the
-/// corner's length; all three by 2√3 ε.
+/// A coordinate is three products of entries and coordinates, each factor and operation rounded:
+/// off by 2ε of the corner's length; all three by 2√3 ε.
 fn turned(case: &Case) -> Result<(), String> {
     let (pair, number) = (&case.pair, case.number);
     let rotation = rotation(number);
@@ -270,7 +276,8 @@ fn turned(case: &Case) -> Result<(), String> {
             .map_err(|error| error.to_string())
     });
     let [Ok(first), Ok(second)] = image else {
-        // far from the origin, rounding leaves a polygon off its plane by more than is accepted; never near it
+        // far from the origin, rounding leaves a polygon off its plane by more than is accepted;
+        // never near it
         return if delta > 1e-13 {
             Ok(())
         } else {
@@ -286,8 +293,8 @@ fn turned(case: &Case) -> Result<(), String> {
     )
 }
 
-/// The parts on both sides of a diagonal inside the polygon; of a triangle those beside a median, whose foot
-/// is rounded by ε/2 of itself.
+/// The parts on both sides of a diagonal inside the polygon; of a triangle those beside a median,
+/// whose foot is rounded by ε/2 of itself.
 fn halves(patch: &Patch) -> ([Patch; 2], f64) {
     let corners = patch.corners();
     let n = corners.len();
@@ -344,7 +351,8 @@ fn cut_in_two(case: &Case) -> Result<(), String> {
     ))
 }
 
-/// `0 < A F ≤ min(A_P, A_Q)`: every pair of the families exchanges something, but for what 256 bits show to lie in one plane.
+/// `0 < A F ≤ min(A_P, A_Q)`: every pair of the families exchanges something, but for what 256 bits
+/// show to lie in one plane.
 fn in_range(case: &Case) -> Result<(), String> {
     let (pair, answer) = (&case.pair, case.answer.clone()?);
     if answer.route == Route::Coplanar && Truth::of(pair).is_ok_and(|truth| truth.value() == 0.0) {

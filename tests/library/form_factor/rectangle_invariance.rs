@@ -25,8 +25,8 @@ proptest! {
         }
     }
 
-    /// A rigid motion moves corners by rounding only: relative change within the alignment tolerance times
-    /// the coordinates over the shortest side.
+    /// A rigid motion moves corners by rounding only: relative change within the alignment
+    /// tolerance times the coordinates over the shortest side.
     #[test]
     fn exchange_area_survives_a_rigid_motion(
         (first, second) in rectangle_pair(),

@@ -4,8 +4,8 @@ use crate::support::references::rows;
 use infoscene::form_factor::RectanglePair;
 use infoscene::geometry::Rectangle;
 
-/// The promise for pairs at most two sizes apart with aspect ratios within 1e-2 … 1e2; the file's far,
-/// sliver and strip rows keep it too.
+/// The promise for pairs at most two sizes apart with aspect ratios within 1e-2 … 1e2; the file's
+/// far, sliver and strip rows keep it too.
 const RELATIVE_ERROR: f64 = 1e-13;
 
 fn aligned_pairs() -> Vec<(String, RectanglePair, f64)> {

@@ -15,8 +15,8 @@ use rand_chacha::ChaCha8Rng;
 const SEEDS: u64 = 40;
 const LINES: u32 = 3000;
 
-/// Whether estimates with standard errors are what they say: no z beyond 5, and Σ z² between the quantiles of
-/// χ² at 4.75 standard deviations (1e-6 on each side) by Wilson and Hilferty's formula
+/// Whether estimates with standard errors are what they say: no z beyond 5, and Σ z² between the
+/// quantiles of χ² at 4.75 standard deviations (1e-6 on each side) by Wilson and Hilferty's formula
 /// `m (1 − 2/(9m) ± 4.75 √(2/(9m)))³`.
 fn honest(exact: f64, estimates: &[(f64, f64)]) -> Result<(), String> {
     let z: Vec<f64> = estimates
@@ -40,7 +40,8 @@ fn honest(exact: f64, estimates: &[(f64, f64)]) -> Result<(), String> {
     }
 }
 
-/// Pairs of 30-digit values both ways, a polygon in the notch of another, two partly behind each other's plane.
+/// Pairs of 30-digit values both ways, a polygon in the notch of another, two partly behind each
+/// other's plane.
 fn pairs() -> Vec<(String, [Patch; 2], f64)> {
     let mut pairs = Vec::new();
     for row in rows("form_factors.csv") {
@@ -81,8 +82,9 @@ fn pairs() -> Vec<(String, [Patch; 2], f64)> {
     pairs
 }
 
-/// Lines of every kind, over 40 seeds: within five standard errors, and spread as these say. A quasi-random standard
-/// error comes from 16 shifts, so that its squares are those of Student's t: 15/13 as large on average.
+/// Lines of every kind, over 40 seeds: within five standard errors, and spread as these say. A
+/// quasi-random standard error comes from 16 shifts, so that its squares are those of Student's t:
+/// 15/13 as large on average.
 #[test]
 fn sampled_form_factors_agree_within_honest_standard_errors() {
     let pairs = pairs();
@@ -114,8 +116,8 @@ fn sampled_form_factors_agree_within_honest_standard_errors() {
     }
 }
 
-/// Negative controls: directions uniform in solid angle instead of by cosine, and standard errors half or twice as large as
-/// they are, are found out.
+/// Negative controls: directions uniform in solid angle instead of by cosine, and standard errors
+/// half or twice as large as they are, are found out.
 #[test]
 fn a_wrong_cosine_and_wrong_standard_errors_are_found_out() {
     const EXACT: f64 = 0.199_824_895_698_387_38; // facing unit squares 1 apart, form_factors.csv
@@ -149,8 +151,8 @@ fn a_wrong_cosine_and_wrong_standard_errors_are_found_out() {
     assert!(honest(EXACT, &estimates(true, 2.0)).is_err());
 }
 
-/// `P(a uniform line meets a patch) = A / (2πR²)`: areas, also of a concave patch, and half the area
-/// is found out.
+/// `P(a uniform line meets a patch) = A / (2πR²)`: areas, also of a concave patch, and half the
+/// area is found out.
 #[test]
 fn global_lines_meet_patches_in_proportion_to_their_areas() {
     for (name, [first, second], _) in pairs() {

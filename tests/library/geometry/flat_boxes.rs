@@ -26,7 +26,8 @@ fn a_flat_box_is_bounded_by_its_corners_wherever_they_begin() {
     }
 }
 
-/// Three corners are exact and the fourth is off by a rounding: a rectangle with aligned edges, but no flat box.
+/// Three corners are exact and the fourth is off by a rounding: a rectangle with aligned edges, but
+/// no flat box.
 #[test]
 fn a_corner_off_by_a_rounding_makes_no_flat_box() {
     let off = f64::from_bits(0.6_f64.to_bits() + 1);

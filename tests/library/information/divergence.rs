@@ -41,7 +41,8 @@ proptest! {
         prop_assert!((value - exact).abs() <= tolerance::GAIN * exact, "{value:e} {exact:e}");
     }
 
-    /// Nearly proportional: x_k of 1e-15 and more, gains down to 1e-30, still to full relative precision.
+    /// Nearly proportional: x_k of 1e-15 and more, gains down to 1e-30, still to full relative
+    /// precision.
     #[test]
     fn divergence_of_nearly_proportional_fluxes_keeps_its_digits(
         weights in proptest::collection::vec(0.1..1.0f64, 2..6),
@@ -70,7 +71,8 @@ proptest! {
 }
 
 proptest! {
-    /// Eq. (6): m equal parts gain at most `2 w P log2 m`, and less as soon as two of them have flux.
+    /// Eq. (6): m equal parts gain at most `2 w P log2 m`, and less as soon as two of them have
+    /// flux.
     #[test]
     fn equal_parts_gain_at_most_their_bound(fluxes in shares(2..9)) {
         let weights = vec![1.0; fluxes.len()];
@@ -89,8 +91,9 @@ proptest! {
     }
 }
 
-/// Eq. (6) is an equality where one part keeps all the flux, which it can as long as m P ≤ 1: its own P is then
-/// m P. Beyond that it is out of reach: a chain in which a part would need P > 1 is refused.
+/// Eq. (6) is an equality where one part keeps all the flux, which it can as long as m P ≤ 1: its
+/// own P is then m P. Beyond that it is out of reach: a chain in which a part would need P > 1 is
+/// refused.
 #[test]
 fn the_bound_is_attained_as_long_as_m_p_is_at_most_one() {
     for parts in 2..=9u32 {

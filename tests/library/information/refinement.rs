@@ -25,19 +25,29 @@ proptest! {
         let difference = mutual_information(refined) - mutual_information(coarse);
         let gain = refinement_gain(&refinement);
         prop_assert!(gain >= 0.0);
-        prop_assert!((difference - gain).abs() <= tolerance::IDENTITY, "{difference:e} {gain:e}");
+        prop_assert!(
+            (difference - gain).abs() <= tolerance::IDENTITY,
+            "{difference:e} {gain:e}"
+        );
     }
 
     /// Data processing, the same from the other side: putting any states together never raises it.
     #[test]
-    fn coarsening_never_raises_mutual_information(chain in reversible_chain(10), cut in 1..10usize) {
-        let parents: Vec<usize> = (0..chain.states()).map(|state| usize::from(state >= cut)).collect();
+    fn coarsening_never_raises_mutual_information(
+        chain in reversible_chain(10),
+        cut in 1..10usize,
+    ) {
+        let parents: Vec<usize> = (0..chain.states())
+            .map(|state| usize::from(state >= cut))
+            .collect();
         if !parents.contains(&1) {
             return Ok(());
         }
         let together = Refinement::coarsening(chain, parents).unwrap();
-        let (before, after) =
-            (mutual_information(together.refined()), mutual_information(together.coarse()));
+        let (before, after) = (
+            mutual_information(together.refined()),
+            mutual_information(together.coarse()),
+        );
         prop_assert!(after <= before + tolerance::IDENTITY);
         prop_assert!(refinement_gain(&together) >= 0.0);
     }
@@ -65,7 +75,10 @@ proptest! {
             let w = |i: usize| chain.stationary_probability(i);
             let inflow = (0..chain.states()).map(|i| w(i) * chain.transition_probability(i, j));
             let change = (compensated_sum(inflow) - w(j)).abs();
-            prop_assert!(change <= 8.0 * f64::EPSILON * w(j) + 1e-300, "{j}: {change:e}");
+            prop_assert!(
+                change <= 8.0 * f64::EPSILON * w(j) + 1e-300,
+                "{j}: {change:e}"
+            );
         }
     }
 
@@ -88,8 +101,9 @@ proptest! {
     /// once, and it does not matter which state is divided first.
     #[test]
     fn gains_of_repeated_refinement_add_up(refinement in refinement(8)) {
-        let divided: Vec<usize> =
-            (0..refinement.coarse().states()).filter(|i| refinement.parts()[*i].len() > 1).collect();
+        let divided: Vec<usize> = (0..refinement.coarse().states())
+            .filter(|i| refinement.parts()[*i].len() > 1)
+            .collect();
         let whole = refinement_gain(&refinement);
         for first in &divided {
             // put all parts together again but those of `first`
@@ -105,11 +119,15 @@ proptest! {
             }
             let second = Refinement::coarsening(refinement.refined().clone(), parents).unwrap();
             let coarse = refinement.coarse().clone();
-            let first = Refinement::try_new(coarse, second.coarse().clone(), middle_parents).unwrap();
+            let first =
+                Refinement::try_new(coarse, second.coarse().clone(), middle_parents).unwrap();
             let sum = refinement_gain(&first) + refinement_gain(&second);
             // the middle chain's entries are rounded: its gains carry ε of the information they
             // change
-            prop_assert!((sum - whole).abs() <= tolerance::IDENTITY, "{sum:e} {whole:e}");
+            prop_assert!(
+                (sum - whole).abs() <= tolerance::IDENTITY,
+                "{sum:e} {whole:e}"
+            );
             let both = first.then(&second).unwrap();
             prop_assert_eq!(refinement_gain(&both), whole);
         }
@@ -118,23 +136,37 @@ proptest! {
     /// Relabelling the states changes the measures by rounding, scaling by a power of two not at
     /// all.
     #[test]
-    fn names_and_units_do_not_matter(refinement in refinement(10), turn in 1..20usize, power in -20..20i32) {
+    fn names_and_units_do_not_matter(
+        refinement in refinement(10),
+        turn in 1..20usize,
+        power in -20..20i32,
+    ) {
         let joint = refinement.refined().joint();
         let size = joint.nrows();
         let turned = |k: usize| (k + turn) % size;
         let relabelled = DMatrix::from_fn(size, size, |k, l| joint[(turned(k), turned(l))]);
         let parents = (0..size).map(|k| refinement.parents()[turned(k)]).collect();
-        let other = Refinement::coarsening(ReversibleChain::try_new(relabelled).unwrap(), parents).unwrap();
+        let other =
+            Refinement::coarsening(ReversibleChain::try_new(relabelled).unwrap(), parents).unwrap();
         let gain = refinement_gain(&refinement);
-        prop_assert!((refinement_gain(&other) - gain).abs() <= tolerance::GAIN * gain + tolerance::TINY_GAIN);
+        prop_assert!(
+            (refinement_gain(&other) - gain).abs() <= tolerance::GAIN * gain + tolerance::TINY_GAIN
+        );
         let smallest = smallest_entry(refinement.refined()) * refinement.refined().total();
         if smallest > 1e-290 {
             let scaled = ReversibleChain::try_new(joint * 2f64.powi(power)).unwrap();
             let scaled = Refinement::coarsening(scaled, refinement.parents().to_vec()).unwrap();
             // a gain near the smallest double is rounded to its few bits
-            let slack = if gain > tolerance::TINY_GAIN { 0.0 } else { tolerance::TINY_GAIN };
+            let slack = if gain > tolerance::TINY_GAIN {
+                0.0
+            } else {
+                tolerance::TINY_GAIN
+            };
             prop_assert!((refinement_gain(&scaled) - gain).abs() <= slack);
-            prop_assert_eq!(mutual_information(scaled.refined()), mutual_information(refinement.refined()));
+            prop_assert_eq!(
+                mutual_information(scaled.refined()),
+                mutual_information(refinement.refined())
+            );
         }
     }
 
@@ -147,14 +179,20 @@ proptest! {
         prop_assert!(width < 1e-70);
         let gain = refinement_gain(&refinement);
         let slack = width + tolerance::TINY_GAIN;
-        prop_assert!((gain - exact).abs() <= tolerance::GAIN * exact + slack, "{gain:e} {exact:e}");
+        prop_assert!(
+            (gain - exact).abs() <= tolerance::GAIN * exact + slack,
+            "{gain:e} {exact:e}"
+        );
     }
 
     /// Equality case: a division in exact proportion gains exactly 0, and moving one entry by a
     /// unit in the last place gains something.
     #[test]
     fn proportional_division_gains_nothing_and_only_that(draw in refinement_draw(8)) {
-        let draw = infoscene::chain::random::families::RefinementDraw { division: DivisionFamily::Proportional, ..draw };
+        let draw = infoscene::chain::random::families::RefinementDraw {
+            division: DivisionFamily::Proportional,
+            ..draw
+        };
         let refinement = draw.refinement().unwrap();
         if smallest_entry(refinement.refined()) < 1e-290 {
             return Ok(()); // powers of two of such entries are no longer exact
@@ -166,7 +204,9 @@ proptest! {
         let moved = joint[(k, other)].next_up();
         // the gain is the square of ε of the entry; and a part that shares flux with one state only
         // cannot be out of proportion
-        let shared = (0..joint.ncols()).filter(|l| joint[(k, *l)] > 0.0 && !parts.contains(l)).count();
+        let shared = (0..joint.ncols())
+            .filter(|l| joint[(k, *l)] > 0.0 && !parts.contains(l))
+            .count();
         if joint[(k, other)] / refinement.refined().total() < 1e-250 || shared < 2 {
             return Ok(());
         }
@@ -207,9 +247,15 @@ proptest! {
         if smallest_entry(refinement.refined()) < 1e-290 {
             return Ok(());
         }
-        let (gain, exact) = (refinement_gain(&refinement), exact_gain(&refinement, 2304).to_f64());
+        let (gain, exact) = (
+            refinement_gain(&refinement),
+            exact_gain(&refinement, 2304).to_f64(),
+        );
         let normal = 1e-300; // below, doubles lose their digits
-        prop_assert!((gain - exact).abs() <= tolerance::GAIN * exact + normal, "{gain:e} {exact:e}");
+        prop_assert!(
+            (gain - exact).abs() <= tolerance::GAIN * exact + normal,
+            "{gain:e} {exact:e}"
+        );
     }
 
     /// "Nearly decomposable" is what it says: a second eigenvalue within 1e-12 of 1. That of

@@ -1,4 +1,5 @@
-//! What is measured of pairs as they come is what is measured of the matrix, whatever the number of threads.
+//! Measures of pairs as they come are those of the matrix, whatever the number of
+//! threads.
 
 use crate::support::references::value;
 use infoscene::chain::{ChainError, ReversibleChain, open_visibility_chain, visibility_chain};
@@ -88,7 +89,7 @@ fn streamed_measures_of_an_open_scene_are_those_of_its_matrix() {
     }
 }
 
-/// With `--open` a closed scene is what it is without.
+/// A closed scene is the same with `--open` and without.
 #[test]
 fn a_closed_scene_has_no_outside() {
     let scene = cube(2);
@@ -118,7 +119,7 @@ fn information_errors_are_bounds() {
     }
 }
 
-/// The same bits from one thread and from five, of pairs that share and of pairs that do not.
+/// One thread and five give the same bits, of pairs that share and of pairs that do not.
 #[test]
 fn threads_do_not_change_a_bit() {
     for congruence in [Congruence::Shared, Congruence::Ignored] {
@@ -141,7 +142,8 @@ fn threads_do_not_change_a_bit() {
     }
 }
 
-/// Negative control: the sum depends on the order of its terms, so that equal bits are not a matter of course.
+/// Negative control: the sum depends on the order of its terms, so that equal bits are not a matter
+/// of course.
 #[test]
 fn the_order_of_terms_matters() {
     let pairs =
@@ -157,7 +159,8 @@ fn the_order_of_terms_matters() {
     assert!((0..216).any(|i| forth(i).to_bits() != back(i).to_bits()));
 }
 
-/// A scene whose patches hide each other, taken without occlusion, has rows above one: refused even if open.
+/// A scene whose patches hide each other, taken without occlusion, has rows above one: refused even
+/// if open.
 #[test]
 fn a_row_above_one_is_refused() {
     let mut patches = cube(1).patches().to_vec();

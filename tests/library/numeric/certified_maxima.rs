@@ -46,11 +46,18 @@ proptest! {
     fn known_maxima_are_found(a in 1..1000u16, b in 1..1000u16) {
         let found = certified_maximum(&Shares(a.into(), b.into()), (0.0, 1.0), BITS).unwrap();
         let is_only_stationary_point = Some(true);
-        prop_assert_eq!(&found.certificate, &Certificate::Unique { is_only_stationary_point });
+        prop_assert_eq!(
+            &found.certificate,
+            &Certificate::Unique {
+                is_only_stationary_point
+            }
+        );
         let a_and_b = found.position.constant(f64::from(a) + f64::from(b));
         prop_assert!((found.position.clone() * &a_and_b).contains(&a_and_b.constant(a.into())));
         prop_assert!(found.position.width() <= WIDTH && found.value.width() <= 1e-30);
-        let value = Shares(a.into(), b.into()).value(&(a_and_b.constant(a.into()) / &a_and_b)).unwrap();
+        let value = Shares(a.into(), b.into())
+            .value(&(a_and_b.constant(a.into()) / &a_and_b))
+            .unwrap();
         prop_assert!(found.value.intersection(&value).is_some());
     }
 }
@@ -82,8 +89,8 @@ impl Maximand for TwoHills {
     }
 }
 
-/// Equal maxima are told as several; a tilt of 1e-60 is seen with 128 bits, as both hills are of height 0 to
-/// the square of their positions' width; one of 1e-90 is not.
+/// Equal maxima are told as several; a tilt of 1e-60 is seen with 128 bits, as both hills are of
+/// height 0 to the square of their positions' width; one of 1e-90 is not.
 #[test]
 fn equal_maxima_are_told_apart_or_not() {
     let several = Certificate::Several { maximisers: 2 };
@@ -107,7 +114,7 @@ fn equal_maxima_are_told_apart_or_not() {
     }
 }
 
-/// How the ends of [`Peak`] are covered.
+/// The treatment of the ends of [`Peak`].
 #[derive(Clone, Copy, PartialEq)]
 enum Ends {
     BySlope,
@@ -151,7 +158,8 @@ impl Maximand for Peak {
     }
 }
 
-/// A peak of width 1e-6 between the points of any scan, higher than the hill, is found; a lower one is passed over.
+/// A peak of width 1e-6 between the points of any scan, higher than the hill, is found; a lower one
+/// is passed over.
 #[test]
 fn a_narrow_peak_is_not_missed() {
     let (width, at) = (1e-6, 0.818_281_828_459);
@@ -181,8 +189,8 @@ fn a_narrow_peak_is_not_missed() {
     }
 }
 
-/// What may be higher next to an end is not called a maximum: an end that nothing is known about, and two at which
-/// the values grow.
+/// A point that may be lower than one next to an end is not called a maximum: an end that nothing
+/// is known about, and two at which the values grow.
 #[test]
 fn uncovered_ends_are_unknown() {
     let unknown = |found: &Certificate| matches!(found, Certificate::Unknown { reason } if reason.contains("ends"));
@@ -296,7 +304,8 @@ fn what_has_no_maximum_is_refused() {
     }
 }
 
-/// What a split says of its slope on a box holds at every point of the box: value and derivative, to the ends.
+/// The slope that a split gives on a box holds at every point of the box: value and derivative,
+/// to the ends.
 #[test]
 fn slopes_on_boxes_contain_the_slopes_in_them() {
     let scenes = [

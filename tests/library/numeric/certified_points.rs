@@ -1,4 +1,5 @@
-//! Certified stationary points in several variables against functions whose maximum is known beforehand.
+//! Certified stationary points in several variables against functions whose maximum is known
+//! beforehand.
 
 use infoscene::numeric::{NumericError, Scalar, VectorFunction, certified_stationary_point};
 use proptest::prelude::*;
@@ -8,7 +9,8 @@ const BITS: u32 = 128;
 /// Their width: a root of size one is found to a few units of 2⁻¹²⁸ = 3e-39, times condition.
 const WIDTH: f64 = 1e-33;
 
-/// The gradient of `Σ_i −c_i (x_i − m_i)² − q (x_i − m_i)⁴ + k Σ_{i<j} (x_i − m_i)(x_j − m_j)`, with its root at m = thirds.
+/// The gradient of `Σ_i −c_i (x_i − m_i)² − q (x_i − m_i)⁴ + k Σ_{i<j} (x_i − m_i)(x_j − m_j)`,
+/// with its root at m = thirds.
 struct Hill {
     thirds: Vec<i16>,
     curvatures: Vec<f64>,
@@ -48,8 +50,8 @@ impl Hill {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(ProptestConfig::default().cases.div_ceil(8)))]
 
-    /// Concave quadratics and quartics in two and three variables, coupled less than their curvatures: the known
-    /// maximum, also from a point 1e-13 aside.
+    /// Concave quadratics and quartics in two and three variables, coupled less than their
+    /// curvatures: the known maximum, also from a point 1e-13 aside.
     #[test]
     fn known_stationary_points_are_enclosed(
         thirds in proptest::collection::vec(-6..6i16, 2..4),
@@ -103,7 +105,8 @@ fn only_maxima_nearby_are_certified() {
     assert!(!is_refused(&far, &far.near()), "a thousand");
 }
 
-/// A negative definite Hessian that is not diagonally dominant, and one that is not negative definite.
+/// A negative definite Hessian that is not diagonally dominant, and one that is not negative
+/// definite.
 #[test]
 fn strong_coupling_of_three_variables_is_told_from_a_saddle() {
     let hill = |coupling| Hill {

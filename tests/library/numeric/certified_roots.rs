@@ -30,7 +30,8 @@ impl IntervalFunction for Polynomial {
     }
 }
 
-/// Does the interval contain p/q? Exactly so if `q X` contains p, up to one more rounding outwards.
+/// Whether the interval contains p/q: exactly so if `q X` contains p, up to one more rounding
+/// outwards.
 fn contains_fraction(interval: &Interval, (p, q): Fraction) -> bool {
     let multiple = interval.constant(q.into()) * interval;
     multiple.contains(&interval.constant(p.into()))
@@ -65,7 +66,11 @@ proptest! {
         prop_assert_eq!(found.roots.len(), roots.len());
         for (k, (found, root)) in found.roots.iter().zip(&roots).enumerate() {
             prop_assert!(contains_fraction(&found.enclosure, *root), "{root:?}");
-            prop_assert!(found.enclosure.width() <= WIDTH, "{:e}", found.enclosure.width());
+            prop_assert!(
+                found.enclosure.width() <= WIDTH,
+                "{:e}",
+                found.enclosure.width()
+            );
             prop_assert_eq!(found.rises, (roots.len() - k) % 2 == 1);
         }
     }
@@ -81,10 +86,15 @@ proptest! {
         let (p, q) = roots[which];
         let multiple = f64::from(p) / f64::from(q);
         // p/q is rounded; the boxes are much wider than that
-        let around = |(lower, upper): &(f64, f64)| lower.next_down() <= multiple && multiple <= upper.next_up();
+        let around = |(lower, upper): &(f64, f64)| {
+            lower.next_down() <= multiple && multiple <= upper.next_up()
+        };
         prop_assert!(found.undecided.iter().any(around), "{:?}", found.undecided);
         for (k, root) in roots.iter().enumerate() {
-            let is_found = found.roots.iter().any(|found| contains_fraction(&found.enclosure, *root));
+            let is_found = found
+                .roots
+                .iter()
+                .any(|found| contains_fraction(&found.enclosure, *root));
             prop_assert!(is_found == (k != which), "{root:?}: {found:?}");
         }
         prop_assert_eq!(found.roots.len(), roots.len() - 1);
@@ -191,7 +201,7 @@ fn roots_of_exponentials_and_waves_are_found() {
     }
 }
 
-/// Where the function is not known, or the evaluations run out, the rest is undecided.
+/// A function that is not known somewhere, or evaluations that run out, leave the rest undecided.
 #[test]
 fn what_is_not_known_is_undecided() {
     struct HalfKnown;

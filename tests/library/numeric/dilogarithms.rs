@@ -26,7 +26,8 @@ fn dilogarithms_agree_with_their_series() {
     assert!(worst < 8.0 * f64::EPSILON, "{worst:e}");
 }
 
-/// Catalan's constant `Im Li₂(i)` and Clausen's integral at π/3, to 16 digits (OEIS A006752, A143298).
+/// Catalan's constant `Im Li₂(i)` and Clausen's integral at π/3, to 16 digits (OEIS A006752,
+/// A143298).
 #[test]
 fn dilogarithms_on_the_unit_circle_are_known_constants() {
     let half = 0.5f64.sqrt();

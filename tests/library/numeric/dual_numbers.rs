@@ -63,7 +63,7 @@ fn derivatives(operation: Operation, x: f64, y: f64, rate: f64) -> [Judge; 2] {
     ]
 }
 
-/// Does the interval, widened by what the differences are off, contain the number?
+/// Whether the interval, widened by the error of the differences, contains the number.
 fn is_enclosed(interval: &Interval<f64>, number: &Judge) -> bool {
     // third and fourth derivatives of arguments from 0.1 to 10 are below 2^60
     let slack = power_of_two(-130);
@@ -110,7 +110,12 @@ proptest! {
         let (operation, x, y, rate) = place;
         let [first, _] = derivatives(operation, x, y, rate);
         let dual = enclosed(place);
-        prop_assert!(is_enclosed(&dual.slope, &first), "{:?} {:e}", dual.slope, first.to_f64());
+        prop_assert!(
+            is_enclosed(&dual.slope, &first),
+            "{:?} {:e}",
+            dual.slope,
+            first.to_f64()
+        );
         // the largest term of a derivative of these operations is below 2e6 where |x|, |y| ≥ 0.1
         prop_assert!(dual.slope.width() <= 64.0 * f64::EPSILON * (first.to_f64().abs() + 300.0));
     }
@@ -128,10 +133,20 @@ proptest! {
     #[test]
     fn slopes_in_doubles_lie_at_the_enclosure(place in place()) {
         let (operation, x, y, rate) = place;
-        let fast = operation.of(&Dual::variable(x), &Dual { value: y, slope: rate });
+        let fast = operation.of(
+            &Dual::variable(x),
+            &Dual {
+                value: y,
+                slope: rate,
+            },
+        );
         let slope = enclosed(place).slope;
         let (lower, upper) = (slope.lower() - slope.width(), slope.upper() + slope.width());
-        prop_assert!((lower..=upper).contains(&fast.slope), "{:e} beside {slope:?}", fast.slope);
+        prop_assert!(
+            (lower..=upper).contains(&fast.slope),
+            "{:e} beside {slope:?}",
+            fast.slope
+        );
     }
 
     /// Dual numbers of dual numbers: `f′` twice and `f″`, enclosed as narrowly.
@@ -140,30 +155,55 @@ proptest! {
         let [first, second] = derivatives(operation, x, y, rate);
         let [x, y, rate] = [x, y, rate].map(Interval::point);
         let fixed = Dual::constant_like(&rate);
-        let moving = Dual { value: Dual { value: y, slope: rate }, slope: fixed };
+        let moving = Dual {
+            value: Dual {
+                value: y,
+                slope: rate,
+            },
+            slope: fixed,
+        };
         let nested = operation.of(&Dual::variable(Dual::variable(x)), &moving);
         for slope in [&nested.value.slope, &nested.slope.value] {
             prop_assert!(is_enclosed(slope, &first), "{slope:?} {:e}", first.to_f64());
         }
         let slope = &nested.slope.slope;
-        prop_assert!(is_enclosed(slope, &second), "{slope:?} {:e}", second.to_f64());
+        prop_assert!(
+            is_enclosed(slope, &second),
+            "{slope:?} {:e}",
+            second.to_f64()
+        );
         prop_assert!(slope.width() <= 64.0 * f64::EPSILON * (second.to_f64().abs() + 30000.0));
     }
 
     /// Over a box, the slope contains the derivative at every point of it.
     #[test]
     fn slopes_on_a_box_contain_all_derivatives(
-        operation in prop::sample::select(operations()), x in number(), y in number(),
-        rate in -2.0..2.0f64, width in prop_oneof![1e-9..1e-3f64, 0.0..1.0f64], share in 0.0..1.0f64,
+        operation in prop::sample::select(operations()),
+        x in number(),
+        y in number(),
+        rate in -2.0..2.0f64,
+        width in prop_oneof![1e-9..1e-3f64, 0.0..1.0f64],
+        share in 0.0..1.0f64,
     ) {
         let x = operation.within_domain(x);
         let domain = Interval::try_new(x, x + width).unwrap();
         let inside = (x + share * width).min(x + width);
         prop_assume!(inside.abs() > 0.05);
-        let on_box = operation.of(&Dual::variable(domain), &Dual { value: Interval::point(y), slope: Interval::point(rate) });
+        let on_box = operation.of(
+            &Dual::variable(domain),
+            &Dual {
+                value: Interval::point(y),
+                slope: Interval::point(rate),
+            },
+        );
         // at the point (inside, y) of the box, moved along (1, rate)
         let [first, _] = derivatives(operation, inside, y, rate);
-        prop_assert!(is_enclosed(&on_box.slope, &first), "{operation:?} on {domain:?}: {:?} {:e}", on_box.slope, first.to_f64());
+        prop_assert!(
+            is_enclosed(&on_box.slope, &first),
+            "{operation:?} on {domain:?}: {:?} {:e}",
+            on_box.slope,
+            first.to_f64()
+        );
         let [value] = [operation.of(&Judge::new(inside), &Judge::new(y))];
         prop_assert!(!misses(&on_box.value, &value));
     }

@@ -106,7 +106,8 @@ fn elementary_functions_keep_their_bound() {
     }
 }
 
-/// Against the logarithm of the quotient, from neighbours to many binades apart; and several angles at once are those of one.
+/// Against the logarithm of the quotient, from neighbours to many binades apart; and several angles
+/// at once are those of one.
 #[test]
 fn logarithms_of_ratios_keep_their_bound() {
     let mut random = ChaCha8Rng::seed_from_u64(4);

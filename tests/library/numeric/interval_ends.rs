@@ -1,4 +1,5 @@
-//! Ends of intervals: their range and order, their way into doubles and decimals and back, always outwards.
+//! Ends of intervals: their range and order, their way into doubles and decimals and back, always
+//! outwards.
 
 use crate::support::intervals::{Draw, Judge, Judged, bits, cases, draw, excess, misses};
 use infoscene::numeric::interval::{Direction, Endpoint};
@@ -38,7 +39,8 @@ proptest! {
     /// Against exact sums and products: lower ≤ a ∘ b ≤ upper, with at most one double between.
     #[test]
     fn sums_and_products_of_doubles_enclose_the_exact_expansion(
-        a in (-1.0..1.0f64, -100..100i32), b in (-1.0..1.0f64, -100..100i32),
+        a in (-1.0..1.0f64, -100..100i32),
+        b in (-1.0..1.0f64, -100..100i32),
     ) {
         let [a, b] = [a, b].map(|(value, power)| value * 2f64.powi(power));
         let (x, y) = (Interval::point(a), Interval::point(b));
@@ -46,7 +48,10 @@ proptest! {
         for (enclosure, exact) in [(x + y, Expansion::sum([a, b])), (x * y, product)] {
             let below = exact.clone() - &Expansion::from(*enclosure.lower());
             let above = Expansion::from(*enclosure.upper()) - &exact;
-            prop_assert!(below.to_f64() >= 0.0 && above.to_f64() >= 0.0, "{a:e} {b:e} {enclosure:?}");
+            prop_assert!(
+                below.to_f64() >= 0.0 && above.to_f64() >= 0.0,
+                "{a:e} {b:e} {enclosure:?}"
+            );
             prop_assert!(enclosure.upper() <= &enclosure.lower().next_up());
         }
     }
@@ -55,24 +60,38 @@ proptest! {
     #[test]
     fn comparisons_are_certain(x in draw(), y in draw(), bits in bits()) {
         let a = x.interval(&Precise::new(0.0, bits));
-        for other in [y, x, Draw { base: x.base.next_up().min(f64::MAX), ..x }] {
+        for other in [
+            y,
+            x,
+            Draw {
+                base: x.base.next_up().min(f64::MAX),
+                ..x
+            },
+        ] {
             let b = other.interval(&Precise::new(0.0, bits));
             let [a_ends, b_ends] = [&a, &b].map(|i| [i.lower().exact(), i.upper().exact()]);
             prop_assert_eq!(a < b, a_ends[1] < b_ends[0]);
             prop_assert_eq!(a > b, a_ends[0] > b_ends[1]);
-            let all_equal = a_ends[0] == a_ends[1] && b_ends[0] == b_ends[1] && a_ends[0] == b_ends[0];
+            let all_equal =
+                a_ends[0] == a_ends[1] && b_ends[0] == b_ends[1] && a_ends[0] == b_ends[0];
             prop_assert_eq!(a == b, all_equal);
         }
     }
 
-    /// The hull contains both, no less wide hull does; the intersection is in both, and there is none exactly of
-    /// intervals that compare.
+    /// The hull contains both, no less wide hull does; the intersection is in both, and there is
+    /// none exactly of intervals that compare.
     #[test]
-    fn hulls_and_intersections_are_the_smallest_and_largest(x in draw(), y in draw(), bits in bits()) {
+    fn hulls_and_intersections_are_the_smallest_and_largest(
+        x in draw(),
+        y in draw(),
+        bits in bits(),
+    ) {
         let [a, b] = [x, y].map(|draw| draw.interval(&Precise::new(0.0, bits)));
         let hull = a.hull(&b);
         prop_assert!(hull.contains(&a) && hull.contains(&b));
-        prop_assert!(!a.contains_inside(&a) && !hull.contains_inside(&a) || !hull.contains_inside(&b));
+        prop_assert!(
+            !a.contains_inside(&a) && !hull.contains_inside(&a) || !hull.contains_inside(&b)
+        );
         match a.intersection(&b) {
             None => prop_assert!(a < b || b < a),
             Some(both) => {
@@ -83,24 +102,37 @@ proptest! {
         }
     }
 
-    /// The midpoint is a number of the interval; the halves meet in it, cover, and are at most half as wide and
-    /// a few units.
+    /// The midpoint is a number of the interval; the halves meet in it, cover, and are at most half
+    /// as wide and a few units.
     #[test]
     fn halves_cover_and_meet(x in draw(), bits in bits()) {
         halves_are_right(&x.interval(&0.0))?;
         halves_are_right(&x.interval(&Precise::new(0.0, bits)))?;
     }
 
-    /// `to_doubles` are the nearest doubles outside, `to_f64` lies between them, and neither end crosses 0.
+    /// `to_doubles` are the nearest doubles outside, `to_f64` lies between them, and neither end
+    /// crosses 0.
     #[test]
     fn doubles_are_the_nearest_ones_outside(interval in interval()) {
         let (lower, upper) = interval.to_doubles();
         let (low, high) = (interval.lower().exact(), interval.upper().exact());
-        prop_assert!(Judge::new(lower) <= low && high <= Judge::new(upper), "{lower:e} {upper:e}");
-        prop_assert!(Judge::new(lower.next_up()) > low || lower.is_infinite(), "{lower:e} is too low");
-        prop_assert!(Judge::new(upper.next_down()) < high || upper.is_infinite(), "{upper:e} is too high");
+        prop_assert!(
+            Judge::new(lower) <= low && high <= Judge::new(upper),
+            "{lower:e} {upper:e}"
+        );
+        prop_assert!(
+            Judge::new(lower.next_up()) > low || lower.is_infinite(),
+            "{lower:e} is too low"
+        );
+        prop_assert!(
+            Judge::new(upper.next_down()) < high || upper.is_infinite(),
+            "{upper:e} is too high"
+        );
         let middle = interval.to_f64();
-        prop_assert!(!interval.is_bounded() || lower <= middle && middle <= upper, "{middle:e}");
+        prop_assert!(
+            !interval.is_bounded() || lower <= middle && middle <= upper,
+            "{middle:e}"
+        );
     }
 
     /// Fewer bits: outwards, by less than a unit; as many or more: the same.
@@ -109,7 +141,11 @@ proptest! {
         let changed = interval.with_precision(bits);
         let ends = [interval.lower().exact(), interval.upper().exact()];
         prop_assert!(!ends.iter().any(|end| misses(&changed, end)));
-        let units = if bits < interval.lower().bits() { 1.0 } else { 0.0 };
+        let units = if bits < interval.lower().bits() {
+            1.0
+        } else {
+            0.0
+        };
         prop_assert!(!interval.is_bounded() || excess(&changed, &ends) <= units);
         prop_assert_eq!(changed.lower().bits(), bits);
         // a number of 53 bits is a double, but for its power of two
@@ -127,39 +163,65 @@ proptest! {
         let exact = Judge::parse(&text).unwrap();
         let interval = Interval::parse(&text, bits).unwrap();
         prop_assert!(!misses(&interval, &exact), "{text} in {interval:?}");
-        prop_assert!(excess(&interval, &[exact.clone(), exact]) <= 1.0, "{text} in {interval:?}");
+        prop_assert!(
+            excess(&interval, &[exact.clone(), exact]) <= 1.0,
+            "{text} in {interval:?}"
+        );
     }
 
-    /// Written out and read again, an interval only grows: by less than two units of the last decimal written.
+    /// Written out and read again, an interval only grows: by less than two units of the last
+    /// decimal written.
     #[test]
     fn decimals_written_and_read_again_contain_the_interval(
-        draw in draw(), bits in bits(), most_decimals in 0..90u32,
+        draw in draw(),
+        bits in bits(),
+        most_decimals in 0..90u32,
     ) {
         let interval = draw.interval(&Precise::new(0.0, bits));
         prop_assume!(interval.is_bounded());
         let bounds = interval.to_decimal(most_decimals).unwrap();
         let read = |text: &str| Interval::parse(text, 2048).unwrap();
         let (lower, upper) = (read(&bounds.lower), read(&bounds.upper));
-        prop_assert!(lower.lower().exact() <= interval.lower().exact(), "{bounds:?}");
-        prop_assert!(upper.upper().exact() >= interval.upper().exact(), "{bounds:?}");
-        let decimals = bounds.lower.split_once('.').map_or(0, |(_, fraction)| fraction.len());
+        prop_assert!(
+            lower.lower().exact() <= interval.lower().exact(),
+            "{bounds:?}"
+        );
+        prop_assert!(
+            upper.upper().exact() >= interval.upper().exact(),
+            "{bounds:?}"
+        );
+        let decimals = bounds
+            .lower
+            .split_once('.')
+            .map_or(0, |(_, fraction)| fraction.len());
         prop_assert!(decimals <= most_decimals as usize);
         // 1 = one unit of the last decimal
         let power = read(&format!("1e{decimals}"));
-        for excess in [Interval::point(interval.lower().clone()) - &lower, upper - &Interval::point(interval.upper().clone())] {
+        for excess in [
+            Interval::point(interval.lower().clone()) - &lower,
+            upper - &Interval::point(interval.upper().clone()),
+        ] {
             prop_assert!((excess * &power).to_f64() < 1.0 + 1e-9, "{bounds:?}");
         }
         // and not fewer decimals than the width leaves certain
         let width = interval.upper().exact() - interval.lower().exact();
         let is_short = decimals < most_decimals as usize && !interval.is_point();
-        prop_assert!(!is_short || width * power.lower().exact() >= Judge::new(5.0), "{bounds:?}");
+        prop_assert!(
+            !is_short || width * power.lower().exact() >= Judge::new(5.0),
+            "{bounds:?}"
+        );
     }
 
     /// Parsed is what the standard library takes for a number, infinities and NaN aside.
     #[test]
     fn only_plain_decimals_are_parsed(text in "[0-9eE.+ x_-]{0,7}") {
         let is_number = text.trim().parse::<f64>().is_ok();
-        prop_assert_eq!(Interval::parse(&text, 64).is_some(), is_number, "{:?}", text);
+        prop_assert_eq!(
+            Interval::parse(&text, 64).is_some(),
+            is_number,
+            "{:?}",
+            text
+        );
     }
 }
 
@@ -216,7 +278,8 @@ fn garbage_is_not_parsed() {
     }
 }
 
-/// Powers of two up to 2^28 either way: beyond, an end is rounded outwards to ∞ or 0, inwards to the last number.
+/// Powers of two up to 2^28 either way: beyond, an end is rounded outwards to ∞ or 0, inwards to
+/// the last number.
 #[test]
 fn overflow_and_underflow_are_outward() {
     let largest = Interval::point(Precise::new(1.0, 100).scaled(i32::MAX, Direction::Down));
@@ -259,7 +322,7 @@ fn exponentials_beyond_the_range_are_still_enclosures() {
     }
 }
 
-/// Where an operation is defined nowhere, the whole line.
+/// An operation that is defined nowhere gives the whole line.
 #[test]
 fn undefined_operations_give_the_whole_line() {
     let (zero, two) = (precise(0.0), precise(2.0));

@@ -1,4 +1,5 @@
-//! Operations on intervals enclose the exact range, and hardly more; rounded the wrong way they do not.
+//! Operations on intervals enclose the exact range, and hardly more; rounded the wrong way they do
+//! not.
 
 use crate::support::intervals::{
     Draw, Judged, OPERATIONS, Operation, bits, cases, draw, excess, misses, overflows, shown,
@@ -15,10 +16,10 @@ fn operation() -> impl Strategy<Value = Operation> {
 
 /// Units in the last place by which an end may lie outside the exact range.
 ///
-/// One for a result rounded once, or with guard bits. A power of n has none: each multiplication adds one and a half.
-/// Nor has the angle: a quotient and π/2 are rounded before their sum. Doubles have none at all: (b) the worst
-/// of 20 000 draws is 6.4 and half as much again is allowed; φ, which cancels (1+x)·ln(1+x) against x by a factor 6
-/// at x = −1/4, 39.
+/// One for a result rounded once, or with guard bits. A power of n has none: each multiplication
+/// adds one and a half. Nor has the angle: a quotient and π/2 are rounded before their sum. Doubles
+/// have none at all: (b) the worst of 20 000 draws is 6.4 and half as much again is allowed; φ,
+/// which cancels (1+x)·ln(1+x) against x by a factor 6 at x = −1/4, 39.
 fn budget<E: Judged>(operation: Operation) -> f64 {
     match (operation, E::HAS_GUARD_BITS) {
         (Operation::Abs, _) => 0.0,
@@ -32,7 +33,7 @@ fn budget<E: Judged>(operation: Operation) -> f64 {
     }
 }
 
-/// What is wrong with the enclosure of an operation on what was drawn, if anything is.
+/// The fault of the enclosure of an operation on drawn numbers, if it has one.
 fn fault<E: Judged>(operation: Operation, like: &E, draws: [Draw; 2]) -> Option<String> {
     let draws = draws.map(|draw| operation.within_domain(draw));
     let [x, y] = draws.map(|draw| draw.interval(like));
@@ -62,7 +63,8 @@ fn fault<E: Judged>(operation: Operation, like: &E, draws: [Draw; 2]) -> Option<
     None
 }
 
-/// Does the range come within a few units of the largest number of the type, so that a bound may overflow?
+/// Whether the range comes within a few units of the largest number of the type, so that a bound
+/// may overflow.
 fn is_near_the_largest<E: Judged>(like: &E, range: &[crate::support::intervals::Judge; 2]) -> bool {
     let twice = crate::support::high_precision::BigReal::new(1.0 + 1e-13);
     overflows(like, &range.clone().map(|end| end * &twice))
@@ -74,34 +76,51 @@ proptest! {
     /// `f(X) ⊇ { f(x) : x ∈ X }`, within [`budget`], for doubles as ends.
     #[test]
     fn intervals_of_doubles_enclose_the_range_and_hardly_more(
-        operation in operation(), x in draw(), y in draw(),
+        operation in operation(),
+        x in draw(),
+        y in draw(),
     ) {
         prop_assert_eq!(fault(operation, &0.0, [x, y]), None);
     }
 
-    /// The same for ends of any precision.
+    /// Ends of any precision enclose as doubles do.
     #[test]
     fn intervals_of_any_precision_enclose_the_range_and_hardly_more(
-        operation in operation(), x in draw(), y in draw(), bits in bits(),
+        operation in operation(),
+        x in draw(),
+        y in draw(),
+        bits in bits(),
     ) {
         prop_assert_eq!(fault(operation, &Precise::new(0.0, bits), [x, y]), None);
     }
 
-    /// `X ⊂ Y` implies `f(X) ⊂ f(Y)`: exactly for operations rounded once, within [`budget`] for others, whose
-    /// bounds at neighbouring numbers are rounded independently.
+    /// `X ⊂ Y` implies `f(X) ⊂ f(Y)`: exactly for operations rounded once, within [`budget`] for
+    /// others, whose bounds at neighbouring numbers are rounded independently.
     #[test]
     fn a_part_of_an_interval_has_a_part_of_the_image(
-        operation in operation(), x in draw(), y in draw(), bits in bits(), cuts in 0..4usize,
+        operation in operation(),
+        x in draw(),
+        y in draw(),
+        bits in bits(),
+        cuts in 0..4usize,
     ) {
         prop_assert_eq!(part_fault(operation, &0.0, [x, y], cuts), None);
-        prop_assert_eq!(part_fault(operation, &Precise::new(0.0, bits), [x, y], cuts), None);
+        prop_assert_eq!(
+            part_fault(operation, &Precise::new(0.0, bits), [x, y], cuts),
+            None
+        );
     }
 
-    /// The plain double lies in the enclosure or a few units in the last place beside it: twice the standard library's
-    /// one, n roundings of a product, and the promise of `tolerance::DIVERGENCE_KERNEL`.
+    /// The plain double lies in the enclosure or a few units in the last place beside it: twice the
+    /// standard library's one, n roundings of a product, and the promise of
+    /// `tolerance::DIVERGENCE_KERNEL`.
     #[test]
     fn doubles_lie_beside_their_enclosure(operation in operation(), x in draw(), y in draw()) {
-        let [x, y] = [x, y].map(|draw| operation.within_domain(draw).number(&operation.within_domain(draw).interval(&0.0)));
+        let [x, y] = [x, y].map(|draw| {
+            operation
+                .within_domain(draw)
+                .number(&operation.within_domain(draw).interval(&0.0))
+        });
         let [wide_x, wide_y] = [x, y].map(Interval::point);
         let value = operation.of(&x, &y);
         let enclosure = operation.enclosure(&wide_x, &wide_y);
@@ -114,7 +133,10 @@ proptest! {
         if value.is_finite() && enclosure.is_bounded() {
             let ends = [enclosure.lower().exact(), enclosure.upper().exact()];
             let outside = excess(&Interval::point(value), &ends);
-            prop_assert!(outside <= units, "{operation:?}({x:e}, {y:e}) = {value:e}: {outside} units outside {enclosure:?}");
+            prop_assert!(
+                outside <= units,
+                "{operation:?}({x:e}, {y:e}) = {value:e}: {outside} units outside {enclosure:?}"
+            );
         }
     }
 }
@@ -167,7 +189,10 @@ fn part_fault<E: Judged>(
     let outside = excess(&image, &[whole.lower().exact(), whole.upper().exact()]);
     (outside > may_be).then(|| {
         let [x, y, part, other, image, whole] = [&x, &y, &part, &other, &image, &whole].map(shown);
-        format!("{operation:?} of {part} and {other} is {image}, of {x} and {y} {whole}: {outside} units outside")
+        format!(
+            "{operation:?} of {part} and {other} is {image}, of {x} and {y} {whole}: {outside} \
+             units outside"
+        )
     })
 }
 
@@ -180,8 +205,8 @@ fn first_fault<E: Judged>(operation: Operation, like: &E, count: usize) -> Optio
     })
 }
 
-/// Negative control: ends that round one of the four operations to nearest, or all of them, miss values within 60
-/// draws; the same ends without a fault miss none.
+/// Negative control: ends that round one of the four operations to nearest, or all of them, miss
+/// values within 60 draws; the same ends without a fault miss none.
 #[test]
 fn rounding_to_nearest_is_caught() {
     use Operation::{

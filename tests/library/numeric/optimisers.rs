@@ -15,7 +15,10 @@ proptest! {
 
     /// A sum of numbers and their opposites is exact.
     #[test]
-    fn expansions_sum_exactly(mut terms in proptest::collection::vec(-1e30..1e30f64, 1..20), rest in -1.0..1.0f64) {
+    fn expansions_sum_exactly(
+        mut terms in proptest::collection::vec(-1e30..1e30f64, 1..20),
+        rest in -1.0..1.0f64,
+    ) {
         let opposite: Vec<f64> = terms.iter().map(|x| -x).collect();
         terms.push(rest);
         terms.extend(opposite);
@@ -23,8 +26,8 @@ proptest! {
     }
 }
 
-/// `argmin` alone returns "converged" for a function that is NaN everywhere, and for two ends of equal sign
-/// whose product underflows.
+/// `argmin` alone returns "converged" for a function that is NaN everywhere, and for two ends of
+/// equal sign whose product underflows.
 #[test]
 fn roots_of_nothing_are_refused() {
     let nan = root(|_| f64::NAN, 0.0, 1.0);
@@ -75,7 +78,7 @@ fn roots_at_the_ends_and_of_tiny_functions_are_found() {
     assert!((tiny.position - 0.25).abs() <= f64::EPSILON);
 }
 
-/// Of two maxima the higher one, of equal ones the left one, of none a refusal.
+/// The higher of two maxima is found, the left of equal ones, and none is a refusal.
 #[test]
 fn the_highest_maximum_is_found() {
     let wave = |height: f64| move |x: f64| (10.0 * x).sin() + height * x;

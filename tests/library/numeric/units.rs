@@ -3,7 +3,7 @@
 use infoscene::numeric::{power_of_two_below, power_of_two_near};
 use proptest::prelude::*;
 
-/// Is a positive number a power of two? Subnormal ones are made normal first.
+/// Whether a positive number is a power of two; subnormal ones are made normal first.
 fn is_power_of_two(number: f64) -> bool {
     let normal = if number < f64::MIN_POSITIVE {
         number * 2f64.powi(60)

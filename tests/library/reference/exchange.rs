@@ -31,7 +31,8 @@ fn as_interval(found: &reference::Reference, like: &Interval) -> Interval {
         .fold(like.zero(), |sum, part| sum + &like.constant(*part))
 }
 
-/// The enclosure of the closed form with 384 bits contains the reference widened by its estimate, and is itself far narrower.
+/// The enclosure of the closed form with 384 bits contains the reference widened by its estimate,
+/// and is itself far narrower.
 #[test]
 #[ignore = "seconds: cargo test --release --test library reference::exchange::the_reference_agrees -- --ignored"]
 fn the_reference_agrees_with_enclosures_of_stiff_rectangles() {
@@ -89,7 +90,8 @@ fn the_reference_agrees_with_enclosures_of_stiff_rectangles() {
     }
 }
 
-/// Twenty digits and more are there for the asking: the tetrahedron cut off a cube's corner has F = 1/√3 from leg to base, by symmetry.
+/// Twenty digits and more are there for the asking: the tetrahedron cut off a cube's corner has F =
+/// 1/√3 from leg to base, by symmetry.
 #[test]
 fn the_reference_gives_the_digits_asked_for() {
     let patch = |corners: [DVec3; 3]| Patch::try_new(corners.to_vec()).unwrap();
@@ -128,7 +130,8 @@ fn the_reference_is_zero_where_nothing_is_seen() {
     }
 }
 
-/// Prints the exchange area of every pair in a file, whose lines are `P=[["x", "y", "z"], …];Q=…` in decimals.
+/// Prints the exchange area of every pair in a file, whose lines are `P=[["x", "y", "z"], …];Q=…`
+/// in decimals.
 #[test]
 #[ignore = "prints values: INFOSCENE_PAIRS=file cargo test --release --test library print_the_exchange -- --ignored --nocapture"]
 fn print_the_exchange_areas_of_a_file() {

@@ -1,4 +1,5 @@
-//! Fixed-size numbers against enclosures: every operation is within a few units of the last of its 256 bits.
+//! Fixed-size numbers against enclosures: every operation is within a few units of the last of its
+//! 256 bits.
 
 use infoscene::numeric::{Interval, Scalar};
 use infoscene::reference::fixed_float::{FixedFloat, gauss_rule};
@@ -47,11 +48,12 @@ fn numbers() -> Vec<Number> {
     numbers
 }
 
-/// Units of the last place that an operation may be off: one for each of the up to four roundings behind a result.
+/// Units of the last place that an operation may be off: one for each of the up to four roundings
+/// behind a result.
 const UNITS: f64 = 16.0;
 
-/// As many times more for angles: the table that they are reduced by sums up to 512 steps, each cut off, and an angle
-/// near a right one takes two entries.
+/// The error of angles is as many times larger: the table that they are reduced by sums up to 512
+/// steps, each cut off, and an angle near a right one takes two entries.
 const ANGLE: f64 = 64.0;
 
 fn assert_near(found: Number, exact: &Interval, scale: &Interval, what: &str) {
@@ -99,7 +101,7 @@ fn wide_operations_are_right_to_the_last_bits() {
     assert_near(Number::pi(), &pi.pi(), &(pi.constant(ANGLE) * &pi), "π");
 }
 
-/// What cancels leaves exactly the difference, and zero is zero.
+/// Terms that cancel leave exactly the difference, and zero is zero.
 #[test]
 fn wide_differences_cancel_exactly() {
     for x in numbers() {

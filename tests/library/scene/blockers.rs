@@ -75,75 +75,123 @@ proptest! {
         prop_assert_eq!(mapped(&cube, place).blocker(), None);
     }
 
-    /// The same with patches outside that see nothing, but put every wall's plane between patches, so that no wall is
-    /// settled by its plane alone.
+    /// Rooms with patches outside that see nothing, but put every wall's plane between patches,
+    /// so that no wall is settled by its plane alone.
     #[test]
-    fn rotated_rooms_among_others_have_no_blocker((turn, size, shift) in placing(), cells in 1..4u32) {
-        let mut patches = Scene::built_in(&format!("cube:{cells}")).unwrap().patches().to_vec();
+    fn rotated_rooms_among_others_have_no_blocker(
+        (turn, size, shift) in placing(),
+        cells in 1..4u32,
+    ) {
+        let mut patches = Scene::built_in(&format!("cube:{cells}"))
+            .unwrap()
+            .patches()
+            .to_vec();
         patches.push(level("above", [0.2, 0.7], [0.1, 0.8], 1.5, true));
         patches.push(level("below", [0.2, 0.7], [0.1, 0.8], -0.5, false));
         let scene = Scene::try_new(patches).unwrap();
-        prop_assert_eq!(mapped(&scene, |corner| turn * corner * size + shift).blocker(), None);
+        prop_assert_eq!(
+            mapped(&scene, |corner| turn * corner * size + shift).blocker(),
+            None
+        );
     }
 
-    /// Any three patches of a turned room, each in the plane that its own few corners give, at the noise of the
-    /// coordinates alone.
+    /// Any three patches of a turned room, each in the plane that its own few corners give, at the
+    /// noise of the coordinates alone.
     #[test]
     fn patches_of_a_rotated_room_only_touch((turn, size, shift) in placing(), seed: u64) {
         let cube = Scene::built_in("cube:8").unwrap();
         let room = mapped(&cube, |corner| turn * corner * size + shift);
-        let corners = room.patches().iter().flat_map(|patch| patch.shape().corners());
-        let largest = corners.map(|corner| corner.abs().max_element()).fold(0.0, f64::max);
+        let corners = room
+            .patches()
+            .iter()
+            .flat_map(|patch| patch.shape().corners());
+        let largest = corners
+            .map(|corner| corner.abs().max_element())
+            .fold(0.0, f64::max);
         let unit = largest.log2().floor().exp2();
         let noise = tolerance::TOUCHING * largest / unit;
-        let outlines: Vec<Outline> = room.patches().iter().map(|patch| outline(patch.shape(), unit)).collect();
+        let outlines: Vec<Outline> = room
+            .patches()
+            .iter()
+            .map(|patch| outline(patch.shape(), unit))
+            .collect();
         let mut dice = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
         for _ in 0..2000 {
             let [i, j, k] = [(); 3].map(|()| dice.random_range(0..outlines.len()));
             if let Some(shaft) = Shaft::between(&outlines[i], &outlines[j], noise) {
-                prop_assert!(k == i || k == j || !shaft.is_entered_by(&outlines[k]), "{} {} {}", i, j, k);
+                prop_assert!(
+                    k == i || k == j || !shaft.is_entered_by(&outlines[k]),
+                    "{} {} {}",
+                    i,
+                    j,
+                    k
+                );
             }
         }
     }
 
-    /// Whenever a segment between inner points of two patches that see each other crosses a third, the third is among
-    /// the pair's obstacles, the pair is blocked, and so is the scene, by a pair and a surface that come no later.
+    /// Whenever a segment between inner points of two patches that see each other crosses a third,
+    /// the third is among the pair's obstacles, the pair is blocked, and so is the scene, by a pair
+    /// and a surface that come no later.
     #[test]
-    fn what_a_segment_hits_is_blocked(patches in proptest::collection::vec(any_polygon(), 3..7), seed: u64) {
+    fn what_a_segment_hits_is_blocked(
+        patches in proptest::collection::vec(any_polygon(), 3..7),
+        seed: u64,
+    ) {
         let mut dice = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
         let (seen, obstructions) = patches.split_at(patches.len() - 1);
         let scene = among(seen, obstructions);
         let search = Blockers::of(&scene);
         for _ in 0..300 {
             let [i, j] = [(); 2].map(|()| dice.random_range(0..seen.len()));
-            let Some(hit) = (i != j).then(|| sampled_hit(&patches, i, j, &mut dice)).flatten() else {
+            let Some(hit) = (i != j)
+                .then(|| sampled_hit(&patches, i, j, &mut dice))
+                .flatten()
+            else {
                 continue;
             };
             let pair = search.of_pair(i, j);
             prop_assert!(pair.is_some(), "{} and {} by {}", i, j, hit);
             prop_assert!(surface(pair.unwrap().obstacle, seen.len()) <= hit);
-            let all: Vec<usize> = search.obstacles(i, j).map(|o| surface(o, seen.len())).collect();
-            prop_assert!(all.is_sorted() && all.contains(&hit), "{} and {} by {}: {:?}", i, j, hit, all);
+            let all: Vec<usize> = search
+                .obstacles(i, j)
+                .map(|o| surface(o, seen.len()))
+                .collect();
+            prop_assert!(
+                all.is_sorted() && all.contains(&hit),
+                "{} and {} by {}: {:?}",
+                i,
+                j,
+                hit,
+                all
+            );
             prop_assert!(search.of_row(i).is_some_and(|row| row.second <= j));
             let first = search.first();
-            prop_assert!(first.is_some_and(|first| (first.first, first.second) <= (i.min(j), i.max(j))));
+            prop_assert!(
+                first.is_some_and(|first| (first.first, first.second) <= (i.min(j), i.max(j)))
+            );
         }
     }
 
-    /// The same answer on one thread and on several, in any unit.
+    /// The answer is the same on one thread and on several, in any unit.
     #[test]
     fn the_first_blocker_is_the_same_for_any_threads_and_unit(
         patches in proptest::collection::vec(any_polygon(), 24),
         power in -490..490i32,
     ) {
         let on = |threads: usize| {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+            let pool = rayon::ThreadPoolBuilder::new()
+                .num_threads(threads)
+                .build()
+                .unwrap();
             pool.install(|| blocked(&patches, &[]))
         };
         prop_assert_eq!(on(1), on(3));
         let scale = 2f64.powi(power);
-        let scaled: Vec<NamedPatch> =
-            patches.iter().map(|patch| mapped_patch(patch, |corner| corner * scale)).collect();
+        let scaled: Vec<NamedPatch> = patches
+            .iter()
+            .map(|patch| mapped_patch(patch, |corner| corner * scale))
+            .collect();
         prop_assert_eq!(blocked(&scaled, &[]), on(1));
     }
 }
@@ -260,11 +308,12 @@ fn surfaces_that_are_changed_later_are_seen() {
     assert_eq!(cut.with_obstructions(Vec::new()).blocker(), None);
 }
 
-/// In an L the arms' ends do not see each other fully; the walls of the corner stand between.
+/// The ends of an L's arms do not see each other fully; the walls of the corner stand between.
 #[test]
 fn an_l_shaped_room_has_a_blocker() {
     let room = prism(&L);
-    // the floor is one concave patch, and the ceiling another: from one arm to the other the corner's walls are between
+    // the floor is one concave patch, and the ceiling another: from one arm to the other the
+    // corner's walls are between
     let Blocker {
         first,
         second,
@@ -280,7 +329,8 @@ fn an_l_shaped_room_has_a_blocker() {
     assert_eq!(search.of_pair(2, 4), None);
 }
 
-/// With several threads the last rows are reached before the first are done: still the first blocked pair is named.
+/// Several threads reach the last rows before the first are done: still the first
+/// blocked pair is named.
 #[test]
 fn the_first_blocked_pair_is_named_whichever_is_found_first() {
     let away = level("away", [50.0, 51.0], [0.0, 1.0], -50.0, false);

@@ -102,7 +102,8 @@ fn published_corners_are_kept_in_their_order() {
     }
 }
 
-/// At 500 nm: white 0.747, green 0.285, red 0.058; the light and the opening reflect nothing.
+/// Reflectances at 500 nm: white 0.747, green 0.285, red 0.058; the light and the opening reflect
+/// nothing.
 #[test]
 fn reflectances_are_the_published_ones() {
     let scene = cornell_box();
@@ -161,11 +162,13 @@ fn every_edge_is_met_by_its_reverse() {
     for ([from, to], count) in &edges {
         assert_eq!((*count, edges.get(&[*to, *from])), (1, Some(&1)));
     }
-    // 6 faces, one cut in two, one in four around a hole: E = V + F − 2 with 12 corners and 11 faces
+    // 6 faces, one cut in two, one in four around a hole: E = V + F − 2 with 12 corners and 11
+    // faces
     assert_eq!(edges.len(), 2 * 21);
 }
 
-/// Σ A n = 0 for any closed surface; the terms are near 3e5, and PLANARITY leaves each some 4000 roundings.
+/// Σ A n = 0 for any closed surface; the terms are near 3e5, and PLANARITY leaves each some 4000
+/// roundings.
 #[test]
 fn the_vector_area_vanishes() {
     let scene = cornell_box();
@@ -188,8 +191,8 @@ fn the_vector_area_vanishes() {
     assert!(sum.length() > 0.1 * scene.total_area());
 }
 
-/// The room is convex, so that nothing hides anything: every corner is in front of every plane, and the middle of
-/// the room well in front. With the other diagonal of the left wall it would not be.
+/// The room is convex, so that nothing hides anything: every corner is in front of every plane, and
+/// the middle of the room well in front. With the other diagonal of the left wall it would not be.
 #[test]
 fn the_room_is_convex() {
     let scene = cornell_box();

@@ -119,9 +119,14 @@ fn a_notch_can_be_filled() {
 }
 
 proptest! {
-    /// Neighbours of a turned wall share their edges up to the noise of the corners; one that reaches further is found.
+    /// Neighbours of a turned wall share their edges up to the noise of the corners; one that
+    /// reaches further is found.
     #[test]
-    fn neighbours_in_a_rotated_wall_do_not_overlap((turn, size, shift) in placing(), cells in 1..8u32, extra in -6.0..0.0f64) {
+    fn neighbours_in_a_rotated_wall_do_not_overlap(
+        (turn, size, shift) in placing(),
+        cells in 1..8u32,
+        extra in -6.0..0.0f64,
+    ) {
         let place = |corner: DVec3| turn * corner * size + shift;
         let cube = mapped(&Scene::built_in(&format!("cube:{cells}")).unwrap(), place);
         prop_assert_eq!(cube.overlap(), None);
@@ -133,7 +138,8 @@ proptest! {
         prop_assert_eq!(found(&patches), Some((0, last)));
     }
 
-    /// Rectangles on integer lines overlap if and only if their sides do, in the plane, turned and in any unit.
+    /// Rectangles on integer lines overlap if and only if their sides do, in the plane, turned and
+    /// in any unit.
     #[test]
     fn integer_rectangles_overlap_as_their_sides_do(
         sides in proptest::collection::vec((0..9i32, 1..4i32, 0..9i32, 1..4i32), 2..6),
@@ -143,7 +149,13 @@ proptest! {
         let flat: Vec<NamedPatch> = sides
             .iter()
             .map(|(x, w, y, h)| {
-                level("r", [*x, x + w].map(f64::from), [*y, y + h].map(f64::from), 0.0, true)
+                level(
+                    "r",
+                    [*x, x + w].map(f64::from),
+                    [*y, y + h].map(f64::from),
+                    0.0,
+                    true,
+                )
             })
             .collect();
         let pairs = (0..sides.len()).flat_map(|i| (i + 1..sides.len()).map(move |j| (i, j)));
@@ -153,8 +165,12 @@ proptest! {
         });
         prop_assert_eq!(found(&flat), expected);
         let scale = 2f64.powi(power);
-        for map in [&(|p: DVec3| turn * p * size + shift) as &dyn Fn(DVec3) -> DVec3, &|p| p * scale] {
-            let moved: Vec<NamedPatch> = flat.iter().map(|patch| mapped_patch(patch, map)).collect();
+        for map in [
+            &(|p: DVec3| turn * p * size + shift) as &dyn Fn(DVec3) -> DVec3,
+            &|p| p * scale,
+        ] {
+            let moved: Vec<NamedPatch> =
+                flat.iter().map(|patch| mapped_patch(patch, map)).collect();
             prop_assert_eq!(found(&moved), expected);
         }
     }

@@ -1,4 +1,4 @@
-//! Which patches may lie in which, and what is left of them.
+//! Parts of bases: the patches that may lie in others, and the remainders.
 
 use glam::DVec3;
 use infoscene::geometry::{Patch, SplitAxis};
@@ -62,7 +62,7 @@ fn a_part_outside_its_base_is_refused() {
     }
 }
 
-/// In any unit of length.
+/// Parts are accepted and refused alike in any unit of length.
 #[test]
 fn inside_and_outside_do_not_depend_on_the_scale() {
     for exponent in [-150, 150] {

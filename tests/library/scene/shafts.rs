@@ -4,7 +4,8 @@ use crate::support::rooms::{L, blocked, facing, level, polygon, squares};
 use glam::DVec3;
 use infoscene::scene::{NamedPatch, Obstacle, Scene};
 
-/// A screen that reaches 1e-9 into the space between two squares blocks them, one that stays 1e-9 outside does not.
+/// A screen that reaches 1e-9 into the space between two squares blocks them, one that stays 1e-9
+/// outside does not.
 #[test]
 fn a_screen_is_found_to_the_billionth() {
     // the shaft of unequal squares is slanted: at half height it ends at x = 1.5
@@ -34,7 +35,8 @@ fn a_screen_is_found_to_the_billionth() {
     }
 }
 
-/// What lies in a wall, behind it, or along the side of a shaft has points with the shaft's boundary in common only.
+/// A surface in a wall, behind it, or along the side of a shaft has points with the shaft's
+/// boundary in common only.
 #[test]
 fn what_only_touches_does_not_block() {
     let cube = Scene::built_in("cube:1").unwrap();
@@ -83,7 +85,8 @@ fn what_only_touches_does_not_block() {
     assert!(blocked(&squares(), &[polygon("curtain", &curtain)]).is_some());
 }
 
-/// A third patch in the plane of one of the pair, edge to edge, is no obstacle, and neither are the two themselves.
+/// A third patch in the plane of one of the pair, edge to edge, is no obstacle, and neither are the
+/// two themselves.
 #[test]
 fn neighbours_in_one_plane_do_not_block() {
     let mut patches = squares();
@@ -121,7 +124,8 @@ fn pairs_that_exchange_nothing_are_not_blocked() {
     assert_eq!(blocked(&coplanar, &[post]), None);
 }
 
-/// The part of a patch behind the other's plane sends nothing: what stands before that part only blocks nothing.
+/// The part of a patch behind the other's plane sends nothing: what stands before that part only
+/// blocks nothing.
 #[test]
 fn only_the_parts_in_front_count() {
     // the wall x = 2 reaches from z = −1 to 1 and faces the floor z = 0, 0 ≤ x ≤ 1
@@ -157,7 +161,8 @@ fn only_the_parts_in_front_count() {
     );
 }
 
-/// A notch is a way through: the convex hull of a concave screen, or of concave patches, would refuse too much.
+/// A notch is a way through: the convex hull of a concave screen, or of concave patches, would
+/// refuse too much.
 #[test]
 fn concave_polygons_are_taken_as_they_are() {
     let u = |gap: [f64; 2]| {
@@ -198,8 +203,9 @@ fn concave_polygons_are_taken_as_they_are() {
     assert_eq!(blocked(&arms, &[screen]), None);
 }
 
-/// Between two triangles turned against each other the shaft has six sides, each through an edge of one and a corner of
-/// the other: a spike that ends 1e-9 before a side is outside, 1e-9 behind it inside.
+/// Between two triangles turned against each other the shaft has six sides, each through an edge of
+/// one and a corner of the other: a spike that ends 1e-9 before a side is outside, 1e-9 behind it
+/// inside.
 #[test]
 fn a_spike_is_judged_by_the_side_it_points_at() {
     let corner = |turn: f64, z: f64| {
@@ -246,7 +252,8 @@ fn a_spike_is_judged_by_the_side_it_points_at() {
     }
 }
 
-/// An edge that passes by an edge of the shaft: no plane of a face parts the two, only the plane along both edges.
+/// An edge that passes by an edge of the shaft: no plane of a face parts the two, only the plane
+/// along both edges.
 #[test]
 fn an_edge_is_judged_by_the_edge_it_passes() {
     for (gap, blocks) in [(1e-9, false), (0.0, false), (-1e-9, true)] {

@@ -6,7 +6,7 @@ use infoscene::information::{OpenScene, continuous_information, scene_informatio
 use infoscene::scene::Occlusion;
 use infoscene::study::refinement::{patch_sizes_per_edge, refinements};
 
-/// From below, each above the one before, by gaps that tend to halve as patches do:
+/// Values rise from below, each above the one before, by gaps that tend to halve as patches do:
 /// `I^c − I = c h + o(h)`, so that `2 I(h/2) − I(h)` is nearer to the limit. Both hold from the
 /// second quartering on; the flat box needs patches as small as it is flat.
 #[test]

@@ -1,7 +1,9 @@
-//! Arithmetic with 256 bits or any other number, rounded to nearest: reference values, never enclosures.
+//! Arithmetic with 256 bits or any other number, rounded to nearest: reference values, never
+//! enclosures.
 //!
-//! A thin dress around `astro-float` and its own elementary functions, so that a closed form can be evaluated
-//! with some 75 digits: an independent judge of the library's `f64` values and of its intervals.
+//! A thin dress around `astro-float` and its own elementary functions, so that a closed form can be
+//! evaluated with some 75 digits: an independent judge of the library's `f64` values and of its
+//! intervals.
 //!
 //! **Not covered**: directed rounding; nothing here may be called a bound.
 

@@ -11,7 +11,7 @@ use std::cmp::Ordering;
 /// slack.
 pub type Judge = BigReal<448>;
 
-/// What the judge may be wrong by, relatively: its functions are off by a few units of 2^-448, sums
+/// The relative error that the judge may have: its functions are off by a few units of 2^-448, sums
 /// of them where they cancel (φ near its series) by 2^-430.
 fn slack() -> Judge {
     Judge::new(2f64.powi(-420))
@@ -34,9 +34,9 @@ pub fn power_of_two(power: i32) -> Judge {
 
 /// An end whose value the judge can read.
 pub trait Judged: Endpoint {
-    /// Can functions be evaluated with more bits than their result has?
+    /// Whether functions can be evaluated with more bits than their result has.
     const HAS_GUARD_BITS: bool = false;
-    /// Its value, exactly.
+    /// The exact value.
     fn exact(&self) -> Judge;
     /// The weight of the last bit of a number of this size.
     fn unit(&self) -> Judge;
@@ -81,18 +81,18 @@ impl Judged for Precise {
     }
 }
 
-/// How far an interval reaches from its base.
+/// The reach of an interval from its base.
 #[derive(Debug, Clone, Copy)]
 pub enum Shape {
     Point,
     OneUnit,
-    /// To base · (1 + 2^-power).
+    /// An interval to base · (1 + 2^-power).
     Narrow(i32),
-    /// To base times a factor.
+    /// An interval to base times a factor.
     Wide(f64),
-    /// To the other side of 0.
+    /// An interval to the other side of 0.
     Astride(f64),
-    /// From or to 0.
+    /// An interval from or to 0.
     Touching,
 }
 
@@ -103,7 +103,7 @@ pub struct Draw {
     /// Bits beyond the 53 of the base, where the ends can hold them: less 2^-tail · base.
     pub tail: i32,
     pub shape: Shape,
-    /// Which of its numbers: below 1/3 the lower end, above 2/3 the upper end.
+    /// The choice of one of its numbers: below 1/3 the lower end, above 2/3 the upper end.
     pub place: f64,
 }
 
@@ -151,14 +151,17 @@ fn base() -> impl Strategy<Value = f64> {
         3 => 0.1..10.0f64,
         2 => (-120..240i32).prop_map(|i| f64::from(i) / 64.0 + 1.0 / 128.0),
         2 => prop::sample::select(vec![
-            0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 0.25f64.next_down(), 0.25f64.next_up(), 1.5f64.next_up(),
-            (-1f64).exp(), (-1f64).exp().next_up(), f64::MIN_POSITIVE, f64::MAX, f64::from_bits(1), f64::from_bits(3),
+            0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0,
+            0.25f64.next_down(), 0.25f64.next_up(), 1.5f64.next_up(),
+            (-1f64).exp(), (-1f64).exp().next_up(),
+            f64::MIN_POSITIVE, f64::MAX, f64::from_bits(1), f64::from_bits(3),
         ]),
         2 => near(1.0),
         2 => near(1.0).prop_map(|x| 2.0 - x),
         1 => (-307.0..-3.0f64).prop_map(|exponent| 10f64.powf(exponent)),
         1 => (1u64..1 << 52).prop_map(f64::from_bits),
-        1 => (1u64..1 << 52, 0..52u32).prop_map(|(bits, shift)| f64::from_bits(u64::max(bits >> shift, 1))),
+        1 => (1u64..1 << 52, 0..52u32)
+            .prop_map(|(bits, shift)| f64::from_bits(u64::max(bits >> shift, 1))),
         1 => (1.0..308.0f64).prop_map(|exponent| 10f64.powf(exponent)),
         2 => (0.0..3.0f64).prop_map(|exponent| 10f64.powf(exponent)),
     ];
@@ -190,7 +193,7 @@ pub fn bits() -> impl Strategy<Value = u32> {
     prop::sample::select(vec![53u32, 64, 100, 128, 192, 256])
 }
 
-/// What an interval can do.
+/// The operations of an interval.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Operation {
     Add,
@@ -307,7 +310,7 @@ impl Operation {
         is_defined.then(|| self.of(x, y))
     }
 
-    /// Where else than at the ends an operation on one number may be largest or smallest.
+    /// The places besides the ends at which an operation on one number may be largest or smallest.
     fn turning_points(self) -> Vec<Judge> {
         let turn = Judge::new(-1.0).exp();
         match self {
@@ -358,7 +361,7 @@ impl Operation {
     }
 }
 
-/// Is `number` certainly on the wrong side of an end?
+/// Whether `number` is certainly on the wrong side of an end.
 fn is_beyond(number: &Judge, end: &Judge, side: Ordering) -> bool {
     let slack = number.abs() * &slack();
     match side {
@@ -367,7 +370,7 @@ fn is_beyond(number: &Judge, end: &Judge, side: Ordering) -> bool {
     }
 }
 
-/// Does the interval miss this number?
+/// Whether the interval misses this number.
 pub fn misses<E: Judged>(interval: &Interval<E>, number: &Judge) -> bool {
     let (lower, upper) = (interval.lower(), interval.upper());
     lower.partial_cmp(upper).is_none_or(Ordering::is_gt)
@@ -375,7 +378,7 @@ pub fn misses<E: Judged>(interval: &Interval<E>, number: &Judge) -> bool {
         || is_beyond(number, &upper.exact(), Ordering::Greater)
 }
 
-/// By how many units in the last place the ends lie outside this range, at most.
+/// The largest number of units in the last place by which the ends lie outside this range.
 pub fn excess<E: Judged>(interval: &Interval<E>, [lower, upper]: &[Judge; 2]) -> f64 {
     let units = |excess: Judge, end: &E| {
         if excess <= Judge::new(0.0) {
@@ -388,14 +391,14 @@ pub fn excess<E: Judged>(interval: &Interval<E>, [lower, upper]: &[Judge; 2]) ->
     units(lower.clone() - low.exact(), low).max(units(high.exact() - upper, high))
 }
 
-/// Does part of the range lie beyond the largest number of the type?
+/// Whether part of the range lies beyond the largest number of the type.
 pub fn overflows<E: Judged>(like: &E, [lower, upper]: &[Judge; 2]) -> bool {
     let largest = like.constant(1.0).scaled(i32::MAX, Direction::Down).exact();
     *upper > largest || *lower < -largest
 }
 
-/// How often a property is tried: as often as asked for, by default fewer times than usual, since
-/// the judge is slow without optimisation.
+/// The number of times that a property is tried: as often as asked for, by default fewer times than
+/// usual, since the judge is slow without optimisation.
 pub fn cases(default: u32) -> ProptestConfig {
     let asked = std::env::var("PROPTEST_CASES").ok();
     ProptestConfig::with_cases(
@@ -405,7 +408,7 @@ pub fn cases(default: u32) -> ProptestConfig {
     )
 }
 
-/// To be read in a failure.
+/// The operation as it reads in a failure.
 pub fn shown<E: Endpoint>(interval: &Interval<E>) -> String {
     let (lower, upper) = interval.to_doubles();
     format!("[{lower:e}, {upper:e}] of {} bits", interval.lower().bits())

@@ -1,4 +1,5 @@
-//! Ends of intervals that round to nearest where they must round outwards: the negative control of every enclosure.
+//! Ends of intervals that round to nearest where they must round outwards: the negative control of
+//! every enclosure.
 
 use super::intervals::{Judge, Judged};
 use infoscene::numeric::interval::{Direction, Endpoint};

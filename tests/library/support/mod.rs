@@ -1,4 +1,5 @@
-//! What several rooms share: reading `data/reference`, judges of high precision, rooms, generators.
+//! Tools that several rooms share: reading `data/reference`, judges of high precision, rooms,
+//! generators.
 pub mod high_precision;
 pub mod intervals;
 pub mod misrounded;

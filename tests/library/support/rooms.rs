@@ -27,7 +27,7 @@ pub fn level(name: &str, x: [f64; 2], y: [f64; 2], z: f64, up: bool) -> NamedPat
     facing(name, corners, up)
 }
 
-/// The same corners, or in reverse order.
+/// The corners as given, or in reverse order.
 pub fn facing<const N: usize>(
     name: &str,
     mut corners: [[f64; 3]; N],

@@ -1,4 +1,4 @@
-//! Where the light goes: what is emitted is absorbed or escapes.
+//! The balance of light: all that is emitted is absorbed or escapes.
 
 use super::{closed_scenes, radiosity, uneven};
 use infoscene::exchange::Closure;
@@ -62,7 +62,8 @@ fn what_is_emitted_is_absorbed_or_escapes() {
     }
 }
 
-/// Two unit squares at a right angle, F = 0.2000437760754: `B_1 = E/(1 − R₁ R₂ F²)`, `B_2 = R₂ F B_1`.
+/// Two unit squares at a right angle, F = 0.2000437760754: `B_1 = E/(1 − R₁ R₂ F²)`, `B_2 = R₂ F
+/// B_1`.
 #[test]
 fn two_patches_have_a_closed_form() {
     let exchange = Scene::built_in("two-squares")

@@ -5,8 +5,8 @@ use infoscene::exchange::{Congruence, ScenePairs};
 use infoscene::scene::{Material, Occlusion, Scene};
 use infoscene::transport::RadiositySystem;
 
-/// Form factors asked for 1e-3 … 1e-9 only: their errors move the radiosities by no more than the bound says, in closed
-/// scenes and open ones.
+/// Form factors asked for 1e-3 … 1e-9 only: their errors move the radiosities by no more than the
+/// bound says, in closed scenes and open ones.
 #[test]
 fn form_factor_errors_stay_within_their_bound() {
     let mut scenes = closed_scenes();
@@ -87,7 +87,8 @@ fn bounds_follow_the_form_factors() {
     assert_eq!(found.form_factor_errors, None);
 }
 
-/// Two squares in the open: `B_2 = R_2 F B_1`, so that an error δ of the exchange area moves it by `R_2 B_1 δ/A` at least.
+/// Two squares in the open: `B_2 = R_2 F B_1`, so that an error δ of the exchange area moves it by
+/// `R_2 B_1 δ/A` at least.
 #[test]
 fn the_bound_is_no_lower_than_what_one_error_does() {
     let scene = Scene::built_in("two-squares").unwrap();

@@ -3,7 +3,8 @@
 use super::{closed_scenes, radiosity, uneven};
 use proptest::prelude::*;
 
-/// `E = 1 − R` ⇒ `B = 1`, R of every patch its own; 1 − R is exact for R ≥ ½, and rounds by ε/2 of itself below.
+/// `E = 1 − R` ⇒ `B = 1`, R of every patch its own; 1 − R is exact for R ≥ ½, and rounds by ε/2 of
+/// itself below.
 #[test]
 fn furnaces_glow_evenly() {
     for (name, scene) in closed_scenes() {

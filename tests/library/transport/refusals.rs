@@ -1,4 +1,4 @@
-//! What has no equilibrium, or is no scene, is refused by name.
+//! Systems without equilibrium, and input that is no scene, are refused by name.
 
 use infoscene::scene::{Material, Scene};
 use infoscene::transport::{DenseExchange, RadiositySystem, TransportError};
@@ -83,7 +83,8 @@ fn a_matrix_is_symmetric_and_not_negative() {
     assert!(!refused(&dmatrix![0.0, 1.0; 1.0, 0.0]));
 }
 
-/// Patches that see nothing, light that reaches none, and rooms beyond the range of products: no panic, no NaN.
+/// Patches that see nothing, light that reaches none, and rooms beyond the range of products: no
+/// panic, no NaN.
 #[test]
 fn extreme_rooms_are_answered() {
     // alone: B = E

@@ -5,7 +5,8 @@ use infoscene::study::light::stability::transport_stability;
 use infoscene::study::light::stability::{exact_radiosities, stiff_scenes, worst_error};
 use infoscene::transport::RadiositySystem;
 
-/// Against enclosures of 256 bits that share no formula: each radiosity to rounding, and the bound no lower than the error.
+/// Against enclosures of 256 bits that share no formula: each radiosity to rounding, and the bound
+/// no lower than the error.
 #[test]
 fn stiff_scenes_keep_their_digits() {
     for scene in stiff_scenes().unwrap() {

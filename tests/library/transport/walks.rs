@@ -36,8 +36,8 @@ impl Room {
     }
 }
 
-/// What a walk of k steps may be off by: three roundings a step in the weight and one in the sum, each ε/2 of B at most,
-/// and as much for the radiosities as given.
+/// The error that a walk of k steps may have: three roundings a step in the weight and one in the
+/// sum, each ε/2 of B at most, and as much for the radiosities as given.
 fn rounding(steps: u32) -> f64 {
     4.0 * f64::from(steps + 2) * f64::EPSILON
 }
@@ -78,7 +78,8 @@ fn gathering_walks_have_no_variance() {
     }
 }
 
-/// Steered by `P_ij = R_j F_ij I_j/(I_i − V_i)`, V = δ_k, *every* walk finds the power `A_k B_k`; by F they differ.
+/// Steered by `P_ij = R_j F_ij I_j/(I_i − V_i)`, V = δ_k, *every* walk finds the power `A_k B_k`;
+/// by F they differ.
 #[test]
 fn shooting_walks_have_no_variance() {
     let room = Room::new();
@@ -113,7 +114,8 @@ fn shooting_walks_have_no_variance() {
     }
 }
 
-/// Negative control: steered by radiosities that are a hundredth off, walks differ by about as much.
+/// Negative control: steered by radiosities that are a hundredth off, walks differ by about as
+/// much.
 #[test]
 fn a_guessed_solution_has_little_variance_but_some() {
     let room = Room::new();
@@ -132,7 +134,8 @@ fn a_guessed_solution_has_little_variance_but_some() {
     assert!((walks.mean - exact).abs() < 6.0 * walks.standard_error());
 }
 
-/// The deviation of a walk follows the error of the solution that steers it; by form factors it is larger than any.
+/// The deviation of a walk follows the error of the solution that steers it; by form factors it is
+/// larger than any.
 #[test]
 fn variance_falls_with_the_square_of_the_solutions_error() {
     let rows = infoscene::study::light::walks::walk_variance(400).unwrap();

@@ -1,4 +1,5 @@
-//! Values against scenes, which find congruent pairs and choose routes by other code, and against enclosures.
+//! Values against scenes, which find congruent pairs and choose routes by other code, and against
+//! enclosures.
 
 use super::{edges, grid, lines};
 use crate::support::intervals::cases;
@@ -66,7 +67,11 @@ proptest! {
     /// I of the grid is I of the scene of its cells, within both bounds.
     #[test]
     fn grids_agree_with_scenes_of_their_cells(edges in edges(), lines in lines(3)) {
-        assert_agree(&grid(edges, &lines), &scene(edges, &lines), &format!("{edges:?} {lines:?}"));
+        assert_agree(
+            &grid(edges, &lines),
+            &scene(edges, &lines),
+            &format!("{edges:?} {lines:?}"),
+        );
     }
 
     /// The bound holds against an enclosure by other number types, and is small.
@@ -74,7 +79,11 @@ proptest! {
     fn errors_of_grids_are_bounds(edges in edges(), lines in lines(3)) {
         let grid = grid(edges, &lines);
         let found = grid.information().unwrap().mutual_information;
-        let exact = grid.lifted(&Interval::precise(1.0, 160)).unwrap().mutual_information().unwrap();
+        let exact = grid
+            .lifted(&Interval::precise(1.0, 160))
+            .unwrap()
+            .mutual_information()
+            .unwrap();
         let (lower, upper) = exact.to_doubles();
         prop_assert!(upper - lower <= 1e-15, "{lower} {upper}");
         let value = found.value;
@@ -130,8 +139,8 @@ fn cubes_agree_with_their_references() {
     assert_eq!(count, 5);
 }
 
-/// Sharing leaves nothing out and counts nothing twice: lines that are equally spaced give the same value as symmetric ones and as any,
-/// which share less.
+/// Sharing leaves nothing out and counts nothing twice: lines that are equally spaced give the same
+/// value as symmetric ones and as any, which share less.
 #[test]
 fn sharing_changes_no_value() {
     for edges in [UNIT_CUBE, [1.0, 1.0, 2.0], [1.0, 2.0, 3.0], [2.0, 1.0, 2.0]] {

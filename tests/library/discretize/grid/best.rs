@@ -4,7 +4,8 @@ use crate::support::references::{rows, value};
 use infoscene::discretize::{BestGrid, BoxGrid, CertifiedGrid, UNIT_CUBE};
 use infoscene::numeric::{Certificate, Scalar, tolerance};
 
-/// Lines to 1e-14, values to their bounds, against 20 and 28 digits; the estimated error of the lines is no less than the real one.
+/// Lines to 1e-14, values to their bounds, against 20 and 28 digits; the estimated error of the
+/// lines is no less than the real one.
 #[test]
 fn best_grids_of_the_cube_agree_with_their_references() {
     for cells in [3, 4, 6] {
@@ -34,7 +35,8 @@ fn best_grids_of_the_cube_agree_with_their_references() {
     }
 }
 
-/// Neighbours with one line moved say less, and so does the regular grid; on cubes, and on long and flat boxes.
+/// Neighbours with one line moved say less, and so does the regular grid; on cubes, and on long and
+/// flat boxes.
 #[test]
 fn best_grids_beat_their_neighbours() {
     for edges in [
@@ -78,7 +80,8 @@ fn best_grids_beat_their_neighbours() {
     }
 }
 
-/// Every start ends at the same maximum, on every box tried: evidence, not proof, that there is one only.
+/// Every start ends at the same maximum, on every box tried: evidence, not proof, that there is one
+/// only.
 #[test]
 fn all_starts_end_at_one_maximum() {
     for edges in [
@@ -99,7 +102,7 @@ fn all_starts_end_at_one_maximum() {
     }
 }
 
-/// With one cell or two no line is free.
+/// One cell or two leave no line free.
 #[test]
 fn grids_without_free_lines_are_regular() {
     for cells in [1, 2] {
@@ -140,7 +143,7 @@ fn best_grids_of_three_and_eight_cells_are_enclosed() {
 /// Lines of 32 cells are still known to 1e-9, and both starts agree.
 #[test]
 #[ignore = "a minute unoptimised: cargo test --release --test library discretize::grid -- --ignored"]
-fn fine_best_grids_come_to_rest() {
+fn fine_best_grids_converge() {
     let best = BestGrid::find(UNIT_CUBE, 32).unwrap();
     assert!(best.line_error <= 1e-9 && best.search.lost == 0 && best.search.others.is_empty());
     assert!(best.curvature.unwrap() < -best.curvature_error);

@@ -1,4 +1,4 @@
-//! What must not change a grid's mutual information: units, the order of axes, mirror images.
+//! Changes that leave a grid's mutual information alone: units, the order of axes, mirror images.
 
 use super::{edges, grid, lines};
 use crate::support::intervals::cases;

@@ -1,4 +1,5 @@
-//! Tensor grids on the inside of a box: values against other roads, invariance, derivatives, best grids.
+//! Tensor grids on the inside of a box: values against other roads, invariance, derivatives, best
+//! grids.
 
 mod agreement;
 mod best;
@@ -22,9 +23,14 @@ fn edges() -> impl Strategy<Value = [f64; 3]> {
     [edge(), edge(), edge()]
 }
 
-/// Inner lines of up to `most` cells: equally spaced, symmetric, or any; some cells are very narrow.
+/// Inner lines of up to `most` cells: equally spaced, symmetric, or any; some cells are very
+/// narrow.
 fn lines(most: usize) -> impl Strategy<Value = Vec<f64>> {
-    let gap = prop_oneof![4 => 0.2..1.0_f64, 1 => Just(0.5), 1 => (-4.0..0.0_f64).prop_map(|x| 10f64.powf(x))];
+    let gap = prop_oneof![
+        4 => 0.2..1.0_f64,
+        1 => Just(0.5),
+        1 => (-4.0..0.0_f64).prop_map(|x| 10f64.powf(x)),
+    ];
     let gaps = proptest::collection::vec(gap, 1..=most);
     (gaps, 0..3).prop_map(|(mut gaps, kind)| {
         let n = gaps.len();

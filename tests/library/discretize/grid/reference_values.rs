@@ -27,7 +27,7 @@ fn regular_grids_agree_with_29_digits() {
     }
 }
 
-/// The same from the scene's patches, one form factor after the other.
+/// The mutual information of the scene's patches, from one form factor after the other.
 #[test]
 fn chains_of_cube_scenes_agree_with_29_digits() {
     for cells in [1, 2, 3, 4] {

@@ -1,4 +1,5 @@
-//! The regular solids by a road of its own: elementary integrals in the cross-sections through the normal of a point.
+//! The regular solids by a road of its own: elementary integrals in the cross-sections through the
+//! normal of a point.
 
 use super::{MODERATE, SOLIDS, information};
 use glam::DVec3;
@@ -6,8 +7,8 @@ use infoscene::geometry::Patch;
 use infoscene::scene::Scene;
 use std::f64::consts::{E, FRAC_PI_2, LN_2, PI, TAU};
 
-/// Nodes on (0, 1) with what they lack of 1, and weights; the distances from the ends shrink doubly exponentially (Takahasi and
-/// Mori, 1974).
+/// Nodes on (0, 1) with what they lack of 1, and weights; the distances from the ends shrink doubly
+/// exponentially (Takahasi and Mori, 1974).
 fn doubly_exponential(step: f64) -> Vec<[f64; 3]> {
     let steps = (3.2 / step).round() as i32;
     let nodes = (-steps..=steps).map(|k| {
@@ -19,12 +20,14 @@ fn doubly_exponential(step: f64) -> Vec<[f64; 3]> {
     nodes.collect()
 }
 
-/// `∫ sin α cos α ln r dα` over the elevation α from 0 to π/2, where `1/r = max_j (p_j cos α + q_j sin α)`.
+/// `∫ sin α cos α ln r dα` over the elevation α from 0 to π/2, where `1/r = max_j (p_j cos α + q_j
+/// sin α)`.
 ///
 /// With `p cos α + q sin α = ρ cos u`, `u = α − γ`:
 ///
 /// ```text
-///   −∫ sin α cos α ln(ρ cos u) = −½ ln ρ sin²α − ½ cos 2γ (½ cos²u − cos²u ln cos u) − ½ sin 2γ (½ sin 2u ln cos u + u/2 − ¼ sin 2u)
+///   −∫ sin α cos α ln(ρ cos u) = −½ ln ρ sin²α − ½ cos 2γ (½ cos²u − cos²u ln cos u)
+///                                − ½ sin 2γ (½ sin 2u ln cos u + u/2 − ¼ sin 2u)
 /// ```
 fn section(planes: &[[f64; 2]]) -> f64 {
     let value = |[p, q]: [f64; 2], alpha: f64| p * alpha.cos() + q * alpha.sin();
@@ -43,7 +46,8 @@ fn section(planes: &[[f64; 2]]) -> f64 {
             + (2.0 * gamma).cos() * (0.5 * square - square * ln)
             + (2.0 * gamma).sin() * (0.5 * double * ln + 0.5 * u - 0.25 * double))
     };
-    // the upper envelope of the lines p + q tan α, from the flattest to the steepest, each with the α from which it leads
+    // the upper envelope of the lines p + q tan α, from the flattest to the steepest, each with the
+    // α from which it leads
     let mut lines = planes.to_vec();
     lines.sort_by(|a, b| (a[1], a[0]).partial_cmp(&(b[1], b[0])).unwrap());
     let mut leading: Vec<(f64, [f64; 2])> = Vec::new();
@@ -75,7 +79,8 @@ struct Place {
 }
 
 impl Place {
-    /// The mean of a function that is linear between the corners, where what is 0 but for rounding is 0.
+    /// The mean of a function that is linear between the corners, where what is 0 but for rounding
+    /// is 0.
     fn mean(&self, of: impl Fn(DVec3) -> f64) -> f64 {
         let parts = self.corners.iter().zip(self.shares).map(|(corner, share)| {
             let value = of(*corner);
@@ -132,8 +137,8 @@ fn mean_logarithm(
     sum / PI
 }
 
-/// The closed formula `log2(A_T/(π e)) − 2 E[log2 r]`; by symmetry the mean over a triangle between the middle of a face, the middle of an
-/// edge and one of its ends.
+/// The closed formula `log2(A_T/(π e)) − 2 E[log2 r]`; by symmetry the mean over a triangle between
+/// the middle of a face, the middle of an edge and one of its ends.
 fn of_a_regular_solid(scene: &Scene, step: f64) -> f64 {
     let walls: Vec<Patch> = scene
         .patches()

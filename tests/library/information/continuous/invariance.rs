@@ -1,4 +1,5 @@
-//! Continuous mutual information is a number of the shape: not of its size, its place, or its division.
+//! Continuous mutual information is a number of the shape: not of its size, its place, or its
+//! division.
 
 use super::{SOLIDS, information};
 use crate::support::rooms::mapped;
@@ -10,7 +11,8 @@ use proptest::prelude::*;
 proptest! {
     #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
 
-    /// Corners that are turned and scaled are rounded by ε of their size, which the value feels by some ε.
+    /// Corners that are turned and scaled are rounded by ε of their size, which the value feels by
+    /// some ε.
     #[test]
     fn scale_and_rotation_change_nothing(
         solid in 0usize..4,

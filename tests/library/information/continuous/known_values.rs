@@ -6,7 +6,7 @@ use infoscene::numeric::GaussLegendre;
 use infoscene::scene::Scene;
 use std::f64::consts::{E, LN_2, PI};
 
-/// By an independent evaluation to 37 digits, rounded.
+/// Values of an independent evaluation to 37 digits, rounded.
 #[test]
 fn known_values_are_met() {
     for (name, exact) in [
@@ -25,7 +25,8 @@ fn known_values_are_met() {
     }
 }
 
-/// ∫ over pieces that double from `scale`, for functions that change on that scale near 0: 24 points each leave 1e-20.
+/// ∫ over pieces that double from `scale`, for functions that change on that scale near 0: 24
+/// points each leave 1e-20.
 fn graded(function: impl Fn(f64) -> f64, end: f64, scale: f64) -> f64 {
     let gauss = GaussLegendre::with(24);
     let (mut start, mut stop, mut sum) = (0.0, (0.5 * scale).min(end), 0.0);
@@ -41,17 +42,18 @@ fn graded(function: impl Fn(f64) -> f64, end: f64, scale: f64) -> f64 {
     sum
 }
 
-/// A formula that boxes have to themselves, and that no pair of faces enters but opposite ones:
-/// `∮∮ (ln² r + ln r) dl·dl' = 4π ∫∫ F ln r − 2 n·n' ∫∫ dA dA'/r²` for any two polygons (Stokes). Summed over all faces of
-/// a closed room and each with itself the contours cancel; perpendicular faces have no last term. So
-/// `Σ_ij R_ij = −(1/4π) Σ_i ∮_i∮_i − (1/2π) Σ_opposite ∫∫ dA dA'/r²`.
+/// A formula that boxes have to themselves, and that no pair of faces enters but opposite ones: `∮∮
+/// (ln² r + ln r) dl·dl' = 4π ∫∫ F ln r − 2 n·n' ∫∫ dA dA'/r²` for any two polygons (Stokes).
+/// Summed over all faces of a closed room and each with itself the contours cancel; perpendicular
+/// faces have no last term. So `Σ_ij R_ij = −(1/4π) Σ_i ∮_i∮_i − (1/2π) Σ_opposite ∫∫ dA dA'/r²`.
 fn of_a_box(edges: [f64; 3]) -> f64 {
     let mut sum = 0.0;
     let mut area = 0.0;
     for k in 0..3 {
         let [a, b, d] = [0, 1, 2].map(|i| edges[(k + i) % 3]);
         area += 2.0 * a * b;
-        // an edge with itself less the same with the opposite one: ln² r + ln r at r = u and at r = √(u² + b²)
+        // an edge with itself less the same with the opposite one: ln² r + ln r at r = u and at r =
+        // √(u² + b²)
         let edge = |a: f64, b: f64| {
             let difference = |u: f64| {
                 let drop = 0.5 * (b / u).powi(2).ln_1p();
@@ -106,8 +108,9 @@ fn boxes_agree_with_a_formula_of_their_own() {
     }
 }
 
-/// A face of a convex room sees everything: both end angles of a chord are cosine-distributed, so the closed formula
-/// `log2(A_T/(π e)) − 2 E[log2 r]` and the sum over pairs agree, and both stay within the error said.
+/// A face of a convex room sees everything: both end angles of a chord are cosine-distributed, so
+/// the closed formula `log2(A_T/(π e)) − 2 E[log2 r]` and the sum over pairs agree, and both stay
+/// within the error said.
 #[test]
 fn errors_of_the_solids_are_small() {
     for name in SOLIDS {
@@ -125,7 +128,8 @@ fn errors_of_the_solids_are_small() {
     }
 }
 
-/// The rounder the room, the less a point says about where it goes; in a sphere nothing (see `sphere_is_zero`).
+/// The rounder the room, the less a point says about where it goes; in a sphere nothing (see
+/// `sphere_is_zero`).
 #[test]
 fn rounder_solids_have_less_information() {
     let values = SOLIDS.map(|name| information(name).mutual_information.value);

@@ -1,4 +1,5 @@
-//! Continuous mutual information: known values, other roads to it, invariance, and what lies below it.
+//! Continuous mutual information: known values, other roads to it, invariance, and what lies below
+//! it.
 
 mod cross_sections;
 mod invariance;

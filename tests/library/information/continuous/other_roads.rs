@@ -114,7 +114,8 @@ fn parts_of_touching_pairs_sum_to_the_whole() {
     }
 }
 
-/// A lid close to its floor and not quite parallel to it, where most parts see it as in `pairs_apart_agree_with_quadrature_of_the_definition`.
+/// A lid close to its floor and not quite parallel to it, where most parts see it as in
+/// `pairs_apart_agree_with_quadrature_of_the_definition`.
 #[test]
 fn parts_under_a_close_lid_sum_to_the_whole() {
     let corners = [[0.0, 0.0], [1.0, 0.0], [1.1, 0.9], [0.0, 1.0]];
@@ -158,8 +159,9 @@ fn random_chords_agree() {
     }
 }
 
-/// A wall across a cube that leaves two boxes 1 × 1 × ½: chords stay in their box, which each point knows of the other end. With the wall's
-/// own faces `A_T = 8` is twice that of a box, so `I^c` is that of a box and one bit.
+/// A wall across a cube that leaves two boxes 1 × 1 × ½: chords stay in their box, which each point
+/// knows of the other end. With the wall's own faces `A_T = 8` is twice that of a box, so `I^c` is
+/// that of a box and one bit.
 #[test]
 fn chords_stop_at_what_they_meet() {
     let cube = Scene::built_in("cube:1").unwrap();
@@ -198,8 +200,8 @@ fn chords_serve_concave_rooms_and_refuse_open_ones() {
     assert!(lost > 0 && lines == 1000);
 }
 
-/// Inside a sphere `cos θ = cos θ' = r/2R`, so `F = 1/(4πR²) = 1/A_T` everywhere, and every term of (4) is 0. Rooms of triangles that
-/// approach it approach 0.
+/// Inside a sphere `cos θ = cos θ' = r/2R`, so `F = 1/(4πR²) = 1/A_T` everywhere, and every term of
+/// (4) is 0. Rooms of triangles that approach it approach 0.
 #[test]
 fn sphere_is_zero() {
     let points = [

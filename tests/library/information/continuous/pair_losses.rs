@@ -1,4 +1,4 @@
-//! What pairs of patches lose: sums, signs, refusals.
+//! Losses of pairs of patches: sums, signs, refusals.
 
 use super::information;
 use crate::support::rooms::{L, mapped, prism};
@@ -19,7 +19,8 @@ fn discrete(scene: &Scene) -> f64 {
         .value
 }
 
-/// `Σ I_ij = I`, `Σ I^c_ij = I^c` (whose pairs are of whole faces), `Σ P = 1`, each within the errors said.
+/// `Σ I_ij = I`, `Σ I^c_ij = I^c` (whose pairs are of whole faces), `Σ P = 1`, each within the
+/// errors said.
 #[test]
 fn parts_of_pairs_sum_to_both_informations() {
     for (name, times) in [
@@ -49,7 +50,8 @@ fn parts_of_pairs_sum_to_both_informations() {
     }
 }
 
-/// Jensen: no pair loses less than nothing; and no refinement of both patches regains more than the loss.
+/// Jensen: no pair loses less than nothing; and no refinement of both patches regains more than the
+/// loss.
 #[test]
 fn losses_bound_what_refinements_gain() {
     let scene = Scene::built_in("box:1,2,0.5").unwrap();

@@ -39,7 +39,11 @@ fn open_rooms_are_refused() {
     patches.remove(4);
     let refused = refusal(&Scene::try_new(patches).unwrap());
     assert!(
-        matches!(refused, SceneError::FaceNotCovered { index: 0, relative, .. } if (relative - 1.0 / 9.0).abs() < 1e-12),
+        matches!(
+            refused,
+            SceneError::FaceNotCovered { index: 0, relative, .. }
+                if (relative - 1.0 / 9.0).abs() < 1e-12
+        ),
         "{refused}"
     );
 }

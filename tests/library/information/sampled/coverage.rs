@@ -4,8 +4,8 @@ use super::{exact, scene};
 use infoscene::information::{LineKind, LineSample};
 use rayon::prelude::*;
 
-/// Scene, times quartered, lines, and the continuous mutual information by an independent evaluation to 37 digits, rounded. The lines are few
-/// enough that some cells are met seldom.
+/// Scene, times quartered, lines, and the continuous mutual information by an independent
+/// evaluation to 37 digits, rounded. The lines are few enough that some cells are met seldom.
 const CASES: [(&str, u32, u32, f64); 4] = [
     ("cube:4", 0, 30_000, 1.610_473_346_468_777_7),
     ("tetrahedron", 2, 30_000, 2.619_457_987_927_652),
@@ -13,7 +13,8 @@ const CASES: [(&str, u32, u32, f64); 4] = [
     ("box:1,1,2", 1, 10_000, 1.796_996_907_794_523),
 ];
 
-/// In how many of the seeds an interval covers the exact value: the discrete one, and the continuous one.
+/// The number of seeds whose interval covers the exact value: the discrete one, and the
+/// continuous one.
 fn covered((name, times, lines, continuous): (&str, u32, u32, f64), seeds: u64) -> [usize; 2] {
     let scene = scene(name, times);
     let discrete = exact(&scene);
@@ -35,14 +36,16 @@ fn covered((name, times, lines, continuous): (&str, u32, u32, f64), seeds: u64) 
     [0, 1].map(|which| all.iter().filter(|covered| covered[which]).count())
 }
 
-/// Of 20 intervals that cover with probability 0.95 fewer than 14 do so with probability 3e-5 (binomial).
+/// Intervals cover as promised: of 20 that cover with probability 0.95 fewer than 14 do so with
+/// probability 3e-5 (binomial).
 #[test]
 fn intervals_cover_the_exact_value() {
     let counts = covered(CASES[3], 20);
     assert!(counts.iter().all(|count| *count >= 14), "{counts:?}");
 }
 
-/// Intervals that cover with probability 0.95 do so in 180 to 198 of 200 with probability 0.998 (binomial).
+/// Intervals that cover with probability 0.95 do so in 180 to 198 of 200 with probability 0.998
+/// (binomial).
 #[test]
 #[ignore = "half a minute: cargo test --release --test library coverage_over -- --ignored --nocapture"]
 fn coverage_over_200_seeds() {
@@ -56,8 +59,9 @@ fn coverage_over_200_seeds() {
     }
 }
 
-/// What a corrected estimate takes off for cells not met, on average over seeds, against what it should: between nothing and two fifths
-/// are missing, for 24 to 864 patches and 1 to 20 samples a cell.
+/// The amount that a corrected estimate takes off for cells not met, on average over seeds, against
+/// what it should: between nothing and two fifths are missing, for 24 to 864 patches and 1 to 20
+/// samples a cell.
 #[test]
 fn a_fifth_is_missing_of_what_is_taken_off() {
     for (name, times, lines, seeds) in [

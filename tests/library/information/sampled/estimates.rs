@@ -30,7 +30,8 @@ fn counted(joint: &DMatrix<f64>) -> Vec<([usize; 2], u64)> {
     upper.map(|(i, j)| ([i, j], count(i, j))).collect()
 }
 
-/// Counts in proportion to the probabilities give the chain's own mutual information, whether weights are known or counted.
+/// Counts in proportion to the probabilities give the chain's own mutual information, whether
+/// weights are known or counted.
 #[test]
 fn plug_in_estimate_of_proportional_counts_is_the_chains() {
     for joint in chains() {
@@ -84,8 +85,8 @@ fn estimates_do_not_depend_on_names_and_order() {
     assert_eq!(one.unseen(), 2.0 / 23.0);
 }
 
-/// Chao, Wang and Jost 2013, eq. (4a), with harmonic numbers and the sum over r as printed: states of weight 1/n, so that
-/// `I = log2(n²/2) − H` for pairs of different states.
+/// Chao, Wang and Jost 2013, eq. (4a), with harmonic numbers and the sum over r as printed: states
+/// of weight 1/n, so that `I = log2(n²/2) − H` for pairs of different states.
 #[test]
 fn corrected_estimate_is_the_formula_as_printed() {
     for cells in [

@@ -1,4 +1,5 @@
-//! The exact bias of the plug-in estimate, against all outcomes, other sums, the literature's series, and simulation.
+//! The exact bias of the plug-in estimate, against all outcomes, other sums, the literature's
+//! series, and simulation.
 
 use super::{exact, pairs, scene};
 use approx::assert_relative_eq;
@@ -45,7 +46,8 @@ fn counts(counts: &[u64]) -> PairCounts {
     PairCounts::try_new(&WEIGHTS, cells).unwrap()
 }
 
-/// The estimate itself, averaged over all outcomes; with counted weights the bias of the weights is taken off.
+/// The estimate itself, averaged over all outcomes; with counted weights the bias of the weights is
+/// taken off.
 #[test]
 fn expected_bias_is_that_of_all_outcomes() {
     for n in [1, 2, 3, 7, 20, 60] {
@@ -63,7 +65,8 @@ fn expected_bias_is_that_of_all_outcomes() {
     }
 }
 
-/// `E φ(k/(Np) − 1)` by the binomial distribution from the mode outwards, on both sides of where the moments take over.
+/// `E φ(k/(Np) − 1)` by the binomial distribution from the mode outwards, on both sides of where
+/// the moments take over.
 #[test]
 fn both_ways_to_the_expected_bias_agree() {
     for samples in [2000u64, 10_000, 1_000_000, 1_000_000_000_000] {
@@ -103,7 +106,8 @@ fn both_ways_to_the_expected_bias_agree() {
     }
 }
 
-/// `(K − 1)/(2N) + (Σ 1/p − 1)/(12 N²) + O(N⁻³)` nats (Harris 1975): Miller and Madow's correction takes the first term off.
+/// `(K − 1)/(2N) + (Σ 1/p − 1)/(12 N²) + O(N⁻³)` nats (Harris 1975): Miller and Madow's correction
+/// takes the first term off.
 #[test]
 fn first_two_orders_are_the_literatures() {
     let cells = CELLS.map(|(_, p)| (p, 1.0));
@@ -150,7 +154,8 @@ fn simulations_have_the_expected_bias() {
     assert!(expected - information() > 20.0 * error);
 }
 
-/// One line falls into one cell: the estimate is `log2(1/m)` on average over the cells, here 0.263 + 3.906 bit of bias, whatever the way.
+/// One line falls into one cell: the estimate is `log2(1/m)` on average over the cells, here 0.263
+/// + 3.906 bit of bias, whatever the way.
 #[test]
 fn one_sample_knows_its_cell() {
     let cube = scene("cube:1", 0);
@@ -161,8 +166,8 @@ fn one_sample_knows_its_cell() {
     assert_relative_eq!(found, expected, epsilon = 1e-12);
 }
 
-/// One pass over the pairs gives, to the last bit, the two numbers of one pass each; an open scene is
-/// refused.
+/// One pass over the pairs gives, to the last bit, the two numbers of one pass each; an open scene
+/// is refused.
 #[test]
 fn one_pass_gives_the_information_and_its_bias() {
     let cube = Scene::built_in("cube:3").unwrap();

@@ -32,8 +32,8 @@ fn cells(scene: &Scene, kind: LineKind, lines: u32) -> BTreeMap<[usize; 2], f64>
     cells
 }
 
-/// Pearson's `Σ (n − Np)²/(Np)`, of K − 1 degrees of freedom, is below K + 5 √(2K) with probability above 1 − 1e-5 for K ≥ 15, and
-/// where p = 0 nothing is met.
+/// Pearson's `Σ (n − Np)²/(Np)`, of K − 1 degrees of freedom, is below K + 5 √(2K) with probability
+/// above 1 − 1e-5 for K ≥ 15, and where p = 0 nothing is met.
 fn assert_counts(scene: &Scene, counts: &BTreeMap<[usize; 2], f64>, kind: &str) {
     let total: f64 = counts.values().sum();
     let exchange = ScenePairs::try_new(scene, 1e-9, Congruence::Shared, Occlusion::Refuse).unwrap();
@@ -69,7 +69,8 @@ fn lines_meet_pairs_as_often_as_they_exchange() {
     }
 }
 
-/// Lines in a grid on a box find the cells of the same box as a scene, by their numbers; and the same chords.
+/// Lines in a grid on a box find the cells of the same box as a scene, by their numbers; and the
+/// same chords.
 #[test]
 fn grids_find_their_cells_by_bisection() {
     let (edges, inner) = ([1.0, 2.0, 0.5], [0.2, 0.5]);
@@ -135,7 +136,8 @@ fn parts_and_rows_are_told_apart() {
     assert!((areas[0] - 0.68).abs() < 1e-15 && (areas[5] - 0.32).abs() < 1e-15);
 }
 
-/// Two boxes 1 × 1 × ½ side by side: each chord knows its box, one bit, and the box's own information. Most global lines have two chords.
+/// Two boxes 1 × 1 × ½ side by side: each chord knows its box, one bit, and the box's own
+/// information. Most global lines have two chords.
 #[test]
 fn a_wall_is_not_seen_through() {
     let expected = exact(&scene("box:1,1,0.5", 0)) + 1.0;
@@ -157,7 +159,8 @@ fn a_wall_is_not_seen_through() {
     }
 }
 
-/// Local and global lines of a concave room, discrete and continuous, by two ways that share the tracing only.
+/// Local and global lines of a concave room, discrete and continuous, by two ways that share the
+/// tracing only.
 #[test]
 fn both_kinds_agree_in_a_concave_room() {
     let room = prism(&L)

@@ -27,7 +27,8 @@ fn exact(scene: &Scene) -> f64 {
     measured.mutual_information.value
 }
 
-/// The cube with walls across that leave n slabs 1 × 1 × 1/n; its faces are patches. Lines that are not level cross several.
+/// The cube with walls across that leave n slabs 1 × 1 × 1/n; its faces are patches. Lines that are
+/// not level cross several.
 fn slabs(n: usize) -> Scene {
     let heights = || (1..n).map(|k| k as f64 / n as f64);
     let walls = heights().flat_map(|z| [(z, true), (z, false)]);

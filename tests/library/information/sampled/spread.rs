@@ -7,14 +7,16 @@ use infoscene::scene::Scene;
 
 const SEEDS: u64 = 200;
 
-/// Wilson and Hilferty: the quantile of χ² with k degrees of freedom at z standard deviations of a normal.
+/// Wilson and Hilferty: the quantile of χ² with k degrees of freedom at z standard deviations of a
+/// normal.
 fn chi_square(freedom: f64, z: f64) -> f64 {
     let part = 2.0 / (9.0 * freedom);
     freedom * (1.0 - part + z * part.sqrt()).powi(3)
 }
 
-/// `Σ (Î − mean)² / se²` is χ² with 199 degrees of freedom; 4.5 standard deviations, 7e-6 both sides together, and 5 % of
-/// the standard error for what it is itself off by. That tells a factor √2.
+/// `Σ (Î − mean)² / se²` is χ² with 199 degrees of freedom; 4.5 standard deviations, 7e-6 both
+/// sides together, and 5 % of the standard error for what it is itself off by. That tells a factor
+/// √2.
 fn assert_spread(values: &[(f64, f64)], what: &str) {
     let n = values.len() as f64;
     let mean = values.iter().map(|(value, _)| value).sum::<f64>() / n;

@@ -1,4 +1,4 @@
-//! The same sample for any number of threads.
+//! A sample is the same for any number of threads.
 
 use super::{scene, slabs};
 use infoscene::information::{LineKind, LineSample};

@@ -29,7 +29,8 @@ fn triangles(corners: &[DVec3]) -> Vec<Patch> {
     face(corners, NonPlanarFaces::Triangulate).unwrap()
 }
 
-/// The left wall of the Cornell box: cut along the diagonal that keeps the room convex, as its file does by hand.
+/// The left wall of the Cornell box: cut along the diagonal that keeps the room convex, as its file
+/// does by hand.
 #[test]
 fn a_bulging_wall_keeps_its_room_convex() {
     let corners = [
@@ -85,7 +86,8 @@ fn a_dart_is_cut_through_its_reflex_corner() {
     }
 }
 
-/// The choice does not depend on the unit of length: products of coordinates are as large as 1e450 here, as small as 1e-360.
+/// The choice does not depend on the unit of length: products of coordinates are as large as 1e450
+/// here, as small as 1e-360.
 #[test]
 fn the_same_triangles_are_found_at_any_scale() {
     let corners = [
@@ -134,7 +136,8 @@ fn a_crossing_outline_is_no_face_of_triangles_either() {
     assert!(is_crossing, "{refusal}");
 }
 
-/// Corners at increasing angles around the origin, on a circle or at free distances, lifted off their plane.
+/// Corners at increasing angles around the origin, on a circle or at free distances, lifted off
+/// their plane.
 fn outline(radius: impl Strategy<Value = f64>) -> impl Strategy<Value = Vec<DVec3>> {
     let corner = (0.1..1.0f64, radius, -0.1..0.1f64);
     proptest::collection::vec(corner, 4..12).prop_map(|corners| {
@@ -149,8 +152,9 @@ fn outline(radius: impl Strategy<Value = f64>) -> impl Strategy<Value = Vec<DVec
 }
 
 proptest! {
-    /// n − 2 triangles with the corners of the face; each edge inside is met by its reverse, so that the outline is
-    /// what remains; all fronts on the same side of the mean plane.
+    /// A face splits into n − 2 triangles with the corners of the face; each edge inside is met by
+    /// its reverse, so that the outline is what remains; all fronts on the same side of the mean
+    /// plane.
     #[test]
     fn triangles_make_up_the_face(corners in outline(0.9..1.0f64)) {
         let found = triangles(&corners);
@@ -161,21 +165,28 @@ proptest! {
             let [a, b, c] = [0, 1, 2].map(|k| place(&patch.corners()[k]));
             for edge in [(a, b), (b, c), (c, a)] {
                 match edges.iter().position(|other| *other == (edge.1, edge.0)) {
-                    Some(reverse) => { edges.remove(reverse); }
+                    Some(reverse) => {
+                        edges.remove(reverse);
+                    }
                     None => edges.push(edge),
                 }
             }
         }
         edges.sort_unstable();
-        let outline: Vec<(usize, usize)> = (0..corners.len()).map(|k| (k, (k + 1) % corners.len())).collect();
+        let outline: Vec<(usize, usize)> = (0..corners.len())
+            .map(|k| (k, (k + 1) % corners.len()))
+            .collect();
         prop_assert_eq!(edges, outline);
-        let whole: DVec3 = found.iter().map(|patch| patch.area() * patch.normal()).sum();
+        let whole: DVec3 = found
+            .iter()
+            .map(|patch| patch.area() * patch.normal())
+            .sum();
         for patch in &found {
             prop_assert!(patch.normal().dot(whole) > 0.0);
         }
     }
 
-    /// With a convex outline the triangles are a hull: every corner is in front of every triangle.
+    /// The triangles of a convex outline are a hull: every corner is in front of every triangle.
     #[test]
     fn triangles_of_a_convex_outline_leave_a_convex_front(corners in outline(Just(1.0))) {
         for patch in triangles(&corners) {

@@ -6,11 +6,12 @@ use infoscene::scene::files::{
 use proptest::prelude::*;
 use proptest::sample::Index;
 
-const OBJ: &str = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0.0\nv 0 1 0\nv .5 .5 1e0\no floor\nusemtl grey\nf 1 2 3 4\n\
-    g side \\\nwall # left\nf 1/1 2//2 5/1/1\nf -1 -3 -5\n";
+const OBJ: &str = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0.0\nv 0 1 0\nv .5 .5 1e0\n\
+    o floor\nusemtl grey\nf 1 2 3 4\ng side \\\nwall # left\nf 1/1 2//2 5/1/1\nf -1 -3 -5\n";
 const MTL: &str = "newmtl grey\nKd 0.5 .25 1\nKe 1 2 3\nNs 10\nmap_Kd a.png\n";
-const VS3: &str = "T title\nC encl=1 eps=1e-4\nF 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 1 0\nV 4 0 1 0\nV 5 .5 .5 1e0\n\
-    S 1 1 2 3 4 0 0 .9 floor ! part\nS 2 1 2 3 0 1 0 .25 mat\nS 3 1 2 5 0 0 0 1 a\nS 4 2 3 5 0 0 3 1 b\nO 5 3 4 5 0\n\
+const VS3: &str = "T title\nC encl=1 eps=1e-4\nF 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 1 0\nV 4 0 1 0\n\
+    V 5 .5 .5 1e0\nS 1 1 2 3 4 0 0 .9 floor ! part\nS 2 1 2 3 0 1 0 .25 mat\nS 3 1 2 5 0 0 0 1 a\n\
+    S 4 2 3 5 0 0 3 1 b\nO 5 3 4 5 0\n\
     End of data\n";
 
 /// The three readers, by what the file would be.
@@ -27,7 +28,8 @@ fn read(format: usize, bytes: &[u8], faces: NonPlanarFaces) -> Result<LoadedScen
     }
 }
 
-/// Either a scene of positive areas, or one line that begins with the name of a file and names a line or the whole.
+/// Either a scene of positive areas, or one line that begins with the name of a file and names a
+/// line or the whole.
 fn check(format: usize, bytes: &[u8]) -> Result<(), TestCaseError> {
     for faces in [NonPlanarFaces::Refuse, NonPlanarFaces::Triangulate] {
         match read(format, bytes, faces) {
@@ -62,7 +64,8 @@ fn the_files_that_are_spoilt_are_valid() {
     }
 }
 
-/// Cut after any byte: never a panic, and a View3D file that is cut before its last line is refused.
+/// Cut after any byte: never a panic, and a View3D file that is cut before its last line is
+/// refused.
 #[test]
 fn truncated_files_are_read_or_refused() {
     for format in 0..3 {
@@ -117,7 +120,10 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(500))]
 
     #[test]
-    fn random_bytes_are_refused(format in 0..3usize, bytes in proptest::collection::vec(any::<u8>(), 0..400)) {
+    fn random_bytes_are_refused(
+        format in 0..3usize,
+        bytes in proptest::collection::vec(any::<u8>(), 0..400),
+    ) {
         check(format, &bytes)?;
     }
 
@@ -134,7 +140,10 @@ proptest! {
     #[test]
     fn files_with_wrong_words_are_read_or_refused(
         format in 0..3usize,
-        changes in proptest::collection::vec((any::<Index>(), any::<Index>(), 0..6usize, word()), 1..4),
+        changes in proptest::collection::vec(
+            (any::<Index>(), any::<Index>(), 0..6usize, word()),
+            1..4,
+        ),
     ) {
         let mut lines: Vec<String> = valid(format).lines().map(str::to_owned).collect();
         for (line, place, kind, word) in changes {
@@ -157,9 +166,17 @@ proptest! {
     #[test]
     fn mutated_files_are_read_or_refused(
         format in 0..3usize,
-        changes in proptest::collection::vec((any::<Index>(), 0..4usize, prop_oneof![
-            any::<u8>(), proptest::sample::select(b"0123456789-+.eE \n\\/#!vfVSO".to_vec()),
-        ]), 1..12),
+        changes in proptest::collection::vec(
+            (
+                any::<Index>(),
+                0..4usize,
+                prop_oneof![
+                    any::<u8>(),
+                    proptest::sample::select(b"0123456789-+.eE \n\\/#!vfVSO".to_vec()),
+                ],
+            ),
+            1..12,
+        ),
     ) {
         let mut bytes = valid(format).as_bytes().to_vec();
         for (place, kind, byte) in changes {

@@ -1,4 +1,4 @@
-//! What an OBJ file and its MTL file say, in all the ways in which they may say it.
+//! The content of an OBJ file and its MTL file, in all spellings that the formats allow.
 
 use super::{obj, obj_with};
 use glam::DVec3;
@@ -107,7 +107,7 @@ fn materials_are_means_of_three_channels() {
     assert!(loaded.notes.is_empty());
 }
 
-/// What has no effect is said once, however often it occurs.
+/// A statement without effect is noted once, however often it occurs.
 #[test]
 fn what_is_left_out_is_said() {
     let text = format!("mtllib a.mtl\n{SQUARE}p 1\nl 1 2\nl 2 3\nf 1 2 3 4");
@@ -135,7 +135,8 @@ fn libraries_lie_beside_the_file() {
     write(
         "room.OBJ",
         &format!(
-            "mtllib a.mtl b.mtl\nmtllib my paints.mtl\n{SQUARE}usemtl a\n{face}usemtl b\n{face}usemtl c\n{face}"
+            "mtllib a.mtl b.mtl\nmtllib my paints.mtl\n{SQUARE}usemtl a\n{face}\
+             usemtl b\n{face}usemtl c\n{face}"
         ),
     );
     let loaded = read(&folder.path().join("room.OBJ"), NonPlanarFaces::Refuse).unwrap();

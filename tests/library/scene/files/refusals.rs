@@ -1,4 +1,5 @@
-//! Every bad file gets one message that names file, line, patch, the broken condition and what mends it.
+//! Every bad file gets one message that names file, line, patch, the broken condition and what
+//! mends it.
 
 use super::{obj, obj_with, vs3};
 use infoscene::scene::SceneError;

@@ -1,4 +1,4 @@
-//! What is written reads back to the same bits.
+//! Written scenes read back to the same bits.
 
 use glam::DVec3;
 use infoscene::geometry::Patch;
@@ -31,7 +31,8 @@ fn emittance() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// A polygon with corners around a point of an axis plane, or a free triangle; small, large and far away.
+/// A polygon with corners around a point of an axis plane, or a free triangle; small, large and far
+/// away.
 fn patch(corners: std::ops::Range<usize>) -> impl Strategy<Value = Patch> {
     let place = prop_oneof![-1.0..1.0f64, Just(0.0), Just(-0.0), Just(0.1)];
     let turns = proptest::collection::vec((0.5..1.0f64, 0.9..1.0f64), corners);
@@ -91,16 +92,21 @@ fn read_back_vs3(scene: &Scene) -> Scene {
 proptest! {
     #[test]
     fn wavefront_reads_back(
-        patches in proptest::collection::vec((patch(3..9), reflectance(), emittance(), 0..3usize), 1..8),
+        patches in proptest::collection::vec(
+            (patch(3..9), reflectance(), emittance(), 0..3usize),
+            1..8,
+        ),
     ) {
         let mut counts = [0; 3];
-        let patches = patches.into_iter().map(|(shape, reflectance, emittance, name)| {
-            let label = ["floor", "side wall", "a 1"][name];
-            counts[name] += 1;
-            let name = format!("{label} {}", counts[name] - 1);
-            let material = Material::try_new(reflectance, emittance).unwrap();
-            NamedPatch::new(name, shape).with_material(material)
-        });
+        let patches = patches
+            .into_iter()
+            .map(|(shape, reflectance, emittance, name)| {
+                let label = ["floor", "side wall", "a 1"][name];
+                counts[name] += 1;
+                let name = format!("{label} {}", counts[name] - 1);
+                let material = Material::try_new(reflectance, emittance).unwrap();
+                NamedPatch::new(name, shape).with_material(material)
+            });
         let scene = Scene::try_new(patches.collect()).unwrap();
         let back = read_back_obj(&scene);
         prop_assert_eq!(bits(back.patches()), bits(scene.patches()));
@@ -117,8 +123,13 @@ proptest! {
             let material = Material::try_new(reflectance, 0.0).unwrap();
             NamedPatch::new(format!("of row/{row}"), shape).with_material(material)
         });
-        let scene = Scene::try_new(patches.collect()).unwrap().with_groups(&rows).unwrap();
-        let fins = obstructions.into_iter().map(|shape| NamedPatch::new("fin".to_owned(), shape));
+        let scene = Scene::try_new(patches.collect())
+            .unwrap()
+            .with_groups(&rows)
+            .unwrap();
+        let fins = obstructions
+            .into_iter()
+            .map(|shape| NamedPatch::new("fin".to_owned(), shape));
         let scene = scene.with_obstructions(fins.collect());
         let back = read_back_vs3(&scene);
         prop_assert_eq!(bits(back.patches()), bits(scene.patches()));

@@ -1,4 +1,4 @@
-//! What a View3D file says.
+//! The content of a View3D file.
 
 use super::vs3;
 
@@ -12,7 +12,8 @@ fn read(surfaces: &str) -> infoscene::scene::files::LoadedScene {
 
 #[test]
 fn letters_may_be_of_any_case_and_lines_end_in_any_way() {
-    let text = "t A title / with ! anything\n! comment\n/ comment\nc ENCL=1 Eps=1e-4,list = 2\nf 3\nv 1 0 0 0 / corner\n\
+    let text = "t A title / with ! anything\n! comment\n/ comment\n\
+        c ENCL=1 Eps=1e-4,list = 2\nf 3\nv 1 0 0 0 / corner\n\
         v 2 1 0 0\nv 3 1 1 0!\n\ns 1 1 2 3 0 0 0 .9 Tri/angle one ! name\nEND OF DATA\nwhatever";
     for text in [
         text.to_owned(),
@@ -44,7 +45,8 @@ fn reflectance_is_one_less_emissivity() {
     }
 }
 
-/// Numbers need not be in order, patches are in that of the file; `O` obstructs and needs no more than its vertices.
+/// Numbers need not be in order, patches are in that of the file; `O` obstructs and needs no more
+/// than its vertices.
 #[test]
 fn obstructions_are_no_patches() {
     let loaded =
@@ -64,7 +66,8 @@ fn obstructions_are_no_patches() {
 #[test]
 fn parts_and_rows_are_those_of_the_file() {
     let loaded = read(
-        "S 1 1 2 3 4 0 0 .5 floor\nS 2 1 7 8 9 1 0 .5 mat\nS 3 1 4 6 0 0 0 .5 wall\nS 4 1 6 5 0 0 3 .5 wall too\n",
+        "S 1 1 2 3 4 0 0 .5 floor\nS 2 1 7 8 9 1 0 .5 mat\nS 3 1 4 6 0 0 0 .5 wall\n\
+         S 4 1 6 5 0 0 3 .5 wall too\n",
     );
     let scene = &loaded.scene;
     assert_eq!(
