@@ -172,8 +172,9 @@ impl PatchSplit {
         let mut shares = vec![0.0; count + 1];
         for k in 0..count {
             let strip = [at[k], at[k + 1]];
-            for j in 0..brightness.len() {
-                before[k + 1][j] = before[k][j] + split.flux(j, &strip)?;
+            let (earlier, later) = before.split_at_mut(k + 1);
+            for (j, (sum, next)) in earlier[k].iter().zip(&mut later[0]).enumerate() {
+                *next = sum + split.flux(j, &strip)?;
             }
             shares[k + 1] = shares[k] + split.share(&strip);
         }

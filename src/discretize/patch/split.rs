@@ -45,7 +45,7 @@ enum Shapes {
     /// Rectangles with edges along common axes.
     Rectangles(RectangleSplit),
     /// Any other shapes.
-    Polygons(PolygonSplit),
+    Polygons(Box<PolygonSplit>),
 }
 
 /// The best cuts of a patch, with their gain.
@@ -243,7 +243,7 @@ impl PatchSplit {
     pub(crate) fn parts(&self) -> &dyn PartExchange<f64> {
         match &self.shapes {
             Shapes::Rectangles(split) => split,
-            Shapes::Polygons(split) => split,
+            Shapes::Polygons(split) => &**split,
         }
     }
 }
@@ -257,11 +257,11 @@ impl Shapes {
         });
         match aligned.collect() {
             Some(pairs) => Self::Rectangles(RectangleSplit::new(pairs, surface.axis(), weights)),
-            None => Self::Polygons(PolygonSplit {
+            None => Self::Polygons(Box::new(PolygonSplit {
                 surface,
                 pairs,
                 weights,
-            }),
+            })),
         }
     }
 }

@@ -58,12 +58,14 @@ fn refused_key<T: std::fmt::Debug>(answer: Result<T, ReportError>) -> String {
     }
 }
 
+type Spoil = fn(&mut Record);
+
 #[test]
 fn a_number_that_is_not_finite_is_named_by_its_full_key() {
     let whole = Report::one(Table::default(), &Record::new()).unwrap();
     let text = whole.render(Format::Json).unwrap();
     assert!(text.contains("\"relative_error\": null"), "{text}");
-    let spoilt: [(&str, fn(&mut Record)); 7] = [
+    let spoilt: [(&str, Spoil); 7] = [
         ("rows[3].relative_error", |record| {
             record.rows[3].relative_error = Some(f64::NAN);
         }),
