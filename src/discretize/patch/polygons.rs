@@ -192,6 +192,7 @@ impl PartExchange<f64> for PolygonSplit {
 }
 
 #[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a test may panic")]
 mod tests {
     use super::*;
     use glam::DVec3;

@@ -38,6 +38,7 @@ pub fn centroid(polygon: &Patch) -> DVec3 {
 }
 
 #[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a test may panic")]
 mod tests {
     use super::*;
 

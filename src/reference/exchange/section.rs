@@ -149,6 +149,7 @@ impl<const N: usize> Plate<N> {
 
 /// What is smaller than 2 to this power times the bits, relative to the size of the pair, is
 /// rounding.
+#[expect(clippy::cast_possible_wrap, reason = "some thousand words at most")]
 const fn negligible_power<const N: usize>() -> i64 {
     // two thirds of the digits
     -((N * 128 / 3) as i64)

@@ -26,7 +26,7 @@ pub fn certain_digits(value: f64, error: f64) -> String {
     if error <= 0.0 && value.fract().abs() <= 0.0 {
         return value.to_string();
     }
-    #[allow(
+    #[expect(
         clippy::cast_possible_truncation,
         reason = "decimal exponents of doubles fit"
     )]
@@ -92,7 +92,7 @@ const MOST_DECIMALS: u32 = 20;
 
 /// The power of ten that is not below a number > 0, `1e-55`: what of a width another platform will print, too.
 #[must_use]
-pub fn power_of_ten(value: f64) -> String {
+pub(crate) fn power_of_ten(value: f64) -> String {
     format!("1e{}", value.log10().ceil())
 }
 

@@ -259,7 +259,8 @@ fn a_number_that_is_not_finite_is_named_by_its_full_key() {
     let whole = Report::one(Table::default(), &Record::new()).unwrap();
     let text = whole.render(Format::Json).unwrap();
     assert!(text.contains("\"relative_error\": null"), "{text}");
-    let spoilt: [(&str, fn(&mut Record)); 7] = [
+    type Spoil = fn(&mut Record);
+    let spoilt: [(&str, Spoil); 7] = [
         ("rows[3].relative_error", |record| {
             record.rows[3].relative_error = Some(f64::NAN);
         }),

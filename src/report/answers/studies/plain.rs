@@ -33,6 +33,7 @@ pub fn study_report(
 mod fuzzing {
     use super::{Report, ReportError, Table, scientific};
     use crate::chain::random::families::{ChainFamily, DivisionFamily};
+    use crate::numeric::real;
     use crate::study::gain::fuzz::{Campaign, Counterexample, Findings, Histograms};
     use std::fmt::Debug;
 
@@ -61,8 +62,7 @@ mod fuzzing {
         findings: &Findings,
         seconds: f64,
     ) -> Result<Report, ReportError> {
-        #[allow(clippy::cast_precision_loss, reason = "fewer than 2^53 cases")]
-        let cases = findings.cases as f64;
+        let cases = real(findings.cases);
         let record = Record {
             cases: findings.cases,
             seed: campaign.seed,
@@ -149,11 +149,7 @@ mod fuzzing {
     /// `label share%` of every class that came up.
     fn shares(counts: &[u64], labels: &[String]) -> String {
         let total: u64 = counts.iter().sum();
-        let share = |count: u64| {
-            #[allow(clippy::cast_precision_loss, reason = "fewer than 2^53 cases")]
-            let percent = 100.0 * count as f64 / total.max(1) as f64;
-            percent
-        };
+        let share = |count: u64| 100.0 * real(count) / real(total.max(1));
         let present = counts.iter().zip(labels).filter(|(count, _)| **count > 0);
         let texts = present.map(|(count, label)| format!("{label}: {:.1}%", share(*count)));
         texts.collect::<Vec<_>>().join(", ")
