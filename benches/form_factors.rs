@@ -1,9 +1,9 @@
 //! Rectangle closed forms, in multiples of the textbook's sixteen terms timed beside them.
-#![allow(
+#![expect(
     missing_docs,
     reason = "criterion's macros write undocumented functions"
 )]
-#![allow(clippy::unwrap_used, reason = "a bench may panic")]
+#![expect(clippy::unwrap_used, reason = "a bench may panic")]
 
 mod textbook;
 

@@ -2,11 +2,11 @@
 //!
 //! The copies live here only: the same operations in the same order on plain doubles. Equal
 //! results, bit by bit, are checked before anything is timed.
-#![allow(
+#![expect(
     missing_docs,
     reason = "criterion's macros write undocumented functions"
 )]
-#![allow(clippy::unwrap_used, reason = "a bench may panic")]
+#![expect(clippy::unwrap_used, reason = "a bench may panic")]
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use infoscene::discretize::GradientCut;

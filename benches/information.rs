@@ -1,9 +1,9 @@
 //! Mutual information, gains, best cuts and the whole reproduction.
-#![allow(
+#![expect(
     missing_docs,
     reason = "criterion's macros write undocumented functions"
 )]
-#![allow(clippy::unwrap_used, reason = "a bench may panic")]
+#![expect(clippy::unwrap_used, reason = "a bench may panic")]
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use infoscene::chain::{ReversibleChain, visibility_chain};
@@ -51,7 +51,7 @@ fn measures(criterion: &mut Criterion) {
 fn large_chain(criterion: &mut Criterion) {
     let n = 2000;
     // w_i P_ij = 1 + 1/(i+j+1): a known chain, symmetric, far from independent in one corner only
-    #[allow(clippy::cast_precision_loss, reason = "small indices")]
+    #[expect(clippy::cast_precision_loss, reason = "small indices")]
     let joint = nalgebra::DMatrix::from_fn(n, n, |i, j| 1.0 + 1.0 / (i + j + 1) as f64);
     let chain = ReversibleChain::try_new(joint).unwrap();
     let difference = positional_entropy(&chain) - entropy_rate(&chain);

@@ -3,11 +3,11 @@
 //! Each family is checked first: a pair taken the other way round agrees within the bounds, and the
 //! bounds meet the tolerance. Criterion's means are over whole families, escalated pairs included;
 //! the medians over the pairs are printed before.
-#![allow(
+#![expect(
     missing_docs,
     reason = "criterion's macros write undocumented functions"
 )]
-#![allow(clippy::unwrap_used, reason = "a bench may panic")]
+#![expect(clippy::unwrap_used, reason = "a bench may panic")]
 
 mod textbook;
 
@@ -124,7 +124,7 @@ fn free(random: &mut ChaCha8Rng, corners: usize, distance: f64) -> Pair {
     let place = |random: &mut ChaCha8Rng, middle: DVec3| {
         let frame = rotation(random);
         let start = random.random_range(0.0..TAU);
-        #[allow(clippy::cast_precision_loss, reason = "three or four")]
+        #[expect(clippy::cast_precision_loss, reason = "three or four")]
         let angle = |i: usize| start + TAU * (i as f64) / corners as f64;
         polygon((0..corners).map(|i| {
             let (s, c) = angle(i).sin_cos();

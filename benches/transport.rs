@@ -1,9 +1,9 @@
 //! Radiosities of 5,046 patches: the whole solution with its bounds, and what it is made of.
-#![allow(
+#![expect(
     missing_docs,
     reason = "criterion's macros write undocumented functions"
 )]
-#![allow(clippy::unwrap_used, reason = "a bench may panic")]
+#![expect(clippy::unwrap_used, reason = "a bench may panic")]
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use infoscene::exchange::ExchangeAreas;

@@ -1,7 +1,7 @@
 //! The folder `proofs` without Coq: page, files, claims and decimals name the same theorems and the
 //! same numbers, and intervals enclose what is proved. That the proofs hold is what `proofs/check`
 //! checks.
-#![allow(clippy::unwrap_used, reason = "a test may panic")]
+#![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 use infoscene::discretize::{GradientCut, PatchSplit};
 use infoscene::geometry::SplitAxis;

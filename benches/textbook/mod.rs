@@ -3,7 +3,13 @@
 use std::f64::consts::TAU;
 
 /// The sum of Howell's C-13 as it is usually typed in, without a thought for cancellation.
-pub fn textbook_parallel(x: [f64; 2], y: [f64; 2], xi: [f64; 2], eta: [f64; 2], z: f64) -> f64 {
+pub(crate) fn textbook_parallel(
+    x: [f64; 2],
+    y: [f64; 2],
+    xi: [f64; 2],
+    eta: [f64; 2],
+    z: f64,
+) -> f64 {
     let mut sum = 0.0;
     for (i, x) in x.into_iter().enumerate() {
         for (j, y) in y.into_iter().enumerate() {

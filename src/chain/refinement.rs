@@ -13,7 +13,7 @@
 
 use super::error::ChainError;
 use super::reversible::ReversibleChain;
-use crate::numeric::{compensated_sum, tolerance};
+use crate::numeric::{compensated_sum, real, tolerance};
 use nalgebra::DMatrix;
 use std::fmt;
 
@@ -44,8 +44,7 @@ impl Refinement {
         for state in 0..n {
             for other in 0..=state {
                 let (parts, whole) = (sums[(state, other)], coarse.joint()[(state, other)]);
-                #[allow(clippy::cast_precision_loss, reason = "no state has 2^53 parts")]
-                let allowed = tolerance::RECIPROCITY * (counts[state] * counts[other]) as f64;
+                let allowed = tolerance::RECIPROCITY * real(counts[state] * counts[other]);
                 if (parts - whole).abs() > allowed * whole {
                     // the error names the divided one of the two, which is the one to mend
                     let (state, other) = if counts[state] > 1 {

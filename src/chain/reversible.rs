@@ -7,7 +7,7 @@
 //! The total Σ J need not be one; every measure divides by it.
 
 use super::error::ChainError;
-use crate::numeric::{compensated_sum, tolerance};
+use crate::numeric::{compensated_sum, real, tolerance};
 use nalgebra::DMatrix;
 
 /// A reversible Markov chain on `n` states.
@@ -100,8 +100,7 @@ impl ReversibleChain {
                 expected,
             });
         }
-        #[allow(clippy::cast_precision_loss, reason = "no chain has 2^53 states")]
-        let tolerance = tolerance::RECIPROCITY * rows as f64;
+        let tolerance = tolerance::RECIPROCITY * real(rows);
         for (row, entries) in transitions.row_iter().enumerate() {
             let sum = compensated_sum(entries.iter().copied());
             if (sum - 1.0).abs() > tolerance {

@@ -48,5 +48,5 @@ pub use finding::{Finding, Quantity};
 pub use inputs::Inputs;
 pub use judge::{Judgement, judge, judge_all, judge_control};
 pub use registry::registry;
-pub use sections::figure_5::samples_for;
+pub(crate) use sections::figure_5::samples_for;
 pub use verdict::Verdict;

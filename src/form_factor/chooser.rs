@@ -21,7 +21,7 @@ use crate::form_factor::contour::double_double::precise_contour;
 use crate::form_factor::gauss::lambert::LambertRounding;
 use crate::form_factor::gauss::points::MOST_PER_DIRECTION;
 use crate::numeric::functions::elementary::rough_ln;
-use crate::numeric::{LANES, SQUARED_EPSILON, power_of_two_below};
+use crate::numeric::{LANES, SQUARED_EPSILON, power_of_two_below, real};
 use smallvec::SmallVec;
 
 /// Relative error that is asked for unless something else is.
@@ -239,15 +239,14 @@ impl ClippedPair<'_> {
     }
 
     /// Routes with their rough work in nanoseconds; infinite if cancellation leaves too little.
-    #[allow(clippy::cast_precision_loss, reason = "some points")]
     fn plans(&self, plans: &mut Plans) {
         if self.gap <= 0.0 {
             plans.push((0.0, Plan::Contour));
             return;
         }
         let points = [self.points(0), self.points(1)];
-        let on = [0, 1].map(|k| (LANES * self.rules(k, points[k]).1) as f64);
-        let corners = self.shapes.map(|shape| shape.corners.len() as f64);
+        let on = [0, 1].map(|k| real(LANES * self.rules(k, points[k]).1));
+        let corners = self.shapes.map(|shape| real(shape.corners.len()));
         if points[0].max(points[1]) < MOST_PER_DIRECTION {
             let work = 1.0 * (on[0] + on[1]) + on[0] * on[1] * 0.2;
             plans.push((work, Plan::Kernel { points }));
@@ -279,8 +278,7 @@ impl ClippedPair<'_> {
         if rounding > self.tolerance * self.estimate {
             return f64::INFINITY;
         }
-        #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
-        let corners = (first.corners.len() * second.corners.len()) as f64;
+        let corners = real(first.corners.len() * second.corners.len());
         let ratio = 1.0 + 2.0 * self.gap / first.longest_edge.min(second.longest_edge);
         let digits = 2.0 * rough_ln(ratio + (ratio * ratio - 1.0).sqrt());
         150.0 + corners * 240.0 / digits.max(1.5)

@@ -38,6 +38,8 @@ mod exchange_area;
 mod gauss;
 mod logarithms;
 mod polygon;
+// hidden: tests and benchmarks reach its closed forms, a user takes `RectanglePair`
+#[doc(hidden)]
 pub mod rectangles;
 mod route;
 pub mod sampling;

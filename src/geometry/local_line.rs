@@ -31,7 +31,7 @@ impl LocalLine {
     /// The line that leaves a triangle with this normal; uniform for uniform numbers from 0 to 1.
     ///
     /// **Arguments** two numbers for the point, two for the direction.
-    pub fn leaving([a, b, c]: [DVec3; 3], normal: DVec3, [s, t, u, v]: [f64; 4]) -> Self {
+    pub(crate) fn leaving([a, b, c]: [DVec3; 3], normal: DVec3, [s, t, u, v]: [f64; 4]) -> Self {
         let root = s.sqrt();
         let origin = a + root * (1.0 - t) * (b - a) + root * t * (c - a);
         let (across, up) = normal.any_orthonormal_pair();
@@ -63,7 +63,7 @@ pub(crate) struct Slope {
 impl Slope {
     /// The direction that is distributed by cosine if both numbers are uniform from 0 to 1.
     #[inline]
-    pub fn by_cosine([u, v]: [f64; 2]) -> Self {
+    pub(crate) fn by_cosine([u, v]: [f64; 2]) -> Self {
         let (y, x) = (TAU * v).sin_cos();
         Self {
             around: DVec2::new(x, y),
@@ -82,7 +82,7 @@ pub(crate) struct Facet {
 
 impl Facet {
     /// The polygon with these corners and this normal, its triangles placed by a similarity.
-    pub fn new(corners: &[DVec3], normal: DVec3, place: impl Fn(DVec3) -> DVec3) -> Self {
+    pub(crate) fn new(corners: &[DVec3], normal: DVec3, place: impl Fn(DVec3) -> DVec3) -> Self {
         let triangles = triangulated(corners, normal);
         let placed = |triangle: [usize; 3]| triangle.map(|corner| place(corners[corner]));
         Self {
@@ -92,29 +92,29 @@ impl Facet {
     }
 
     /// The triangles, which do not overlap.
-    pub fn triangles(&self) -> &[[DVec3; 3]] {
+    pub(crate) fn triangles(&self) -> &[[DVec3; 3]] {
         &self.triangles
     }
 
     /// The corners of all triangles.
-    pub fn corners(&self) -> impl Iterator<Item = &DVec3> {
+    pub(crate) fn corners(&self) -> impl Iterator<Item = &DVec3> {
         self.triangles.iter().flatten()
     }
 
     /// The unit normal.
-    pub const fn normal(&self) -> DVec3 {
+    pub(crate) const fn normal(&self) -> DVec3 {
         self.normal
     }
 
     /// The signed distance at which a line meets the polygon.
-    pub fn crossing(&self, origin: DVec3, direction: DVec3) -> Option<f64> {
+    pub(crate) fn crossing(&self, origin: DVec3, direction: DVec3) -> Option<f64> {
         let corner = self.triangles.first()?[0];
         let distance = self.normal.dot(corner - origin) / self.normal.dot(direction);
         (distance.is_finite() && self.is_met(origin, direction)).then_some(distance)
     }
 
     /// Tells whether a line passes the edges of a triangle all on one side.
-    pub fn is_met(&self, origin: DVec3, direction: DVec3) -> bool {
+    pub(crate) fn is_met(&self, origin: DVec3, direction: DVec3) -> bool {
         self.triangles.iter().any(|triangle| {
             let [a, b, c] = triangle.map(|corner| corner - origin);
             let sides = [(a, b), (b, c), (c, a)].map(|(p, q)| side(p, q, direction));

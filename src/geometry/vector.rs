@@ -5,13 +5,13 @@ use glam::DVec3;
 
 /// Three coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Vector<S>(pub [S; 3]);
+pub(crate) struct Vector<S>(pub [S; 3]);
 
 impl<S: Scalar + Copy> Vector<S> {
     /// `self − other`.
     #[inline(always)]
     #[must_use]
-    pub fn minus(self, other: Self) -> Self {
+    pub(crate) fn minus(self, other: Self) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         Self([a - x, b - y, c - z])
     }
@@ -19,7 +19,7 @@ impl<S: Scalar + Copy> Vector<S> {
     /// `self + other·factor`.
     #[inline(always)]
     #[must_use]
-    pub fn plus(self, other: Self, factor: S) -> Self {
+    pub(crate) fn plus(self, other: Self, factor: S) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         Self([a + x * factor, b + y * factor, c + z * factor])
     }
@@ -27,7 +27,7 @@ impl<S: Scalar + Copy> Vector<S> {
     /// Times a number.
     #[inline(always)]
     #[must_use]
-    pub fn times(self, factor: S) -> Self {
+    pub(crate) fn times(self, factor: S) -> Self {
         let [x, y, z] = self.0;
         Self([x * factor, y * factor, z * factor])
     }
@@ -35,7 +35,7 @@ impl<S: Scalar + Copy> Vector<S> {
     /// Scalar product.
     #[inline(always)]
     #[must_use]
-    pub fn dot(self, other: Self) -> S {
+    pub(crate) fn dot(self, other: Self) -> S {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         a * x + b * y + c * z
     }
@@ -43,7 +43,7 @@ impl<S: Scalar + Copy> Vector<S> {
     /// Vector product.
     #[inline(always)]
     #[must_use]
-    pub fn cross(self, other: Self) -> Self {
+    pub(crate) fn cross(self, other: Self) -> Self {
         let ([a, b, c], [x, y, z]) = (self.0, other.0);
         Self([b * z - c * y, c * x - a * z, a * y - b * x])
     }
@@ -51,14 +51,14 @@ impl<S: Scalar + Copy> Vector<S> {
     /// Length.
     #[inline(always)]
     #[must_use]
-    pub fn length(self) -> S {
+    pub(crate) fn length(self) -> S {
         self.dot(self).sqrt()
     }
 
     /// A point in the number type of `like`, exactly.
     #[must_use]
     #[inline(always)]
-    pub fn lifted(point: DVec3, like: S) -> Self {
+    pub(crate) fn lifted(point: DVec3, like: S) -> Self {
         Self([
             like.constant(point.x),
             like.constant(point.y),
@@ -69,7 +69,7 @@ impl<S: Scalar + Copy> Vector<S> {
     /// Rounded to doubles.
     #[must_use]
     #[inline(always)]
-    pub fn to_doubles(self) -> DVec3 {
+    pub(crate) fn to_doubles(self) -> DVec3 {
         let [x, y, z] = self.0;
         DVec3::new(x.to_f64(), y.to_f64(), z.to_f64())
     }

@@ -108,6 +108,7 @@ impl DoubleDouble {
 }
 
 /// 1/15, 1/13, … 1, to 106 bits: the low halves are (1 − k high)/k, exact in the numerator.
+#[expect(clippy::cast_precision_loss, reason = "odd numbers up to 15")]
 const ODD_RECIPROCALS: [DoubleDouble; 8] = {
     let mut reciprocals = [DoubleDouble {
         high: 1.0,
@@ -270,7 +271,7 @@ impl Scalar for DoubleDouble {
             .scaled((-exponent / 2.0).ceil().exp2());
         let step = (m.high * 32.0).round().clamp(22.0, 46.0);
         let c = Self::from(step / 32.0);
-        #[allow(
+        #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "22 to 46"
@@ -319,7 +320,7 @@ impl Scalar for DoubleDouble {
         let t = if long.high > 0.0 { short / long } else { short };
         let step = (t.high * 32.0).round().clamp(0.0, 32.0);
         let c = Self::from(step / 32.0);
-        #[allow(
+        #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "0 to 32"

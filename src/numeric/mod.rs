@@ -8,6 +8,7 @@
 //!
 //! **Not here**: geometry, and anything that knows what a form factor is.
 
+mod count;
 mod double_double;
 mod dual;
 mod error;
@@ -24,25 +25,32 @@ mod symmetric;
 pub mod tolerance;
 mod vectorised;
 
-pub use double_double::{DoubleDouble, SQUARED_EPSILON};
+pub(crate) use count::real;
+pub use double_double::DoubleDouble;
+// hidden: parts of the arithmetic that tests and benchmarks reach one by one, not an interface
+#[doc(hidden)]
+pub use double_double::SQUARED_EPSILON;
 pub use dual::Dual;
 pub use error::NumericError;
 pub use evidence::{Bounded, Grade};
 pub use functions::digamma::digamma;
+#[doc(hidden)]
 pub use functions::dilogarithm::{
     dilogarithm_deficit, dilogarithm_of_complement, imaginary_dilogarithm,
 };
 pub use functions::entropy_kernel::{divergence_kernel, x_ln_x, x_log2_ratio, x_log2_x};
+#[doc(hidden)]
 pub use functions::extremes::{larger, largest, smaller};
+#[doc(hidden)]
 pub use functions::unit::{power_of_two_below, power_of_two_near};
-pub use integrate::gauss_legendre::{GaussLegendre, MOST_POINTS};
-pub(crate) use integrate::gauss_legendre::{NodeNumber, legendre_node};
+pub use integrate::gauss_legendre::GaussLegendre;
+pub(crate) use integrate::gauss_legendre::{MOST_POINTS, NodeNumber, legendre_node};
 pub use integrate::tanh_sinh::{Integral, integral};
 pub use interval::Interval;
 pub use interval::precise::Precise;
 pub(crate) use parallel::{parallel_map, try_parallel_map};
 pub use scalar::Scalar;
-pub use scaled::{Scaled, common_scale};
+pub(crate) use scaled::{Scaled, common_scale};
 pub use solve::certified::maximum::{
     Certificate, CertifiedMaximum, EndPoint, Maximand, certified_maximum,
 };
@@ -50,11 +58,13 @@ pub use solve::certified::roots::{
     CertifiedRoot, CertifiedRoots, IntervalFunction, certified_roots,
 };
 pub use solve::certified::stationary_point::{VectorFunction, certified_stationary_point};
-pub use solve::maximum::{Maximum, maximum, maximum_by_derivatives, maximum_of_many};
+pub(crate) use solve::maximum::maximum_by_derivatives;
+pub use solve::maximum::{Maximum, maximum, maximum_of_many};
 pub use solve::root::{Root, root};
-pub use sums::compensated_sum::{CompensatedSum, compensated_sum};
+pub(crate) use sums::compensated_sum::CompensatedSum;
+pub use sums::compensated_sum::compensated_sum;
+#[doc(hidden)]
 pub use sums::expansion::Expansion;
 pub(crate) use sums::expansion::two_sum;
 pub use symmetric::Symmetric;
-pub(crate) use vectorised::vector_value;
-pub use vectorised::{LANES, Lanes, across, vectorised};
+pub(crate) use vectorised::{LANES, Lanes, across, vector_value, vectorised};

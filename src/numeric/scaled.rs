@@ -5,7 +5,7 @@
 
 /// A double as `significand · 2^exponent`, significand 0 or in [1, 2).
 #[derive(Debug, Clone, Copy)]
-pub struct Scaled {
+pub(crate) struct Scaled {
     /// 0, or in [1, 2).
     pub significand: f64,
     /// Power of two.
@@ -15,7 +15,7 @@ pub struct Scaled {
 impl Scaled {
     /// Takes a number ≥ 0 apart.
     #[must_use]
-    pub fn new(value: f64) -> Self {
+    pub(crate) fn new(value: f64) -> Self {
         const EXPONENT_MASK: u64 = 0x7ff << 52;
         if value <= 0.0 || !value.is_finite() {
             return Self {
@@ -29,7 +29,6 @@ impl Scaled {
             (value, 0)
         };
         let bits = normal.to_bits();
-        #[allow(clippy::cast_possible_truncation, reason = "eleven bits fit")]
         let exponent = ((bits & EXPONENT_MASK) >> 52) as i32 - 1023;
         let significand = f64::from_bits((bits & !EXPONENT_MASK) | (1023 << 52));
         Self {
@@ -40,13 +39,13 @@ impl Scaled {
 
     /// Natural logarithm of a number > 0.
     #[must_use]
-    pub fn ln(self) -> f64 {
+    pub(crate) fn ln(self) -> f64 {
         self.significand.ln() + f64::from(self.exponent) * std::f64::consts::LN_2
     }
 
     /// `value · 2^power`, correctly rounded into `f64`'s range.
     #[must_use]
-    pub fn times_power(self, power: i32) -> f64 {
+    pub(crate) fn times_power(self, power: i32) -> f64 {
         let power = (self.exponent + power).clamp(-2200, 2200);
         // in two steps only where one power would leave the range
         if (-1022..=1023).contains(&power) {
@@ -59,7 +58,7 @@ impl Scaled {
 
 /// The numbers divided by the power of two of the largest, and that power.
 #[must_use]
-pub fn common_scale(numbers: &[Scaled]) -> (Vec<f64>, i32) {
+pub(crate) fn common_scale(numbers: &[Scaled]) -> (Vec<f64>, i32) {
     let positive = numbers.iter().filter(|number| number.significand > 0.0);
     let unit = positive.map(|number| number.exponent).max().unwrap_or(0);
     (

@@ -7,6 +7,7 @@
 //! The rows below the diagonal stand one after the other, so that a block of consecutive rows is
 //! one slice. The diagonal is not held.
 
+use crate::numeric::real;
 use std::ops::Range;
 
 /// A symmetric matrix without its diagonal, packed.
@@ -124,12 +125,11 @@ const fn start(i: usize) -> usize {
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
-    clippy::cast_precision_loss,
     reason = "between 0 and the order"
 )]
 fn block_start(order: usize, block: usize, count: usize) -> usize {
     if block == count {
         return order;
     }
-    (order as f64 * (block as f64 / count as f64).sqrt()) as usize
+    (real(order) * (real(block) / real(count)).sqrt()) as usize
 }

@@ -14,7 +14,7 @@ static VECTOR_UNIT: LazyLock<pulp::Arch> = LazyLock::new(pulp::Arch::new);
 /// Runs `work`, compiled for what this processor can do. Only the order of speed changes: no
 /// operation is fused or reordered, so the answer has the same bits everywhere.
 #[inline(always)]
-pub fn vectorised<T>(work: impl FnOnce() -> T) -> T {
+pub(crate) fn vectorised<T>(work: impl FnOnce() -> T) -> T {
     VECTOR_UNIT.dispatch(work)
 }
 
@@ -33,14 +33,14 @@ macro_rules! vector_value {
 pub(crate) use vector_value;
 
 /// Doubles in a vector of today's widest processors.
-pub const LANES: usize = 8;
+pub(crate) const LANES: usize = 8;
 
 /// A vector of doubles, or what narrower ones take in turns.
-pub type Lanes = [f64; LANES];
+pub(crate) type Lanes = [f64; LANES];
 
 /// The sum of all lanes, halves first.
 #[must_use]
-pub fn across(lanes: Lanes) -> f64 {
+pub(crate) fn across(lanes: Lanes) -> f64 {
     let [a, b, c, d, e, f, g, h] = lanes;
     ((a + e) + (c + g)) + ((b + f) + (d + h))
 }

@@ -19,7 +19,8 @@ pub use answers::findings::findings_page;
 pub use answers::form_factors::{FormFactorRecord, PatchRecord, write_form_factors};
 #[cfg(feature = "proptest")]
 pub use answers::fuzz::fuzz_report;
-pub use answers::grid::grid_report;
+pub use answers::grid::{GridAnswer, GridEnclosures, grid_report};
+pub(crate) use answers::measure::plan_notes;
 pub use answers::measure::{measure_report, plan_notes};
 pub use answers::radiosity::radiosity_report;
 pub use answers::sampled::sample_report;
@@ -34,6 +35,7 @@ pub use error::ReportError;
 pub use render::document::{Format, Report, ReportError, json_text};
 pub use render::figure::{Axis, Figure, Line};
 pub use render::npy::{write_npy_head, write_npy_row};
-pub use render::number::{certain_digits, enclosed_digits, power_of_ten, scientific};
+pub(crate) use render::number::power_of_ten;
+pub use render::number::{certain_digits, enclosed_digits, scientific};
 pub use render::page::PageError;
 pub use render::table::Table;

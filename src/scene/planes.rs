@@ -271,7 +271,7 @@ fn buckets(members: &[usize], own: &[SharedPlane], per_unit: f64) -> Vec<Vec<usi
         let plane = &own[*member].plane;
         let normal = unoriented(plane.normal);
         let distance = plane.origin.dot(normal);
-        #[allow(
+        #[expect(
             clippy::cast_possible_truncation,
             reason = "numbers up to 4 · 2⁴⁰, and any rounding serves"
         )]

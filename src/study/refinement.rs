@@ -29,6 +29,7 @@ use super::StudyError;
 use crate::exchange::{Congruence, ScenePairs};
 use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::information::{OpenScene, continuous_information, scene_information};
+use crate::numeric::real;
 use crate::scene::{Occlusion, Scene};
 use std::time::Instant;
 
@@ -80,7 +81,6 @@ const SCENES: [(&str, usize); 8] = [
 ///
 /// # Errors
 /// [`StudyError::Scene`] if the room is not convex.
-#[allow(clippy::cast_precision_loss, reason = "some thousand patches")]
 pub fn patch_sizes_per_edge(scene: &Scene) -> Result<f64, StudyError> {
     let (faces, _) = scene.convex_room()?;
     let sides = faces.iter().flat_map(|face| {
@@ -90,7 +90,7 @@ pub fn patch_sizes_per_edge(scene: &Scene) -> Result<f64, StudyError> {
     });
     // two faces meet at an edge
     let edges = 0.5 * sides.sum::<f64>();
-    Ok((scene.total_area() * scene.patches().len() as f64).sqrt() / edges)
+    Ok((scene.total_area() * real(scene.patches().len())).sqrt() / edges)
 }
 
 /// Each scene, refined again and again.

@@ -169,10 +169,6 @@ impl DenseExchange<'_> {
 
 /// One row left of the diagonal: adds to the sums of the others, returns those of its own.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn along<const Q: usize, const P: usize>(
     row: &[f64],
     x: [&[f64]; Q],
@@ -205,10 +201,6 @@ fn along<const Q: usize, const P: usize>(
 
 /// Up to eight numbers, and zeros.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn lanes(values: &[f64]) -> Lanes {
     if let Some(lanes) = values.first_chunk() {
         return *lanes;
@@ -220,10 +212,6 @@ fn lanes(values: &[f64]) -> Lanes {
 
 /// Adds a term to a sum, and what is lost by it to the other.
 #[inline(always)]
-#[allow(
-    clippy::inline_always,
-    reason = "vector code is made where it is called"
-)]
 fn compensate(sum: &mut f64, lost: &mut f64, term: f64) {
     let next = *sum + term;
     let added = next - *sum;

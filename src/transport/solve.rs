@@ -2,7 +2,7 @@
 
 use super::conjugate_gradients::conjugate_gradients;
 use super::{ExchangeOperator, Importance, RadiositySolution, RadiositySystem, TransportError};
-use crate::numeric::{DoubleDouble, SQUARED_EPSILON, Scalar, Scaled};
+use crate::numeric::{DoubleDouble, SQUARED_EPSILON, Scalar, Scaled, real};
 
 /// A smaller relative error than this is lost in the rounding of the answer.
 const GOAL: f64 = f64::EPSILON / 64.0;
@@ -206,9 +206,8 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
     fn residual(&self, values: &[DoubleDouble], sources: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let differences = self.exchange.precise_differences(values);
         let sizes = self.exchange.absolute_differences(&leading(values));
-        #[allow(clippy::cast_precision_loss, reason = "no scene has 2^53 patches")]
         let unit = {
-            let n = values.len() as f64;
+            let n = real(values.len());
             (n * n + 100.0) * SQUARED_EPSILON
         };
         let rows = differences.into_iter().zip(sizes).enumerate();
@@ -316,8 +315,7 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
         let sideways = self.perturbation(&reaction, &none)?;
         // what rounding may have added to the product
         let size = self.exchange.absolute_differences(&reaction);
-        #[allow(clippy::cast_precision_loss, reason = "no scene has 2^53 patches")]
-        let unit = (values.len() + 32) as f64 * f64::EPSILON;
+        let unit = real(values.len() + 32) * f64::EPSILON;
         let shares = (0..values.len()).filter(|i| forces[*i] > 0.0).map(|i| {
             let rounding = unit * (size[i] + self.excess[i] * reaction[i].abs());
             (image[i] - sideways[i] - rounding) / forces[i]

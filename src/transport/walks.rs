@@ -60,6 +60,7 @@ impl Walks {
 }
 
 /// Share of what was found below which the remaining weight does not count.
+#[expect(clippy::cast_precision_loss, reason = "a power of two")]
 const LEFT: f64 = 1.0 / (1u128 << 70) as f64;
 
 /// A walk that is longer is cut off: with reflectances up to 0.9999 none is.

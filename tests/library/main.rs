@@ -4,7 +4,16 @@
     clippy::float_cmp,
     reason = "a test may panic, and compares what is exact"
 )]
-#![allow(clippy::cast_precision_loss, reason = "a test counts little")]
+#![expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    clippy::cast_sign_loss,
+    reason = "a test counts little"
+)]
+#![expect(
+    unreachable_pub,
+    reason = "nothing is reached from outside: what other modules use is `pub`"
+)]
 
 mod chain;
 mod claims;

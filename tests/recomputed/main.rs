@@ -13,6 +13,11 @@
     clippy::unwrap_used,
     reason = "a test fails by panicking, with the place it failed at"
 )]
+#![expect(
+    unnameable_types,
+    unreachable_pub,
+    reason = "nothing is reached from outside: what other modules use is `pub`"
+)]
 
 mod contour;
 mod coverage;

@@ -16,6 +16,7 @@ use crate::chain::refinement::Refinement;
 use crate::chain::reversible::ReversibleChain;
 use crate::exchange::{Congruence, ScenePairs};
 use crate::form_factor::DEFAULT_TOLERANCE;
+use crate::numeric::real;
 use crate::scene::Scene;
 use nalgebra::DMatrix;
 
@@ -207,8 +208,7 @@ impl RefinementDraw {
     fn shares(&self, parts: usize, bytes: &mut Bytes<'_>) -> Vec<f64> {
         (0..parts)
             .map(|k| match self.division {
-                #[allow(clippy::cast_precision_loss, reason = "a handful of parts")]
-                DivisionFamily::Equal => 1.0 / parts as f64,
+                DivisionFamily::Equal => 1.0 / real(parts),
                 DivisionFamily::Lopsided if k > 0 => 1e-15 * bytes.positive(),
                 DivisionFamily::WithEmpty if k > 0 && k + 1 == parts => 0.0,
                 DivisionFamily::Proportional => f64::from(-i32::from(bytes.next() % 8)).exp2(),

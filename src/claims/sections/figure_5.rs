@@ -20,7 +20,7 @@
 use crate::claims::finding::Finding;
 use crate::claims::{Case, ClaimError};
 use crate::discretize::{BoxGrid, DiscretizeError, UNIT_CUBE};
-use crate::numeric::{Interval, Scalar};
+use crate::numeric::{Interval, Scalar, real};
 
 /// The most lines that a fit considers.
 const MOST_SAMPLES: u64 = 1 << 50;
@@ -30,7 +30,7 @@ const MOST_SAMPLES: u64 = 1 << 50;
 ///
 /// # Errors
 /// [`DiscretizeError::FormFactor`] if a pair is refused.
-pub fn samples_for(grid: &BoxGrid, expected: f64) -> Result<Option<u64>, DiscretizeError> {
+pub(crate) fn samples_for(grid: &BoxGrid, expected: f64) -> Result<Option<u64>, DiscretizeError> {
     let wanted = expected - grid.information()?.mutual_information.value;
     let (mut low, mut high) = (0, 1);
     // the bias falls with every line
@@ -59,8 +59,7 @@ pub(crate) fn reading(case: &Case<'_>, lines: &[f64]) -> Result<String, ClaimErr
         return Ok(format!("no number of lines gives a regular grid {printed}"));
     };
     let grid = BoxGrid::try_new(UNIT_CUBE, lines)?;
-    #[allow(clippy::cast_precision_loss, reason = "exact up to 2^53 samples")]
-    let thousands = samples as f64 / 1000.0;
+    let thousands = real(samples) / 1000.0;
     Ok(format!(
         "read as plug-in estimates from random lines, of which {thousands:.1} thousand give the \
          regular grid {printed} on average (fitted), this grid has {:.4} ± {:.4}: \

@@ -9,7 +9,7 @@ use crate::form_factor::RectanglePair;
 use crate::geometry::{Rectangle, SplitAxis};
 use crate::information::{divergence, mutual_information, subdivision_bound};
 use crate::numeric::{
-    compensated_sum, larger, largest, smaller, tolerance, x_log2_ratio, x_log2_x,
+    compensated_sum, larger, largest, real, smaller, tolerance, x_log2_ratio, x_log2_x,
 };
 use crate::scene::Scene;
 
@@ -115,8 +115,7 @@ pub(crate) fn regular_form(case: &Case<'_>) -> Result<Finding, ClaimError> {
             .map(|(p, w)| p * w)
             .collect();
         let whole: f64 = fluxes.iter().sum();
-        #[allow(clippy::cast_precision_loss, reason = "at most 8 parts")]
-        let parts = compensated_sum(transitions.iter().map(|p| x_log2_x(*p))) / m as f64;
+        let parts = compensated_sum(transitions.iter().map(|p| x_log2_x(*p))) / real(m);
         let regular = parts - x_log2_x(whole);
         worst = larger(worst, (regular - divergence(&fluxes, &weights)).abs());
     }

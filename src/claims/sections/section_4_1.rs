@@ -6,7 +6,7 @@ use crate::discretize::{
     BoxGrid, CertifiedGrid, ContactShadow, PatchSplit, UNIT_CUBE, regular_positions,
 };
 use crate::geometry::SplitAxis;
-use crate::numeric::{Certificate, CertifiedMaximum, Interval, Scalar, larger, tolerance};
+use crate::numeric::{Certificate, CertifiedMaximum, Interval, Scalar, larger, real, tolerance};
 use crate::scene::Scene;
 
 /// Points of a curve, ends left out.
@@ -179,8 +179,7 @@ pub(crate) fn curve_has_one_maximum(case: &Case<'_>) -> Result<Finding, ClaimErr
     let level = like.constant(1e-5);
     let starts_low = split_here.gain(std::slice::from_ref(&near))? < level;
     let ends_low = split_here.gain(&[like.constant(1.0) - &near])? < level;
-    #[allow(clippy::cast_precision_loss, reason = "one or two")]
-    let count = like.constant(maxima as f64);
+    let count = like.constant(real(maxima));
     let holds = rises_and_falls && starts_low && ends_low;
     // a second stationary point, all of them being simple, is a second turn of the curve
     let fails = match best.certificate {

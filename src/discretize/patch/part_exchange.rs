@@ -12,7 +12,7 @@
 use crate::discretize::error::DiscretizeError;
 use crate::discretize::stationarity::stationarity;
 use crate::information::relative_entropy;
-use crate::numeric::Scalar;
+use crate::numeric::{Scalar, real};
 
 /// The weights with which the pairs of a split enter its gain.
 #[derive(Debug, Clone, PartialEq)]
@@ -98,8 +98,7 @@ pub(crate) fn gain_derivative<S: Scalar>(
     let parts = parts_between(positions, &weights.area);
     let (Some(before), Some(after)) = (parts.get(k), parts.get(k + 1)) else {
         let (parameter, condition) = ("the index of a cut", "that of one of the positions");
-        #[expect(clippy::cast_precision_loss, reason = "only shown")]
-        let value = k as f64;
+        let value = real(k);
         return Err(DiscretizeError::OutOfRange {
             parameter,
             value,

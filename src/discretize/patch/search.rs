@@ -9,7 +9,7 @@
 
 use super::split::{PatchSplit, SplitOptimum};
 use crate::discretize::error::DiscretizeError;
-use crate::numeric::{NumericError, maximum, maximum_of_many, tolerance, x_log2_ratio};
+use crate::numeric::{NumericError, maximum, maximum_of_many, real, tolerance, x_log2_ratio};
 use std::cell::RefCell;
 
 /// Pieces of the whole at whose ends the derivative is scanned for maxima: (b) maxima less than a
@@ -84,7 +84,7 @@ impl PatchSplit {
         };
         let mut lower = 0.0;
         for upper in self.kinks.iter().copied().chain([1.0]) {
-            #[allow(
+            #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
                 reason = "16 to 64"
@@ -150,8 +150,7 @@ impl PatchSplit {
     /// kinks in place of the steps next to them.
     fn lattice(&self, parts: usize) -> Vec<f64> {
         let steps = (LATTICE_STEPS_PER_PART * parts).max(FEWEST_LATTICE_STEPS);
-        #[allow(clippy::cast_precision_loss, reason = "a few hundred points")]
-        let regular = (1..steps).map(|k| k as f64 / steps as f64);
+        let regular = (1..steps).map(|k| real(k) / real(steps));
         let far = |t: &f64| self.kinks.iter().all(|kink| (t - kink).abs() > BESIDE);
         let mut at: Vec<f64> = regular.filter(far).collect();
         at.extend(self.kinks.iter().copied().chain([0.0, 1.0]));

@@ -154,10 +154,6 @@ impl FirstPair {
         }
     }
 
-    #[allow(
-        clippy::cast_possible_truncation,
-        reason = "halves of an u64, from an usize each"
-    )]
     fn pair(self) -> Option<[usize; 2]> {
         let pair = self.0.into_inner();
         (pair != u64::MAX).then_some([(pair >> 32) as usize, (pair & 0xffff_ffff) as usize])

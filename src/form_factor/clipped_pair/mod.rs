@@ -6,6 +6,7 @@ pub(crate) mod shape;
 
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
 use crate::form_factor::gauss::points::{Lines, Rules};
+use crate::numeric::real;
 use glam::DVec3;
 use horizon::{Displacement, FrontPart, Heights, side_of};
 use shape::Shape;
@@ -230,8 +231,7 @@ impl Span {
             most = f64::max(most, *height);
             sum += height;
         }
-        #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
-        let mean = sum / heights.len() as f64;
+        let mean = sum / real(heights.len());
         Self { least, mean, most }
     }
 }

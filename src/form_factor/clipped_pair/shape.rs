@@ -7,7 +7,7 @@
 
 use crate::form_factor::contour::edge::Edge;
 use crate::geometry::{Vector, is_convex, triangulated};
-use crate::numeric::{DoubleDouble, Scalar, vectorised};
+use crate::numeric::{DoubleDouble, Scalar, real, vectorised};
 use glam::DVec3;
 use smallvec::SmallVec;
 
@@ -86,8 +86,7 @@ impl Shape {
             .iter()
             .map(|[j, js, jt]| j + 0.5 * (js + jt))
             .sum();
-        #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
-        let centre = corners.iter().sum::<DVec3>() / n as f64;
+        let centre = corners.iter().sum::<DVec3>() / real(n);
         let at = |i: usize| Vector(corners[i % n].to_array());
         let edges: SmallVec<[Edge<f64>; 4]> = (0..n).map(|i| Edge::new(at(i), at(i + 1))).collect();
         let radius = corners

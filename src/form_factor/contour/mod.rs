@@ -39,7 +39,7 @@ use super::clipped_pair::widening;
 use crate::form_factor::clipped_pair::shape::Shape;
 use crate::geometry::Vector;
 use crate::numeric::functions::elementary::{ROUGH_LN_ERROR, rough_ln};
-use crate::numeric::{DoubleDouble, GaussLegendre, LANES, Lanes};
+use crate::numeric::{DoubleDouble, GaussLegendre, LANES, Lanes, real};
 use coplanar::{Coplanar, Relation, Rounding, coplanar, relation};
 use edge::{Columns, Edge, Precision};
 use glam::DVec3;
@@ -216,8 +216,7 @@ pub(crate) fn contour(
         depth,
         sums,
     } = sum.sums;
-    #[allow(clippy::cast_precision_loss, reason = "a number of additions")]
-    let rounding = (13.0 + (depth + sums) as f64) * 0.5 * f64::EPSILON * size;
+    let rounding = (13.0 + real(depth + sums)) * 0.5 * f64::EPSILON * size;
     Some(ExchangeArea {
         value: value / TAU,
         error: (sum.error + error + rounding) / TAU + moved,
@@ -292,8 +291,7 @@ impl EdgeSum {
         // the nearest point of the edge is this far from the others
         let distance = 0.5 * (sum - 1.0) * a.length;
         let truncation = 0.5 * length * gauss_error(points, rho);
-        #[allow(clippy::cast_precision_loss, reason = "a number of edges")]
-        let gradient = seen.len() as f64 * gradient(length / distance);
+        let gradient = real(seen.len()) * gradient(length / distance);
         let gradient = cosine * gradient.min(length / distance);
         self.error += a.length * (truncation + self.displaced(a) * gradient);
         self.add(a, [0.5, 0.5], points, nodes, seen);

@@ -14,7 +14,7 @@ use crate::geometry::Vector;
 use crate::numeric::functions::elementary::{
     ROUGH_EXP2_ERROR, ROUGH_LN_ERROR, rough_exp2, rough_ln,
 };
-use crate::numeric::{MOST_POINTS, Scalar};
+use crate::numeric::{MOST_POINTS, Scalar, real};
 use smallvec::SmallVec;
 use std::f64::consts::LN_2;
 
@@ -22,9 +22,8 @@ use std::f64::consts::LN_2;
 /// length of the other edge, if no point of the other one is nearer to it than the ellipse `ρ`:
 /// half the logarithm of r² has the Chebyshev coefficients `ρ^(−k)/k` of its two singular points,
 /// the rule is exact below `2n` and within 2.05 beyond.
-#[allow(clippy::cast_precision_loss, reason = "some points")]
 pub(crate) fn gauss_error(points: usize, rho: f64) -> f64 {
-    let n = points as f64;
+    let n = real(points);
     2.05 / n * power(rho, points) / (1.0 - 1.0 / (rho * rho))
 }
 
@@ -37,14 +36,14 @@ pub(crate) fn ellipse(sum: f64) -> f64 {
 /// The number of points for which [`gauss_error`] is near an error with this logarithm: its factor
 /// is 1/5 for ten points.
 #[inline(always)]
-#[allow(
+#[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     reason = "small"
 )]
 pub(crate) fn points_for(log_error: f64, rho: f64) -> usize {
     let points = (-1.5 - log_error) / (2.0 * rough_ln(rho));
-    points.clamp(1.0, MOST_POINTS as f64 - 1.0) as usize + 1
+    points.clamp(1.0, real(MOST_POINTS) - 1.0) as usize + 1
 }
 
 /// A piece of an edge, relative to it, with a rule that is certain there.
@@ -129,7 +128,7 @@ pub(crate) fn panels<S: Scalar + Copy>(
 /// A rule for a panel beside the other edge, and its error; `None` if something singular is too
 /// near.
 #[inline(always)]
-#[allow(
+#[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
     reason = "small"
@@ -160,16 +159,15 @@ fn beside<S: Scalar + Copy>(
     let reach = (to_ends[0].max(to_ends[1]) + 2.0 * inner_length) / inner_length;
     let largest = 64.0 / 15.0 * 60.0 * reach / (1.0 - 1.0 / (rho * rho));
     let points = ((rough_ln(largest) - log_share) / (2.0 * rough_ln(rho)))
-        .clamp(1.0, MOST_POINTS as f64 - 1.0);
+        .clamp(1.0, real(MOST_POINTS) - 1.0);
     let points = points as usize + 1;
     Some((points, largest * power(rho, points)))
 }
 
 /// A bound on `ρ^(−2n)`, near it.
 #[inline(always)]
-#[allow(clippy::cast_precision_loss, reason = "some points")]
 pub(crate) fn power(rho: f64, points: usize) -> f64 {
-    let log = (ROUGH_LN_ERROR - rough_ln(rho)) * (2.0 / LN_2) * points as f64;
+    let log = (ROUGH_LN_ERROR - rough_ln(rho)) * (2.0 / LN_2) * real(points);
     // what is not a number stays so
     let log = if log < -1000.0 { -1000.0 } else { log };
     rough_exp2(log) * (1.0 + 2.0 * ROUGH_EXP2_ERROR)

@@ -10,12 +10,11 @@ use super::points::{Block, fill};
 use crate::form_factor::ExchangeArea;
 use crate::form_factor::clipped_pair::ClippedPair;
 use crate::form_factor::clipped_pair::horizon::Heights;
-use crate::numeric::{LANES, Lanes, across, vector_value};
+use crate::numeric::{LANES, Lanes, across, real, vector_value};
 use std::f64::consts::PI;
 
 impl ClippedPair<'_> {
     /// Gauss rules with `points` each way over both shapes.
-    #[allow(clippy::cast_precision_loss, reason = "some points")]
     pub(crate) fn kernel(&self, points: [usize; 2], blocks: &mut [Vec<Block>; 2]) -> ExchangeArea {
         let origin = self.shapes[0].centre;
         let [(first_rules, first_blocks), (second_rules, second_blocks)] =
@@ -38,7 +37,7 @@ impl ClippedPair<'_> {
         let truncation: f64 = (0..2)
             .map(|k| self.truncation(k, points[k], self.largest))
             .sum();
-        let terms = 4.0 * (first_blocks + second_blocks) as f64;
+        let terms = 4.0 * real(first_blocks + second_blocks);
         let relative = (24.0 + terms) * f64::EPSILON + 2.0 * HEIGHT_ERROR;
         ExchangeArea {
             value,

@@ -29,14 +29,13 @@ use crate::form_factor::contour::edge::Edge;
 use crate::form_factor::{ExchangeArea, FormFactorError};
 use crate::geometry::{ClippedCorner, Patch, Vector, clip};
 use crate::numeric::functions::elementary::{angle, angle_over_sine};
-use crate::numeric::{LANES, Lanes, across, vector_value};
+use crate::numeric::{LANES, Lanes, across, real, vector_value};
 use glam::DVec3;
 use smallvec::SmallVec;
 use std::f64::consts::{PI, TAU};
 
 impl ClippedPair<'_> {
     /// A Gauss rule with `points` each way over shape `k`.
-    #[allow(clippy::cast_precision_loss, reason = "some points")]
     pub(crate) fn point_to_polygon(
         &self,
         k: usize,
@@ -57,7 +56,7 @@ impl ClippedPair<'_> {
                 .map(|edge| RelativeEdge::new(edge, normal, origin)),
         );
         let (sides, subtended) = (sides.as_slice(), self.subtended(k));
-        let additions = blocks.len() as f64;
+        let additions = real(blocks.len());
         let sums = vector_value!([[0.0; LANES]; 2], {
             fill(blocks, rules, over, heights, origin);
             sum(blocks, Vector(normal.to_array()), sides, subtended)
@@ -97,8 +96,7 @@ impl ClippedPair<'_> {
         }
         let per_term = 0.5 * f64::EPSILON;
         let fixed = per_term * over.area * fixed / TAU;
-        #[allow(clippy::cast_precision_loss, reason = "a number of corners")]
-        let relative = per_term * (20.0 + 3.0 * aside + seen.corners.len() as f64);
+        let relative = per_term * (20.0 + 3.0 * aside + real(seen.corners.len()));
         LambertRounding {
             fixed,
             relative,

@@ -40,7 +40,7 @@
 
 use crate::form_factor::clipped_pair::shape::{Cell, Shape};
 use crate::form_factor::contour::panels::{ellipse, power};
-use crate::numeric::{GaussLegendre, LANES, Lanes, MOST_POINTS};
+use crate::numeric::{GaussLegendre, LANES, Lanes, MOST_POINTS, real};
 use glam::DVec3;
 use std::sync::OnceLock;
 
@@ -262,12 +262,11 @@ fn triangle(at: (usize, f64), n: usize) -> Points {
 
 /// Over all places of a zero at least `gamma` from the line, in pieces at whose ends all that
 /// counts is least.
-#[allow(clippy::cast_precision_loss, reason = "small")]
 fn bounds(gamma: f64) -> Bounds {
     const PIECES: usize = 24;
     // beside the line first, then round its end
     let zero = |i: usize| {
-        let along = i as f64 / PIECES as f64;
+        let along = real(i) / real(PIECES);
         if along <= 0.5 {
             [2.0 * along, gamma]
         } else {
@@ -311,9 +310,8 @@ fn bounds(gamma: f64) -> Bounds {
 
 /// Half of `(32/15) (½(ρ + 1/ρ))^d Σ_j P(2n + d + 2j) ρ^(−2n−2j)`, since the other direction's ∫ 1
 /// dz is 2 of the 4 of both; infinite if no geometric series is above it.
-#[allow(clippy::cast_precision_loss, reason = "small")]
 fn remainder(factor: impl Fn(f64) -> f64, rho: f64, points: usize, degree: i32) -> f64 {
-    let first = (2 * points) as f64 + f64::from(degree);
+    let first = real(2 * points) + f64::from(degree);
     let ratio = factor(first + 2.0) / factor(first) * rho.powi(-2);
     if ratio < 1.0 {
         let mean = 0.5 * (rho + 1.0 / rho);
@@ -324,7 +322,7 @@ fn remainder(factor: impl Fn(f64) -> f64, rho: f64, points: usize, degree: i32) 
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "a test may panic")]
+#[expect(clippy::unwrap_used, reason = "a test may panic")]
 mod tests {
     use super::*;
     use crate::geometry::Vector;

@@ -33,6 +33,7 @@ const POINTS: usize = 20;
 
 /// Pieces shorter than this share of the line are not halved again: what Gauss misses of them
 /// counts less than ε, and their middles are still apart from their ends.
+#[expect(clippy::cast_precision_loss, reason = "a power of two")]
 const SHORTEST_PIECE: f64 = 1.0 / (1_u64 << 46) as f64;
 
 impl Polygon {

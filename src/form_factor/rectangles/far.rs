@@ -22,7 +22,7 @@ use super::layout::Layout;
 use crate::form_factor::ExchangeArea;
 use crate::form_factor::gauss::points::Lines;
 use crate::geometry::Span;
-use crate::numeric::{GaussLegendre, vectorised};
+use crate::numeric::{GaussLegendre, real, vectorised};
 use std::f64::consts::PI;
 
 /// Points per side beyond which other routes are cheaper.
@@ -137,8 +137,7 @@ pub(crate) fn exchange_by_rules(layout: &Layout<f64>, tolerance: f64) -> Option<
     let terms = count + used;
     let used = used.next_multiple_of(8);
     let value = total(&outer[..count], &squares[..used], &weights[..used]) / PI;
-    #[allow(clippy::cast_precision_loss, reason = "at most 88")]
-    let rounding = (32.0 + terms as f64) * f64::EPSILON * value;
+    let rounding = (32.0 + real(terms)) * f64::EPSILON * value;
     Some(ExchangeArea {
         value,
         error: rounding + error(points),

@@ -112,7 +112,10 @@ pub fn exchange_area<S: Scalar>(first: &Plate<S>, second: &Plate<S>) -> Exchange
 
 /// [`exchange_area`] of plates at these depths, whose widths lie to each other by `widths`.
 #[must_use]
-pub fn exchange_area_at<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -> Exchange<S> {
+pub(crate) fn exchange_area_at<S: Scalar>(
+    depths: [&Span<S>; 2],
+    widths: &Offsets<S>,
+) -> Exchange<S> {
     S::vectorised(
         #[inline(always)]
         || form(depths, widths),
@@ -202,7 +205,7 @@ pub(crate) fn form<S: Scalar>(depths: [&Span<S>; 2], widths: &Offsets<S>) -> Exc
 ///
 /// **Arguments** `depth` ≥ 0; `second_depth` and `widths` as for [`exchange_area_at`].
 #[must_use]
-pub fn strip_exchange_at_depth<S: Scalar>(
+pub(crate) fn strip_exchange_at_depth<S: Scalar>(
     depth: &S,
     second_depth: &Span<S>,
     widths: &Offsets<S>,
@@ -245,7 +248,10 @@ pub fn strip_exchange_at_depth<S: Scalar>(
 /// **Arguments** `depths` from 0 up; `offsets`: y less the second plate's lower and upper end along
 /// the line.
 #[must_use]
-pub fn strip_exchange_at_width<S: Scalar>(depths: [&Span<S>; 2], offsets: &[S; 2]) -> Exchange<S> {
+pub(crate) fn strip_exchange_at_width<S: Scalar>(
+    depths: [&Span<S>; 2],
+    offsets: &[S; 2],
+) -> Exchange<S> {
     let half = offsets[0].constant(0.5);
     let mut sum = Exchange::new(&half);
     for (x, sign_x) in ends(depths[0]) {

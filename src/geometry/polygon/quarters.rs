@@ -13,6 +13,7 @@
 
 use super::convexity::is_convex;
 use crate::geometry::{GeometryError, Patch, triangulated};
+use crate::numeric::real;
 use glam::DVec3;
 
 /// The largest sine of a bend that counts as none.
@@ -48,8 +49,7 @@ pub fn quartered(patch: &Patch) -> Result<Vec<Patch>, GeometryError> {
         let centre = if n == 4 {
             middle(middles[0], middles[2])
         } else {
-            #[allow(clippy::cast_precision_loss, reason = "few corners")]
-            let share = 1.0 / n as f64;
+            let share = 1.0 / real(n);
             corners.iter().map(|corner| *corner * share).sum()
         };
         let at_corner = |i: usize| vec![corners[i], middles[i], centre, middles[(i + n - 1) % n]];

@@ -12,7 +12,7 @@ use glam::DVec3;
 /// **Arguments** the corners of a simple polygon in a plane with unit normal `normal`,
 /// counter-clockwise.
 #[must_use]
-pub fn triangulated(corners: &[DVec3], normal: DVec3) -> Vec<[usize; 3]> {
+pub(crate) fn triangulated(corners: &[DVec3], normal: DVec3) -> Vec<[usize; 3]> {
     let turn = |a: DVec3, b: DVec3, c: DVec3| (b - a).cross(c - b).dot(normal);
     let mut clipper = EarClipper::new(corners, turn);
     let mut triangles = Vec::with_capacity(corners.len().saturating_sub(2));

@@ -8,7 +8,7 @@ use crate::numeric::Scalar;
 /// Over intervals `x − x` is not 0 unless it is known to be the same x: where two spans share an
 /// end, or all of their length, only this says so.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Offsets<S = f64> {
+pub(crate) struct Offsets<S = f64> {
     differences: [[S; 2]; 2],
     lengths: [S; 2],
 }
@@ -17,7 +17,7 @@ impl<S: Scalar> Offsets<S> {
     /// Offsets made of the differences themselves: `differences[i][k]` is end i of the first span
     /// less end k of the second, lower ends first; `lengths` are theirs.
     #[must_use]
-    pub const fn new(differences: [[S; 2]; 2], lengths: [S; 2]) -> Self {
+    pub(crate) const fn new(differences: [[S; 2]; 2], lengths: [S; 2]) -> Self {
         Self {
             differences,
             lengths,
@@ -27,7 +27,7 @@ impl<S: Scalar> Offsets<S> {
     /// The offsets of two spans on one axis.
     #[inline(always)]
     #[must_use]
-    pub fn between(first: &Span<S>, second: &Span<S>) -> Self {
+    pub(crate) fn between(first: &Span<S>, second: &Span<S>) -> Self {
         let difference = |a: &S, b: &S| a.clone() - b;
         let row = |end| {
             [
@@ -43,26 +43,26 @@ impl<S: Scalar> Offsets<S> {
 
     /// The difference of end `i` of the first and end `k` of the second; 0 is the lower one.
     #[must_use]
-    pub const fn difference(&self, i: usize, k: usize) -> &S {
+    pub(crate) const fn difference(&self, i: usize, k: usize) -> &S {
         &self.differences[i][k]
     }
 
     /// The length of the first.
     #[must_use]
-    pub const fn first_length(&self) -> &S {
+    pub(crate) const fn first_length(&self) -> &S {
         &self.lengths[0]
     }
 
     /// The length of the second.
     #[must_use]
-    pub const fn second_length(&self) -> &S {
+    pub(crate) const fn second_length(&self) -> &S {
         &self.lengths[1]
     }
 
     /// Exchanges first and second, unless they are to stay.
     #[inline(always)]
     #[must_use]
-    pub fn swapped_unless(&self, stays: bool) -> Self {
+    pub(crate) fn swapped_unless(&self, stays: bool) -> Self {
         let [[a, b], [c, d]] = &self.differences;
         let [first, second] = &self.lengths;
         let of = |here: &S, there: &S| if stays { here.clone() } else { there.clone() };

@@ -12,7 +12,7 @@ use crate::numeric::{power_of_two_below, power_of_two_near, tolerance};
 
 /// The extent of a rectangle along one axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Extent {
+pub(crate) enum Extent {
     /// The rectangle lies in the plane at this coordinate.
     Flat(f64),
     /// The rectangle covers this span.
@@ -21,7 +21,7 @@ pub enum Extent {
 
 /// The second rectangle in the first one's frame, in units of [`unit`](Self::unit).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Placement {
+pub(crate) struct Placement {
     /// The first rectangle: its extent along u and v.
     pub first: [Span; 2],
     /// The second rectangle's extent along u, v and the normal; [`Extent::Flat`] in one of them.
@@ -42,7 +42,7 @@ impl Placement {
     /// # Errors
     /// [`GeometryError::NotAligned`] if the edges do not run along three common axes;
     /// [`GeometryError::EmptySpan`] if the sizes differ by more than `f64` can hold.
-    pub fn try_new(first: &Rectangle, second: &Rectangle) -> Result<Self, GeometryError> {
+    pub(crate) fn try_new(first: &Rectangle, second: &Rectangle) -> Result<Self, GeometryError> {
         if let (Some(first), Some(second)) = (first.aligned(), second.aligned()) {
             return Self::along_axes(&first, &second);
         }
@@ -144,7 +144,7 @@ impl Placement {
     /// # Errors
     /// [`GeometryError::EmptySpan`] if the sizes differ by more than `f64` can hold.
     #[inline(always)]
-    pub fn along_axes(
+    pub(crate) fn along_axes(
         first: &AlignedRectangle,
         second: &AlignedRectangle,
     ) -> Result<Self, GeometryError> {

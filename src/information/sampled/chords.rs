@@ -11,6 +11,7 @@
 //! **Errors** the standard error of the mean, by line where a line has several chords: evidence by
 //! *sample*.
 
+use crate::numeric::real;
 use crate::scene::Chord;
 use std::f64::consts::{LN_2, PI};
 
@@ -38,8 +39,7 @@ impl ChordSums {
             (one * other / (PI * chord.square)).ln()
         };
         let values: f64 = chords.iter().map(value).sum();
-        #[allow(clippy::cast_precision_loss, reason = "a few chords")]
-        let count = chords.len() as f64;
+        let count = real(chords.len());
         let terms = [
             count,
             values,

@@ -32,7 +32,7 @@ use crate::chain::ChainError;
 use crate::exchange::ScenePairs;
 use crate::form_factor::ExchangeArea;
 use crate::information::scene::{OpenScene, PairTerms, SceneInformation, information_with_sums};
-use crate::numeric::{CompensatedSum, compensated_sum, divergence_kernel};
+use crate::numeric::{CompensatedSum, compensated_sum, divergence_kernel, real};
 use std::f64::consts::LN_2;
 
 /// The expected number from which on the series is used: (a) there R ≤ 945/μ⁶ + O(μ⁻⁷) is 1e-15.
@@ -54,8 +54,7 @@ const SERIES_FROM: f64 = 1000.0;
 /// ```
 #[must_use]
 pub fn expected_bias(cells: impl IntoIterator<Item = (f64, f64)>, samples: u64) -> f64 {
-    #[allow(clippy::cast_precision_loss, reason = "exact up to 2^53 samples")]
-    let samples = samples as f64;
+    let samples = real(samples);
     let cells = cells.into_iter();
     let terms = cells.map(|(probability, count)| {
         if probability > 0.0 {
@@ -91,8 +90,7 @@ pub fn expected_deviation(cells: impl IntoIterator<Item = ([f64; 2], f64)>, samp
     }
     let [count, mean, square] = sums.each_ref().map(CompensatedSum::total);
     let variance = (square - mean * mean).max(0.0);
-    #[allow(clippy::cast_precision_loss, reason = "exact up to 2^53 samples")]
-    let n = samples as f64;
+    let n = real(samples);
     (variance / n + 0.5 * (count - 1.0).max(0.0) / (n * n)).sqrt() / LN_2
 }
 
@@ -102,8 +100,7 @@ pub fn expected_deviation(cells: impl IntoIterator<Item = ([f64; 2], f64)>, samp
 /// # Errors
 /// [`ChainError::Exchange`] if two patches are refused, or the scene is open.
 pub fn expected_bias_of_scene(pairs: &ScenePairs, samples: u64) -> Result<f64, ChainError> {
-    #[allow(clippy::cast_precision_loss, reason = "exact up to 2^53 samples")]
-    let samples = samples as f64;
+    let samples = real(samples);
     let total = compensated_sum(pairs.areas().iter().copied());
     let (sums, _) =
         pairs.row_sums(|i, j, exchange| [bias_term(samples, exchange.value / total, i == j)])?;
@@ -124,8 +121,7 @@ pub fn scene_information_and_bias(
     pairs: &ScenePairs,
     samples: u64,
 ) -> Result<(SceneInformation, f64), ChainError> {
-    #[expect(clippy::cast_precision_loss, reason = "exact up to 2^53 samples")]
-    let samples = samples as f64;
+    let samples = real(samples);
     let total = compensated_sum(pairs.areas().iter().copied());
     let with_bias = |[i, j]: [usize; 2], exchange: &ExchangeArea, [a, b, c, d]: PairTerms| {
         [
@@ -217,16 +213,14 @@ fn by_moments(samples: f64, probability: f64) -> f64 {
             next += binomial
                 * power
                 * ((1.0 - probability) * moments[j] - probability * moments[j + 1]);
-            #[allow(clippy::cast_precision_loss, reason = "up to 12")]
-            let (from, to) = ((r - j) as f64, (j + 1) as f64);
+            let (from, to) = (real(r - j), real(j + 1));
             binomial *= from / to;
             power *= mean;
         }
         moments[r + 1] = next;
     }
     let term = |r: usize| {
-        #[allow(clippy::cast_precision_loss, reason = "up to 12")]
-        let order = r as f64;
+        let order = real(r);
         let sign = if r.is_multiple_of(2) { 1.0 } else { -1.0 };
         sign * moments[r] / (order * (order - 1.0))
     };

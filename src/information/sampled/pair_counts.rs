@@ -42,7 +42,7 @@
 //! the non-parametric case*, 1975.
 
 use crate::chain::ChainError;
-use crate::numeric::{GaussLegendre, compensated_sum, digamma, tolerance};
+use crate::numeric::{GaussLegendre, compensated_sum, digamma, real, tolerance};
 use std::f64::consts::LN_2;
 
 /// Counts of pairs of states among samples of a chain.
@@ -227,32 +227,23 @@ impl PairCounts {
         is_seen.then_some([middle - half, middle + half])
     }
 
-    #[allow(clippy::cast_precision_loss, reason = "exact up to 2^53 samples")]
-    const fn size(&self) -> f64 {
-        self.samples as f64
+    fn size(&self) -> f64 {
+        real(self.samples)
     }
 
     /// The number of cells that were met, less one.
-    #[allow(clippy::cast_precision_loss, reason = "exact up to 2^53 cells")]
-    const fn freedom(&self) -> f64 {
-        self.cells.len() as f64 - 1.0
+    fn freedom(&self) -> f64 {
+        real(self.cells.len()) - 1.0
     }
 
     fn counted(&self) -> impl Iterator<Item = ([u32; 2], f64)> + '_ {
-        #[allow(clippy::cast_precision_loss, reason = "exact up to 2^53 samples")]
-        let cells = self
-            .cells
-            .iter()
-            .map(|(cell, count)| (*cell, *count as f64));
-        cells
+        self.cells.iter().map(|(cell, count)| (*cell, real(*count)))
     }
 
     /// The number of cells that were met so many times.
     fn met(&self, times: u64) -> f64 {
         let cells = self.cells.iter().filter(|(_, count)| *count == times);
-        #[allow(clippy::cast_precision_loss, reason = "exact up to 2^53 cells")]
-        let count = cells.count() as f64;
-        count
+        real(cells.count())
     }
 
     fn plug_in_nats(&self, weights: &[f64]) -> f64 {

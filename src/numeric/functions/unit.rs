@@ -6,6 +6,7 @@
 const EXPONENT: u64 = 0x7ff << 52;
 
 /// `2⁵²`, by which subnormal numbers become normal.
+#[expect(clippy::cast_precision_loss, reason = "a power of two")]
 const NORMALISER: f64 = (1_u64 << 52) as f64;
 
 /// The power of two at or below the magnitude of a number; zero, infinities and NaN keep their

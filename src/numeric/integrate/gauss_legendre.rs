@@ -8,12 +8,12 @@
 //!
 //! Reference: Trefethen, *Approximation Theory and Approximation Practice*, 2013, theorem 19.3.
 
-use crate::numeric::{DoubleDouble, LANES, Lanes, Scalar};
+use crate::numeric::{DoubleDouble, LANES, Lanes, Scalar, real};
 use std::ops::{Div, Mul, Sub};
 use std::sync::OnceLock;
 
 /// The largest rule.
-pub const MOST_POINTS: usize = 64;
+pub(crate) const MOST_POINTS: usize = 64;
 
 /// Nodes and weights on `[−1, 1]`, as doubles and to 106 bits.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,8 +32,7 @@ pub struct GaussLegendre {
 impl GaussLegendre {
     /// The rule with `points` nodes, computed once.
     ///
-    /// **Arguments** `points` from 1 to [`MOST_POINTS`]; more are taken as [`MOST_POINTS`], none as
-    /// 1.
+    /// **Arguments** `points` from 1 to 64; more are taken as 64, none as 1.
     #[must_use]
     pub fn with(points: usize) -> &'static Self {
         static RULES: [OnceLock<GaussLegendre>; MOST_POINTS + 1] =
@@ -79,10 +78,9 @@ impl NodeNumber for DoubleDouble {
 /// Computes node `i` of the rule with `n` points, in increasing order, and its weight, by Newton's
 /// method from Tricomi's estimate.
 #[must_use]
-#[allow(clippy::cast_precision_loss, reason = "some points")]
 pub(crate) fn legendre_node<T: NodeNumber>(n: usize, i: usize) -> [T; 2] {
     let one = T::from(1.0);
-    let estimate = -(std::f64::consts::PI * (i as f64 + 0.75) / (n as f64 + 0.5)).cos();
+    let estimate = -(std::f64::consts::PI * (real(i) + 0.75) / (real(n) + 0.5)).cos();
     let mut x = T::from(estimate);
     let mut slope = one;
     for _ in 0..T::STEPS {
@@ -95,15 +93,14 @@ pub(crate) fn legendre_node<T: NodeNumber>(n: usize, i: usize) -> [T; 2] {
 }
 
 /// `P_n(x)` and its derivative, by the three-term recurrence.
-#[allow(clippy::cast_precision_loss, reason = "some points")]
 fn legendre<T: NodeNumber>(n: usize, x: T) -> (T, T) {
     let one = T::from(1.0);
     let (mut before, mut value) = (one, x);
     for k in 2..=n {
-        let k = k as f64;
+        let k = real(k);
         let next = (T::from(2.0 * k - 1.0) * x * value - T::from(k - 1.0) * before) / T::from(k);
         (before, value) = (value, next);
     }
-    let slope = T::from(n as f64) * (x * value - before) / (x * x - one);
+    let slope = T::from(real(n)) * (x * value - before) / (x * x - one);
     (value, slope)
 }

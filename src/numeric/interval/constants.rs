@@ -14,7 +14,6 @@ use std::rc::Rc;
 /// Significands are kept in words of this many bits.
 pub(super) const WORD: u32 = 64;
 /// The leading 32 bits of ln 2, so that its multiples by an exponent are doubles.
-#[allow(clippy::approx_constant, reason = "cut on purpose")]
 pub(super) const LN_2_HEAD: f64 = 2_977_044_471.0 / 4_294_967_296.0;
 /// Entries per unit in the table of logarithms.
 pub(super) const LN_STEPS: i32 = 64;

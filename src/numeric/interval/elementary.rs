@@ -29,7 +29,7 @@ const HALVINGS: i32 = 8;
 
 /// The nearest whole number among `entries`.
 fn nearest(value: f64, entries: RangeInclusive<i32>) -> i32 {
-    #[allow(clippy::cast_possible_truncation, reason = "clamped to a small number")]
+    #[expect(clippy::cast_possible_truncation, reason = "clamped to a small number")]
     let nearest = value.round() as i32;
     nearest.clamp(*entries.start(), *entries.end())
 }
@@ -125,7 +125,7 @@ impl<E: Endpoint> Interval<E> {
         let one = Self::point(end.constant(1.0));
         let start = exponential_tail(&reduced, &constants.reciprocals) * &reduced + &one;
         let exp = (0..halvings).fold(start, |power, _| power.square());
-        #[allow(clippy::cast_possible_truncation, reason = "below 2e9")]
+        #[expect(clippy::cast_possible_truncation, reason = "below 2e9")]
         exp.scaled(power as i32)
     }
 

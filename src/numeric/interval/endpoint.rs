@@ -171,7 +171,6 @@ impl Endpoint for f64 {
         } else {
             (self * 2f64.powi(64), -64)
         };
-        #[allow(clippy::cast_possible_truncation, reason = "eleven bits fit")]
         let biased = ((value.to_bits() >> 52) & 0x7ff) as i32;
         biased - 1023 + shift
     }

@@ -218,7 +218,7 @@ impl Endpoint for Precise {
             return 0.0;
         };
         // the first 53 bits, cut off: a lower bound on the magnitude
-        #[allow(clippy::cast_precision_loss, reason = "53 bits are left")]
+        #[expect(clippy::cast_precision_loss, reason = "53 bits are left")]
         let cut = (leading >> 11) as f64;
         let magnitude = cut.scaled(exponent - 53, Direction::Down);
         let below = if sign == Sign::Neg {

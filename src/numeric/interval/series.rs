@@ -3,7 +3,7 @@
 
 use super::Interval;
 use super::endpoint::{Direction, Endpoint};
-use crate::numeric::Scalar;
+use crate::numeric::{Scalar, real};
 
 /// The number of terms with which a series in z², |z| < 2^(exponent + 1), reaches the last bit.
 pub(super) fn terms<E: Endpoint>(z: &Interval<E>, available: usize) -> usize {
@@ -80,8 +80,7 @@ pub(super) fn exponential_tail<E: Endpoint>(
     let mut count = 1;
     while gained < needed && count < reciprocals.len() {
         count += 1;
-        #[allow(clippy::cast_precision_loss, reason = "a few hundred terms")]
-        let factor = count as f64 / largest;
+        let factor = real(count) / largest;
         gained += factor.log2();
     }
     exponential_series(r, count, reciprocals)
@@ -135,8 +134,7 @@ mod tests {
                     series(count).width() <= width + 8.0 * f64::EPSILON,
                     "{r} {count}"
                 );
-                #[allow(clippy::cast_precision_loss, reason = "below 8")]
-                let next = (count + 1) as f64;
+                let next = real(count + 1);
                 width *= r.abs() / next;
             }
         }

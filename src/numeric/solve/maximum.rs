@@ -101,10 +101,12 @@ const INNERMOST: f64 = 1.0 / 256.0;
 
 /// A maximum in several ordered coordinates `0 < t_1 < … < t_n < 1`, as the root of the gradient.
 ///
-/// [`maximum_by_derivatives`] with a Hessian from central differences.
+/// Newton's method with a Hessian from central differences, damped so that no coordinate passes its
+/// neighbour. The maximum is a local one near the start.
 ///
 /// # Errors
-/// As there.
+/// [`NumericError::NotFinite`]; [`NumericError::NotConverged`] if the steps do not die out, or end
+/// at something else than a maximum.
 pub fn maximum_of_many(
     gradient: impl Fn(&[f64]) -> Vec<f64>,
     start: Vec<f64>,
@@ -138,7 +140,7 @@ pub fn maximum_of_many(
 /// # Errors
 /// [`NumericError::NotFinite`]; [`NumericError::NotConverged`] if the steps do not die out, or end
 /// at something else than a maximum.
-pub fn maximum_by_derivatives(
+pub(crate) fn maximum_by_derivatives(
     derivatives: impl Fn(&[f64]) -> (DVector<f64>, DMatrix<f64>),
     start: Vec<f64>,
 ) -> Result<Vec<f64>, NumericError> {

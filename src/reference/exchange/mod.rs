@@ -151,7 +151,7 @@ pub fn exchange_area(
     let mut last = Number::ZERO;
     let mut estimate = f64::INFINITY;
     for k in 0..MOST_PASSES {
-        #[allow(
+        #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_possible_wrap,
             reason = "below 6"

@@ -11,6 +11,8 @@
 //! M is below the error allowed. This is an estimate: the size and the constant are taken for
 //! granted, and tested by a second pass.
 
+use crate::numeric::real;
+
 /// A part of a range, as distances from its start, with the points of its rule.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Panel {
@@ -46,8 +48,7 @@ pub(crate) fn panels(
             });
         let excess = (size(lower, upper) / allowed).max(1.0).ln();
         let points = excess / (2.0 * ratio.ln().max(1e-9));
-        #[allow(clippy::cast_precision_loss, reason = "below 100")]
-        let longest = fineness.longest as f64;
+        let longest = real(fineness.longest);
         // the quarter beside a singular end: the rest then has ρ = 3
         let place = match (nearest - lower) / (upper - lower) {
             x if x < 0.125 => 0.25,
@@ -59,7 +60,7 @@ pub(crate) fn panels(
             open.push([middle, upper]);
             open.push([lower, middle]);
         } else {
-            #[allow(
+            #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
                 reason = "between 0 and the longest rule"

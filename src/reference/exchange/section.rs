@@ -154,6 +154,7 @@ impl<const N: usize> Plate<N> {
 }
 
 /// The power of two, relative to the size of the pair, below which a number is rounding.
+#[expect(clippy::cast_possible_wrap, reason = "some thousand words at most")]
 const fn negligible_power<const N: usize>() -> i64 {
     // two thirds of the digits
     -((N * 128 / 3) as i64)

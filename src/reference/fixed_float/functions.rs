@@ -7,7 +7,8 @@
 //!   atan r = r − r³/3 + r⁵/5 − …
 //! ```
 
-use super::{FixedFloat, WORD, minus_with_borrow, product};
+use super::{FixedFloat, WORD, Wide, minus_with_borrow, product};
+use crate::numeric::real;
 use std::any::Any;
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -166,14 +167,13 @@ impl<const N: usize> FixedFloat<N> {
         let tables = Tables::kept();
         let at = |y: Self, x: Self| {
             let ratio = y.scaled(-x.exponent).to_f64() / x.scaled(-x.exponent).to_f64();
-            #[allow(
+            #[expect(
                 clippy::cast_possible_truncation,
                 clippy::cast_sign_loss,
                 reason = "from 0 to 512"
             )]
             let i = (ratio * f64::from(STEPS)).round() as usize;
-            #[allow(clippy::cast_precision_loss, reason = "from 0 to 512")]
-            let c = Self::new(i as f64 / f64::from(STEPS));
+            let c = Self::new(real(i) / f64::from(STEPS));
             let r = if i == 0 {
                 y / x
             } else {

@@ -33,7 +33,7 @@ const WORD: u32 = u64::BITS;
 /// 2^64.
 const WORD_SCALE: f64 = 18_446_744_073_709_551_616.0;
 
-#[allow(clippy::cast_possible_truncation, reason = "the low half is meant")]
+#[expect(clippy::cast_possible_truncation, reason = "the low half is meant")]
 const fn low(value: u128) -> u64 {
     value as u64
 }
@@ -160,7 +160,7 @@ impl<const N: usize> FixedFloat<N> {
     /// The nearest double, to within one unit in its last place; ±∞ or 0 beyond the range.
     #[must_use]
     pub fn to_f64(&self) -> f64 {
-        #[allow(clippy::cast_precision_loss, reason = "rounded on purpose")]
+        #[expect(clippy::cast_precision_loss, reason = "rounded on purpose")]
         let [first, second] = [1, 2].map(|k| {
             if k <= N {
                 self.words[N - k] as f64

@@ -153,7 +153,7 @@ pub(crate) fn percent(share: f64) -> String {
     let percent = 100.0 * share;
     let small = percent.abs().min((100.0 - percent).abs());
     let decimals = 2.0 - small.max(1e-9).log10().floor();
-    #[allow(
+    #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "from 0 to 11"

@@ -105,7 +105,7 @@ struct Contribution<'r> {
 
 /// Lines that say what a plan left out and shared.
 #[must_use]
-pub fn plan_notes(plan: &PlanSummary) -> Vec<(String, String)> {
+pub(crate) fn plan_notes(plan: &PlanSummary) -> Vec<(String, String)> {
     let routes: Vec<String> = plan
         .routes
         .iter()

@@ -26,7 +26,7 @@ pub fn certain_digits(value: f64, error: f64) -> String {
     if error <= 0.0 && value.fract().abs() <= 0.0 {
         return value.to_string();
     }
-    #[allow(
+    #[expect(
         clippy::cast_possible_truncation,
         reason = "decimal exponents of doubles fit"
     )]
@@ -93,7 +93,7 @@ const MOST_SHOWN: u32 = 20;
 /// The least power of ten that is not below a number > 0, `1e-55`. Of a width, another platform
 /// prints this, too.
 #[must_use]
-pub fn power_of_ten(value: f64) -> String {
+pub(crate) fn power_of_ten(value: f64) -> String {
     format!("1e{}", value.log10().ceil())
 }
 

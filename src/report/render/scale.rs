@@ -107,7 +107,7 @@ impl Ranged for Scale {
     type FormatOption = NoDefaultFormatting;
     type ValueType = f64;
 
-    #[allow(clippy::cast_possible_truncation, reason = "the page's units are few")]
+    #[expect(clippy::cast_possible_truncation, reason = "the page's units are few")]
     fn map(&self, place: &f64, (start, end): (i32, i32)) -> i32 {
         let share = (place - self.low) / (self.high - self.low);
         start + (share * f64::from(end - start)).round() as i32
@@ -139,7 +139,7 @@ impl ValueFormatter<f64> for Scale {
 
 /// A number with so many decimals, without a sign if they are all 0.
 fn decimal(value: f64, decimals: f64) -> String {
-    #[allow(
+    #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "a count of decimals"

@@ -21,6 +21,7 @@ pub(crate) mod solids;
 
 use super::{NamedPatch, Scene, SceneError, files};
 use crate::geometry::{Patch, Rectangle, SplitAxis};
+use crate::numeric::real;
 use crate::scene::visibility::surfaces::Prepared;
 use glam::DVec3;
 use solids::regular_solid;
@@ -62,8 +63,7 @@ impl Scene {
                 let size = name.strip_prefix("cube:").and_then(|n| n.parse().ok());
                 match size.filter(|n| (1..=LARGEST_CUBE).contains(n)) {
                     Some(n) => {
-                        #[allow(clippy::cast_precision_loss, reason = "n is at most LARGEST_CUBE")]
-                        let line = |k: usize| k as f64 / n as f64;
+                        let line = |k: usize| real(k) / real(n);
                         Self::gridded_box([1.0; 3], &(1..n).map(line).collect::<Vec<_>>())
                     }
                     None => Err(SceneError::UnknownName {

@@ -15,7 +15,7 @@ use super::gauss_order;
 use crate::form_factor::sampling::{global_lines, local_lines, quasi_random_lines};
 use crate::form_factor::{Polygon, Route};
 use crate::geometry::Patch;
-use crate::numeric::try_parallel_map;
+use crate::numeric::{real, try_parallel_map};
 use crate::reference::Truth;
 use crate::study::StudyError;
 use glam::DVec3;
@@ -292,8 +292,7 @@ fn measured(case: &Case, method: Method, least: Duration) -> Option<AccuracyRow>
         row.seconds += seconds;
         row.served += 1;
     }
-    #[allow(clippy::cast_precision_loss, reason = "a few pairs")]
-    let served = row.served as f64;
+    let served = real(row.served);
     row.value /= served;
     row.mean_square_error = (row.mean_square_error / served).sqrt();
     row.seconds /= served;
@@ -324,7 +323,7 @@ fn timed<T>(least: Duration, evaluate: impl Fn() -> T) -> (T, f64) {
         for _ in 0..batch {
             result = black_box(evaluate());
         }
-        #[allow(clippy::cast_precision_loss, reason = "up to 1000")]
+        #[expect(clippy::cast_precision_loss, reason = "up to 1000")]
         let count = batch as f64;
         times.push(begin.elapsed().as_secs_f64() / count);
     }

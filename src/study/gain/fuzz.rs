@@ -402,7 +402,7 @@ fn decade(gain: f64) -> usize {
         return 0;
     }
     let steps = ((gain.log10() + 60.0) / 10.0).floor().clamp(-1.0, 6.0);
-    #[allow(
+    #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "from 1 to 8"

@@ -57,7 +57,7 @@ pub fn gain_stability(repetitions: u32) -> Result<Vec<Row>, ChainError> {
             equation_5(black_box(p), black_box(q))
         });
         add("sum-of-terms", &exact, &|| refinement_gain(&refinement));
-        #[allow(clippy::cast_possible_truncation, reason = "the rounding is the point")]
+        #[expect(clippy::cast_possible_truncation, reason = "the rounding is the point")]
         let [p, q] = [p as f32, q as f32];
         // below 6e-8 both round to 1 and there is no gain to compute
         if p > q {

@@ -10,7 +10,7 @@
 //! * `bounces`: `B ← E + R F B` until no patch changes by 1e-14 of itself, the usual way for many,
 //!   10,000 times at most.
 
-use crate::numeric::{Interval, Scalar};
+use crate::numeric::{Interval, Scalar, real};
 use crate::scene::Scene;
 use crate::study::StudyError;
 use crate::study::form_factors::extreme_pairs::{CHOSEN, StabilityRow};
@@ -50,7 +50,7 @@ pub fn stiff_scenes() -> Result<Vec<StiffScene>, StudyError> {
 
 /// Numbers around 1, a little different from patch to patch.
 fn uneven(patch: usize) -> f64 {
-    1.0 + (patch * 7 % 11) as f64 / 8.0
+    1.0 + real(patch * 7 % 11) / 8.0
 }
 
 /// Cubes that absorb less and less.
@@ -133,7 +133,7 @@ fn separate_rooms(cube: &DMatrix<f64>) -> Vec<StiffScene> {
 fn uneven_cubes(cube: &DMatrix<f64>) -> [StiffScene; 2] {
     let patches = 0..cube.nrows();
     let spans = |patch: usize| 10f64.powi(-30 * i32::try_from(patch).unwrap_or(0) / 23);
-    let reflectance = |patch: usize| 0.99 * (patch * 5 % 24) as f64 / 23.0;
+    let reflectance = |patch: usize| 0.99 * real(patch * 5 % 24) / 23.0;
     let nearly_black = |patch: usize| f64::from(patch == 7) * 1e-100;
     [
         StiffScene {

@@ -8,7 +8,7 @@
 use crate::claims::{ClaimError, Printed, registry, samples_for};
 use crate::discretize::{BestGrid, BoxGrid, UNIT_CUBE};
 use crate::information::expected_bias;
-use crate::numeric::compensated_sum;
+use crate::numeric::{compensated_sum, real};
 use crate::scene::GridLines;
 use crate::study::StudyError;
 
@@ -179,8 +179,7 @@ fn bias_of_weights(grid: &BoxGrid, samples: u64) -> Result<f64, StudyError> {
 }
 
 fn mean_and_deviation(values: &[f64]) -> [f64; 2] {
-    #[allow(clippy::cast_precision_loss, reason = "a few runs")]
-    let count = values.len() as f64;
+    let count = real(values.len());
     let mean = values.iter().sum::<f64>() / count;
     let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
     [mean, (squares / (count - 1.0)).sqrt()]

@@ -16,6 +16,7 @@ use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::information::{
     LineKind, LineSample, OpenScene, expected_bias_of_scene, scene_information,
 };
+use crate::numeric::real;
 use crate::scene::{Occlusion, Scene};
 use crate::study::StudyError;
 use std::time::Instant;
@@ -160,8 +161,7 @@ impl Sums {
         value: f64,
     ) -> Result<Self, StudyError> {
         let start = Instant::now();
-        #[allow(clippy::cast_precision_loss, reason = "a hundred")]
-        let count = seeds as f64;
+        let count = real(seeds);
         let mut sums = Self {
             errors: [[0.0; 2]; METHODS.len()],
             standard_squares: 0.0,
@@ -209,8 +209,7 @@ impl Sums {
 pub fn slope<'r>(rows: impl IntoIterator<Item = &'r SamplingRow>) -> Option<f64> {
     let seen = rows.into_iter().filter(|row| row.has_interval);
     let point = |row: &SamplingRow| {
-        #[allow(clippy::cast_precision_loss, reason = "a hundred")]
-        let seeds = row.seeds? as f64;
+        let seeds = real(row.seeds?);
         Some([seeds, f64::from(row.lines?).ln(), row.error.ln()])
     };
     let points: Vec<[f64; 3]> = seen.filter_map(point).collect();

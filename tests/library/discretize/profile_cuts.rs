@@ -77,7 +77,7 @@ fn parts_of_profiles_agree_with_quadrature() {
 #[test]
 fn no_cut_on_a_fine_grid_is_better() {
     const STEPS: usize = 20_000;
-    #[allow(clippy::cast_precision_loss, reason = "fewer than 2^53")]
+    #[expect(clippy::cast_precision_loss, reason = "fewer than 2^53")]
     let at = |k: usize| k as f64 / STEPS as f64;
     for (case, profile) in PROFILES {
         let patch = patch(profile);

@@ -26,7 +26,7 @@ fn honest(exact: f64, estimates: &[(f64, f64)]) -> Result<(), String> {
     if let Some(far) = z.iter().find(|z| z.abs().is_nan() || z.abs() >= 5.0) {
         return Err(format!("z = {far}"));
     }
-    #[allow(clippy::cast_precision_loss, reason = "a number of seeds")]
+    #[expect(clippy::cast_precision_loss, reason = "a number of seeds")]
     let m = z.len() as f64;
     let squares: f64 = z.iter().map(|z| z * z).sum();
     let quantile = |side: f64| {

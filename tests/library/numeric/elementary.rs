@@ -245,7 +245,7 @@ fn gauss_rules_are_exact_for_their_powers() {
                 }
                 sum = sum + term;
             }
-            #[allow(clippy::cast_precision_loss, reason = "small")]
+            #[expect(clippy::cast_precision_loss, reason = "small")]
             let exact = DoubleDouble::from(2.0) / DoubleDouble::from(power as f64 + 1.0);
             let error = ((sum - exact) / exact).to_f64().abs();
             // n nodes with the error of a Newton step near a root: a few ε² each, n of them

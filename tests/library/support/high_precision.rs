@@ -155,7 +155,7 @@ impl<const BITS: usize> Scalar for BigReal<BITS> {
         };
         let mut magnitude = 0.0;
         for word in words.iter().rev().take(2) {
-            #[allow(
+            #[expect(
                 clippy::cast_precision_loss,
                 reason = "the low bits of a 64-bit word round away"
             )]

@@ -1,5 +1,6 @@
 //! Discrete mutual information on its way to the continuous one: a table, and a figure.
 
+use crate::numeric::real;
 use crate::report::{Axis, Figure, Line, Report, ReportError, Table, certain_digits, scientific};
 use crate::study::refinement::RefinementRow;
 
@@ -72,8 +73,7 @@ pub(crate) fn refinements_report(rows: &[RefinementRow]) -> Result<Report, Repor
 
 /// The gaps against the number of patches, of the first six scenes.
 pub(crate) fn refinements_figure(rows: &[RefinementRow]) -> Figure {
-    #[allow(clippy::cast_precision_loss, reason = "some thousand patches")]
-    let point = |row: &RefinementRow| [row.patches as f64, row.gap];
+    let point = |row: &RefinementRow| [real(row.patches), row.gap];
     let scenes = rows.chunk_by(|a, b| a.scene == b.scene).take(MOST_LINES);
     let lines = scenes.map(|scene| Line {
         name: scene[0].scene.clone(),
