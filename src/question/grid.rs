@@ -193,7 +193,7 @@ impl Grid {
             Some(GridSample { lines, seed }) => {
                 let sample = grid.sample(lines, seed)?;
                 let bias = grid.expected_bias(lines.into())?;
-                let exact = Some([information.mutual_information, bias]);
+                let exact = Some([information.mutual_information.value, bias]);
                 Some(SampledInformation::new(&sample, seed, exact))
             }
             None => None,
@@ -244,11 +244,11 @@ impl Grid {
             cells,
             spacing: grid.spacing().name(),
             lines: grid.lines().to_vec(),
-            mutual_information: information.mutual_information,
-            error: information.error,
+            mutual_information: information.mutual_information.value,
+            error: information.mutual_information.error,
             error_grade: Grade::Bound,
-            regular_mutual_information: regular.mutual_information,
-            regular_error: regular.error,
+            regular_mutual_information: regular.mutual_information.value,
+            regular_error: regular.mutual_information.error,
             patches: 6 * cells.pow(2),
             pairs: 15 * cells.pow(4),
             classes: information.classes,

@@ -19,20 +19,14 @@ pub use answers::findings::findings_page;
 pub use answers::form_factors::{FormFactorRecord, PatchRecord, write_form_factors};
 #[cfg(feature = "proptest")]
 pub use answers::fuzz::fuzz_report;
-pub use answers::grid::{GridAnswer, GridEnclosures, grid_report};
+pub use answers::grid::grid_report;
+pub use answers::measure::measure_report;
 pub(crate) use answers::measure::plan_notes;
-pub use answers::measure::{measure_report, plan_notes};
 pub use answers::radiosity::radiosity_report;
 pub use answers::sampled::sample_report;
-pub use answers::studies::gradient::{directions_report, limits_report, profiles_report};
-#[cfg(feature = "proptest")]
-pub use answers::studies::plain::fuzz_report;
-pub use answers::studies::plain::study_report;
-pub use answers::studies::routes::{accuracy_report, stability_report};
-pub use answers::studies::sampling::{figure_5_report, sampling_report};
 pub use answers::studies::{study_figure, study_report};
 pub use error::ReportError;
-pub use render::document::{Format, Report, ReportError, json_text};
+pub use render::document::{Format, Report, json_text};
 pub use render::figure::{Axis, Figure, Line};
 pub use render::npy::{write_npy_head, write_npy_row};
 pub(crate) use render::number::power_of_ten;

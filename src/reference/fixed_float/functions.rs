@@ -7,7 +7,7 @@
 //!   atan r = r − r³/3 + r⁵/5 − …
 //! ```
 
-use super::{FixedFloat, WORD, Wide, minus_with_borrow, product};
+use super::{FixedFloat, WORD, minus_with_borrow, product};
 use crate::numeric::real;
 use std::any::Any;
 use std::cell::RefCell;

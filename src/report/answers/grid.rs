@@ -1,10 +1,6 @@
 //! Table of a grid on a box: its mutual information, and the evidence that it is the best one.
 
-use super::sampled::{SampledRecord, sampled_rows};
-use crate::discretize::{BestGrid, BoxGrid, GridInformation, Spacing};
-use crate::information::LineSample;
-use crate::numeric::interval::DecimalBounds;
-use crate::numeric::{Bounded, Grade, Interval};
+use super::sampled::sampled_rows;
 use crate::question::{GridAnswer, GridEnclosures};
 use crate::report::{Report, ReportError, Table, certain_digits, enclosed_digits, scientific};
 
