@@ -51,9 +51,9 @@ fn family(seed: u64, mut recipe: impl FnMut(&mut ChaCha8Rng) -> Pair) -> Vec<Pai
         if answer.value <= 0.0 {
             continue;
         }
-        let bound = answer.error_bound + back.error_bound;
+        let bound = answer.error + back.error;
         assert!((answer.value - back.value).abs() <= bound);
-        missed += usize::from(answer.error_bound > DEFAULT_TOLERANCE * answer.value);
+        missed += usize::from(answer.error > DEFAULT_TOLERANCE * answer.value);
         pairs.push(pair);
     }
     // turned quadrilaterals are planar to rounding only, which a grazing pair feels
@@ -247,7 +247,7 @@ fn routes(criterion: &mut Criterion) {
     ] {
         let by_route = || pair[0].exchange_area_by(route, black_box(&pair[1]), DEFAULT_TOLERANCE);
         let answer = by_route().unwrap().exchange;
-        assert!((answer.value - truth.value).abs() <= answer.error_bound + truth.error_bound);
+        assert!((answer.value - truth.value).abs() <= answer.error + truth.error);
         group.bench_function(route.name(), |bencher| bencher.iter(by_route));
     }
     group.finish();

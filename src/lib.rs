@@ -68,6 +68,7 @@ pub mod form_factor;
 pub mod geometry;
 pub mod information;
 pub mod numeric;
+pub mod question;
 pub mod reference;
 #[cfg(feature = "report")]
 pub mod report;

@@ -201,7 +201,7 @@ impl Refinement {
         &self.refined
     }
 
-    /// For each state of the refined chain, the coarse state it is a part of.
+    /// The coarse state that each state of the refined chain is a part of.
     #[must_use]
     pub fn parents(&self) -> &[usize] {
         &self.parents

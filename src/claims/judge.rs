@@ -1,7 +1,7 @@
 //! The judgement of claims: compute, let theorems raise the evidence, apply the rule.
 
 use super::claim::{Claim, Task};
-use super::verdict::Agreement;
+use super::rule::Agreement;
 use super::{Case, ClaimError, Context, Finding, Inputs, Verdict};
 use crate::numeric::Grade;
 use rayon::prelude::*;

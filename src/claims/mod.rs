@@ -35,6 +35,7 @@ mod finding;
 mod inputs;
 mod judge;
 mod registry;
+mod rule;
 mod sections;
 mod verdict;
 

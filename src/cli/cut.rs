@@ -2,15 +2,16 @@
 
 use super::Answer;
 use super::output::{Output, check_place, precision, write_file};
-use infoscene::discretize::{CutComparison, DiscretizeError, GradientCut};
+use infoscene::exchange::Unheard;
+use infoscene::question::{Cuts, IrradianceExponent};
 use infoscene::report::{cut_report, cuts_figure, cuts_report};
 use std::path::PathBuf;
 use std::str::FromStr;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Cut {
-    /// Radiosity grows as this power of l, 1e-6 to 1e12: a number, several with commas, `1..4` (by one), `1..1e6:25`
-    /// (so many, evenly spaced in the logarithm).
+    /// Radiosity grows as this power of l, 1e-6 to 1e12: a number, several with commas, `1..4` (by
+    /// one), `1..1e6:25` (so many, evenly spaced in the logarithm).
     #[arg(
         long,
         value_name = "N,…",
@@ -19,8 +20,8 @@ pub(super) struct Cut {
         allow_negative_numbers = true
     )]
     exponent: Vec<Exponents>,
-    /// Irradiance grows as this power of l: 1 is what the paper prints, `n` (the radiosity's) what its hypotheses imply;
-    /// also several.
+    /// Irradiance grows as this power of l: 1 is what the paper prints, `n` (the radiosity's) what
+    /// its hypotheses imply; also several.
     #[arg(
         long,
         value_name = "M,…",
@@ -93,48 +94,23 @@ impl FromStr for Exponents {
     }
 }
 
-/// Fixed exponents, or that of the radiosity.
+/// Exponents of the irradiance.
 #[derive(Debug, Clone, PartialEq)]
-enum IrradianceExponents {
-    Fixed(Vec<f64>),
-    Same,
-}
+struct IrradianceExponents(Vec<IrradianceExponent>);
 
 impl FromStr for IrradianceExponents {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
         if text.trim() == "n" {
-            Ok(Self::Same)
-        } else {
-            let numbers = Exponents::from_str(text);
-            numbers
-                .map(|Exponents(numbers)| Self::Fixed(numbers))
-                .map_err(|error| format!("{error}, nor the letter n"))
+            return Ok(Self(vec![IrradianceExponent::OfRadiosity]));
         }
+        let numbers = Exponents::from_str(text);
+        let Exponents(numbers) = numbers.map_err(|error| format!("{error}, nor the letter n"))?;
+        let fixed = numbers.into_iter().map(IrradianceExponent::Fixed);
+        Ok(Self(fixed.collect()))
     }
 }
-
-/// What the irradiance does: its exponent, `None` for that of the radiosity.
-#[derive(Debug, Clone, Copy)]
-struct Reading(Option<f64>);
-
-impl Reading {
-    fn name(self) -> String {
-        match self.0 {
-            None => "lⁿ".to_owned(),
-            Some(m) if (m - 1.0).abs() <= 0.0 => "l".to_owned(),
-            Some(m) => format!("l^{m}"),
-        }
-    }
-}
-
-#[derive(Debug, thiserror::Error)]
-#[error("{0} pairs of exponents are more than {MOST_PAIRS}")]
-struct TooManyPairs(usize);
-
-/// More pairs than anybody reads.
-const MOST_PAIRS: usize = 10_000;
 
 impl Cut {
     pub(super) fn answer(&self) -> Answer {
@@ -142,46 +118,24 @@ impl Cut {
         if let Some(path) = &self.figure {
             check_place(path)?;
         }
-        let exponents: Vec<f64> = self
-            .exponent
-            .iter()
-            .flat_map(|list| list.0.clone())
-            .collect();
-        let readings: Vec<Reading> = self.irradiance_exponent.iter().flat_map(readings).collect();
-        let pairs = exponents.len() * readings.len();
-        if pairs > MOST_PAIRS {
-            return Err(TooManyPairs(pairs).into());
-        }
-        let cuts = |n: f64, reading: Reading| {
-            let patch = GradientCut::try_new(n, reading.0.unwrap_or(n))?;
-            CutComparison::try_new(patch, self.precision)
-        };
-        let all = exponents
-            .iter()
-            .flat_map(|n| readings.iter().map(|reading| cuts(*n, *reading)));
-        let all: Vec<CutComparison> = all.collect::<Result<_, DiscretizeError>>()?;
-        let report = match all.as_slice() {
+        let answer = self.question().ask(&Unheard)?;
+        let report = match answer.cuts.as_slice() {
             [one] => cut_report(one)?,
-            _ => cuts_report(&all)?,
+            _ => cuts_report(&answer)?,
         };
         if let Some(path) = &self.figure {
-            let mut rising = exponents;
-            rising.sort_by(f64::total_cmp);
-            let of_reading = |reading: &Reading| {
-                let cuts = rising.iter().map(|n| cuts(*n, *reading));
-                Ok((reading.name(), cuts.collect::<Result<_, _>>()?))
-            };
-            let drawn = readings.iter().map(of_reading);
-            let drawn = drawn.collect::<Result<Vec<_>, DiscretizeError>>()?;
-            write_file(path, cuts_figure(&drawn).to_svg()?.as_bytes())?;
+            write_file(path, cuts_figure(&answer).to_svg()?.as_bytes())?;
         }
         self.output.write(&report)
     }
-}
 
-fn readings(list: &IrradianceExponents) -> Vec<Reading> {
-    match list {
-        IrradianceExponents::Same => vec![Reading(None)],
-        IrradianceExponents::Fixed(numbers) => numbers.iter().map(|m| Reading(Some(*m))).collect(),
+    fn question(&self) -> Cuts {
+        let exponents = self.exponent.iter().flat_map(|list| list.0.clone());
+        let irradiance = self.irradiance_exponent.iter();
+        Cuts {
+            exponents: exponents.collect(),
+            irradiance: irradiance.flat_map(|list| list.0.clone()).collect(),
+            precision: self.precision,
+        }
     }
 }

@@ -2,9 +2,9 @@
 
 use super::output::{Output, progress_bar};
 use super::{Answer, Outcome};
+use infoscene::question;
 use infoscene::report::{fuzz_report, json_text};
-use infoscene::study::gain::fuzz::{Campaign, Sabotage, run};
-use std::time::Instant;
+use infoscene::study::gain::fuzz::Sabotage;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Fuzz {
@@ -35,7 +35,7 @@ enum Broken {
 
 impl Fuzz {
     pub(super) fn answer(&self) -> Answer {
-        let campaign = Campaign {
+        let question = question::Fuzz {
             cases: self.cases,
             seed: self.seed,
             states: usize::try_from(self.states)?,
@@ -47,14 +47,13 @@ impl Fuzz {
         };
         self.output.check()?;
         let bar = progress_bar(self.cases.into(), "cases")?;
-        let start = Instant::now();
-        let findings = run(campaign, &|cases: usize| bar.inc(cases as u64));
+        let answer = question.ask(&|cases| bar.inc(cases as u64))?;
         bar.finish_and_clear();
-        let report = fuzz_report(campaign, &findings, start.elapsed().as_secs_f64())?;
-        if findings.counterexamples.is_empty() {
+        let report = fuzz_report(&answer)?;
+        if answer.counterexamples.is_empty() {
             return self.output.write(&report);
         }
-        let text = json_text(&findings.counterexamples)?;
+        let text = json_text(&answer.counterexamples)?;
         let path = self.output.beside("counterexample.json", text.as_bytes())?;
         self.output.write(&report)?;
         eprintln!(

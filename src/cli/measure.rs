@@ -132,7 +132,7 @@ impl Measure {
         let bar = self.scene.bar(&scene)?;
         let exact = if let Some(pairs) = self.unblocked_pairs(&scene, &bar)? {
             let (measured, bias) = scene_information_and_bias(&pairs, sample.counts.samples())?;
-            Some([measured.mutual_information, bias])
+            Some([measured.mutual_information.value, bias])
         } else {
             None
         };

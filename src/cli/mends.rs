@@ -8,8 +8,9 @@ use infoscene::claims::ClaimError;
 use infoscene::discretize::DiscretizeError;
 use infoscene::exchange::ExchangeError;
 use infoscene::geometry::GeometryError;
+use infoscene::question::QuestionError;
 use infoscene::scene::SceneError;
-use infoscene::scene::files::Fault;
+use infoscene::scene::files::{Fault, OpenError};
 use infoscene::study::StudyError;
 use infoscene::transport::TransportError;
 use std::error::Error;
@@ -33,6 +34,13 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
     if let Some(DiscretizeError::NotEnclosed) = error.downcast_ref() {
         return Some("; leave out --precision");
     }
+    match error.downcast_ref() {
+        Some(QuestionError::TooManyCellsToEnclose { .. }) => {
+            return Some("; leave out --precision");
+        }
+        Some(QuestionError::NonePrinted { .. }) => return Some("; leave out --printed"),
+        _ => {}
+    }
     if let Some(ClaimError::UnknownClaim { .. }) = error.downcast_ref() {
         return Some("; `infoscene reproduce` shows all ids");
     }
@@ -41,8 +49,10 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
 
 /// The cause of an error. One that only passes on another's message has it inside.
 fn cause<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'static)> {
-    if let Some(SceneError::File(inner)) = error.downcast_ref() {
-        return Some(&**inner);
+    match error.downcast_ref() {
+        Some(OpenError::Scene(inner)) => return Some(inner),
+        Some(OpenError::File(inner)) => return Some(inner),
+        _ => {}
     }
     if let Some(ExchangeError::Scene(inner)) = error.downcast_ref() {
         return Some(inner);
@@ -76,6 +86,16 @@ fn cause<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'stati
         Some(StudyError::Claim(inner)) => return Some(inner),
         Some(StudyError::Transport(inner)) => return Some(inner),
         Some(StudyError::Discretize(inner)) => return Some(inner),
+        _ => {}
+    }
+    match error.downcast_ref() {
+        Some(QuestionError::Scene(inner)) => return Some(inner),
+        Some(QuestionError::Exchange(inner)) => return Some(inner),
+        Some(QuestionError::Chain(inner)) => return Some(inner),
+        Some(QuestionError::Transport(inner)) => return Some(inner),
+        Some(QuestionError::Discretize(inner)) => return Some(inner),
+        Some(QuestionError::Claim(inner)) => return Some(inner),
+        Some(QuestionError::Study(inner)) => return Some(inner),
         _ => {}
     }
     error.source()

@@ -1,7 +1,7 @@
 //! SCENE: the argument that all questions about a scene share.
 
-use infoscene::scene::files::{NonPlanarFaces, open};
-use infoscene::scene::{Occlusion, Scene, SceneError};
+use infoscene::scene::files::{NonPlanarFaces, OpenError, open};
+use infoscene::scene::{Occlusion, Scene};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct SceneArgument {
@@ -21,7 +21,7 @@ pub(super) struct SceneArgument {
 
 impl SceneArgument {
     /// The scene, whatever lies or stands in it; what its reader has to say goes to standard error.
-    pub(super) fn read(&self) -> Result<Scene, SceneError> {
+    pub(super) fn read(&self) -> Result<Scene, OpenError> {
         let faces = if self.triangulate {
             NonPlanarFaces::Triangulate
         } else {

@@ -9,7 +9,8 @@ use infoscene::exchange::{
     Congruence, ExchangeError, PassSummary, Progress, ScenePairs, Unreached,
 };
 use infoscene::form_factor::DEFAULT_TOLERANCE;
-use infoscene::scene::{Occlusion, Scene, SceneError};
+use infoscene::scene::files::OpenError;
+use infoscene::scene::{Occlusion, Scene};
 use std::error::Error;
 
 #[derive(Debug, clap::Args)]
@@ -43,7 +44,7 @@ impl ScenePairsOptions {
     }
 
     /// The scene, whatever lies or stands in it.
-    pub(super) fn scene(&self) -> Result<Scene, SceneError> {
+    pub(super) fn scene(&self) -> Result<Scene, OpenError> {
         self.scene.read()
     }
 

@@ -2,23 +2,9 @@
 
 use super::Answer;
 use super::output::{Output, check_place, write_file};
-use infoscene::report::{
-    accuracy_report, directions_report, figure_5_report, limits_report, profiles_report,
-    refinements_figure, refinements_report, sampling_report, stability_report, study_report,
-};
-use infoscene::study::cuts::directions::directions;
-use infoscene::study::cuts::limits::gradient_limits;
-use infoscene::study::cuts::profiles::profiles;
-use infoscene::study::enclosures::work_precision;
-use infoscene::study::form_factors::accuracy::accuracy;
-use infoscene::study::form_factors::extreme_pairs::{StabilityRow, route_stability};
-use infoscene::study::gain::stability::gain_stability;
-use infoscene::study::light::stability::transport_stability;
-use infoscene::study::light::walks::walk_variance;
-use infoscene::study::lines::figure_5::figure_5;
-use infoscene::study::lines::sampling::sampling;
-use infoscene::study::refinement::refinements;
-
+use infoscene::exchange::Unheard;
+use infoscene::question::{self, StudySubject};
+use infoscene::report::{study_figure, study_report};
 use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
@@ -61,59 +47,40 @@ enum Subject {
     Figure5,
 }
 
+impl From<Subject> for StudySubject {
+    fn from(subject: Subject) -> Self {
+        match subject {
+            Subject::Accuracy => Self::Accuracy,
+            Subject::Stability => Self::Stability,
+            Subject::Precision => Self::Precision,
+            Subject::Limits => Self::Limits,
+            Subject::Profiles => Self::Profiles,
+            Subject::Directions => Self::Directions,
+            Subject::Walks => Self::Walks,
+            Subject::Refinement => Self::Refinement,
+            Subject::Sampling => Self::Sampling,
+            Subject::Figure5 => Self::Figure5,
+        }
+    }
+}
+
 impl Study {
     pub(super) fn answer(&self) -> Answer {
         if self.figure.is_some() && !matches!(self.subject, Subject::Refinement) {
             return Err("only the study of refinements has a figure".into());
         }
-        match self.subject {
-            Subject::Accuracy => {
-                let rows = accuracy(self.quick)?;
-                self.output.write(&accuracy_report(&rows)?)
-            }
-            Subject::Stability => {
-                let [gains, routes] = if self.quick { [1, 1] } else { [10_000, 10] };
-                let gains = gain_stability(gains)?;
-                let mut rows: Vec<_> = gains.into_iter().map(StabilityRow::from).collect();
-                rows.extend(transport_stability(routes)?);
-                rows.extend(route_stability(routes, self.quick)?);
-                self.output.write(&stability_report(&rows)?)
-            }
-            Subject::Walks => {
-                let rows = walk_variance(if self.quick { 200 } else { 10_000 })?;
-                self.output.write(&study_report(
-                    "walks",
-                    "deviation of a walk, relative",
-                    &rows,
-                )?)
-            }
-            Subject::Precision => {
-                let rows = work_precision(self.quick)?;
-                self.output
-                    .write(&study_report("precision", "relative width", &rows)?)
-            }
-            Subject::Limits => self.output.write(&limits_report(&gradient_limits()?)?),
-            Subject::Refinement => {
-                self.output.check()?;
-                if let Some(path) = &self.figure {
-                    check_place(path)?;
-                }
-                let rows = refinements(self.quick)?;
-                if let Some(path) = &self.figure {
-                    write_file(path, refinements_figure(&rows).to_svg()?.as_bytes())?;
-                }
-                self.output.write(&refinements_report(&rows)?)
-            }
-            Subject::Sampling => {
-                self.output.check()?;
-                self.output.write(&sampling_report(&sampling(self.quick)?)?)
-            }
-            Subject::Figure5 => {
-                self.output.check()?;
-                self.output.write(&figure_5_report(&figure_5(self.quick)?)?)
-            }
-            Subject::Directions => self.output.write(&directions_report(&directions()?)?),
-            Subject::Profiles => self.output.write(&profiles_report(&profiles()?)?),
+        self.output.check()?;
+        if let Some(path) = &self.figure {
+            check_place(path)?;
         }
+        let question = question::Study {
+            subject: self.subject.into(),
+            quick: self.quick,
+        };
+        let answer = question.ask(&Unheard)?;
+        if let Some((path, figure)) = self.figure.as_ref().zip(study_figure(&answer)) {
+            write_file(path, figure.to_svg()?.as_bytes())?;
+        }
+        self.output.write(&study_report(&answer)?)
     }
 }

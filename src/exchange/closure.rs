@@ -23,7 +23,7 @@ pub struct RowSum {
     /// `Σ_j F_ij`.
     pub sum: f64,
     /// A bound on the error of the sum.
-    pub error_bound: f64,
+    pub error: f64,
 }
 
 /// The rows of a scene's form factors.
@@ -48,7 +48,7 @@ impl Closure {
             .map(|(row, ([exchange, bound], (area, area_bound)))| RowSum {
                 row,
                 sum: exchange / area,
-                error_bound: bound / area + area_bound / area,
+                error: bound / area + area_bound / area,
             })
             .collect();
         Self { rows, names }
@@ -59,7 +59,7 @@ impl Closure {
     /// # Errors
     /// [`ExchangeError::Pair`] if two patches are refused.
     pub fn of(pairs: &ScenePairs<'_>) -> Result<Self, ExchangeError> {
-        let (sums, _) = pairs.row_sums(|_, _, exchange| [exchange.value, exchange.error_bound])?;
+        let (sums, _) = pairs.row_sums(|_, _, exchange| [exchange.value, exchange.error])?;
         Ok(Self::new(
             pairs.shared_names(),
             pairs.areas(),
@@ -75,13 +75,13 @@ impl Closure {
         let mut sums = vec![[CompensatedSum::default(); 2]; n];
         for i in 0..n {
             let own = exchange.get(i, i).exchange;
-            let mut row = [own.value, own.error_bound].map(|own| {
+            let mut row = [own.value, own.error].map(|own| {
                 let mut sum = CompensatedSum::default();
                 sum.add(own);
                 sum
             });
             let entries = exchange.values().row(i).iter();
-            let entries = entries.zip(exchange.error_bounds().row(i));
+            let entries = entries.zip(exchange.errors().row(i));
             for ((value, bound), column) in entries.zip(&mut sums) {
                 column[0].add(*value);
                 column[1].add(*bound);
@@ -126,7 +126,7 @@ impl Closure {
     pub fn is_closed(&self) -> bool {
         self.rows
             .iter()
-            .all(|row| (row.sum - 1.0).abs() <= row.error_bound)
+            .all(|row| (row.sum - 1.0).abs() <= row.error)
     }
 
     /// Refuses a scene that is not closed.
@@ -138,16 +138,12 @@ impl Closure {
         if self.is_closed() {
             return Ok(());
         }
-        let RowSum {
-            row,
-            sum,
-            error_bound,
-        } = self.worst();
+        let RowSum { row, sum, error } = self.worst();
         Err(ExchangeError::OpenScene {
             row,
             name: self.names[row].clone(),
             sum,
-            tolerance: error_bound,
+            tolerance: error,
         })
     }
 
@@ -158,7 +154,7 @@ impl Closure {
     pub fn require_at_most_one(&self) -> Result<(), ExchangeError> {
         let mut worst: Option<&RowSum> = None;
         for row in &self.rows {
-            if row.sum - 1.0 > row.error_bound && worst.is_none_or(|worst| row.sum > worst.sum) {
+            if row.sum - 1.0 > row.error && worst.is_none_or(|worst| row.sum > worst.sum) {
                 worst = Some(row);
             }
         }
@@ -167,7 +163,7 @@ impl Closure {
                 row: row.row,
                 name: self.names[row.row].clone(),
                 sum: row.sum,
-                tolerance: row.error_bound,
+                tolerance: row.error,
             })
         })
     }
@@ -179,13 +175,7 @@ impl Closure {
     /// If there is no row i.
     #[must_use]
     pub fn escaping(&self, i: usize) -> f64 {
-        let RowSum {
-            sum, error_bound, ..
-        } = self.rows[i];
-        if 1.0 - sum > error_bound {
-            1.0 - sum
-        } else {
-            0.0
-        }
+        let RowSum { sum, error, .. } = self.rows[i];
+        if 1.0 - sum > error { 1.0 - sum } else { 0.0 }
     }
 }

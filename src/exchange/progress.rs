@@ -16,8 +16,8 @@ use std::fmt;
 ///     done.fetch_add(finished, Ordering::Relaxed);
 /// };
 /// let cube = Scene::built_in("cube:2")?;
-/// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?
-///     .with_progress(&listener);
+/// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
+/// let pairs = pairs.with_progress(&listener);
 /// pairs.exchange_areas()?;
 /// assert_eq!(done.load(Ordering::Relaxed), pairs.pairs());
 /// # Ok::<(), infoscene::exchange::ExchangeError>(())

@@ -33,7 +33,7 @@ pub(crate) const fn nothing(facing: Facing, is_diagonal: bool) -> Answer {
     };
     let exchange = ExchangeArea {
         value: 0.0,
-        error_bound: 0.0,
+        error: 0.0,
     };
     Answer { exchange, route }
 }
@@ -111,7 +111,7 @@ impl ScenePairs<'_> {
             let again = self.sum_of_terms(first, second, |one, other| {
                 let known =
                     self.polygon_pair(one.polygon, other.polygon, &mut PassCounts::default())?;
-                if known.exchange.error_bound <= finer * known.exchange.value {
+                if known.exchange.error <= finer * known.exchange.value {
                     return Ok(known);
                 }
                 self.evaluate(one.polygon, other.polygon, finer)
@@ -129,12 +129,12 @@ impl ScenePairs<'_> {
         let exchange = if sum.value > areas[smaller] {
             ExchangeArea {
                 value: areas[smaller],
-                error_bound: sum.bound.max(bounds[smaller]),
+                error: sum.bound.max(bounds[smaller]),
             }
         } else {
             ExchangeArea {
                 value: sum.value.max(0.0),
-                error_bound: sum.bound,
+                error: sum.bound,
             }
         };
         let route = sum.route;
@@ -158,18 +158,18 @@ impl ScenePairs<'_> {
             let answer = term(&one, &other)?;
             let ExchangeArea {
                 value: exchange,
-                mut error_bound,
+                mut error,
             } = answer.exchange;
             for (part, whole) in [(&one, &other), (&other, &one)] {
                 if part.sign < 0.0 {
-                    error_bound += self.offset_allowance(part.polygon, whole.polygon);
+                    error += self.offset_allowance(part.polygon, whole.polygon);
                 }
             }
             value.add(times * one.sign * other.sign * exchange);
-            bound.add(times * error_bound);
+            bound.add(times * error);
             size.add(times * exchange);
-            if error_bound > largest {
-                (route, largest) = (answer.route, error_bound);
+            if error > largest {
+                (route, largest) = (answer.route, error);
             }
         }
         let size = size.total();

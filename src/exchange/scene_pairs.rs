@@ -119,7 +119,7 @@ impl<'p> ScenePairs<'p> {
             let [one, other] = [first, second].map(|index| shapes[index].shape());
             let apart = allowance(spread, one, other);
             let exchange = &mut answer.exchange;
-            exchange.error_bound += apart;
+            exchange.error += apart;
             Ok::<_, ExchangeError>((apart <= 0.5 * tolerance * exchange.value).then_some(answer))
         })?;
         Ok(pairs)

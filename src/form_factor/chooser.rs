@@ -4,7 +4,7 @@
 //! ```text
 //!   aligned rectangles    closed form
 //!   moderate distance     contour, one Gauss rule for all edges apart
-//!   apart                 point to polygon (over the smaller one), kernel (over both): whichever needs less work
+//!   apart                 point to polygon (over the smaller one) or kernel (over both), by work
 //!   what cancels in f64   contour in double-double
 //!   what cancels there    closed form of aligned rectangles, in intervals of 256 bits
 //! ```
@@ -12,14 +12,14 @@
 //! Before any of them: polygons that face away or lie in one plane exchange nothing, and what lies
 //! behind the other's plane is clipped.
 
-use super::clipped_pair::{View, seen};
+use super::clipped_pair::{ClippedPair, with_clipped_pair};
 use super::contour::contour;
 use super::workspace::Workspace;
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
-use crate::form_factor::clipped_pair::horizon::{Off, precise_outline};
+use crate::form_factor::clipped_pair::horizon::{Displacement, precise_outline};
 use crate::form_factor::contour::double_double::precise_contour;
 use crate::form_factor::gauss::lambert::LambertRounding;
-use crate::form_factor::gauss::points::MOST;
+use crate::form_factor::gauss::points::MOST_PER_DIRECTION;
 use crate::numeric::functions::elementary::rough_ln;
 use crate::numeric::{LANES, SQUARED_EPSILON, power_of_two_below};
 use smallvec::SmallVec;
@@ -58,18 +58,20 @@ impl Polygon {
     pub fn exchange_area(&self, other: &Self, tolerance: f64) -> Result<Answer, FormFactorError> {
         let tolerance = tolerance.max(0.0);
         if let Some(answer) = self.rectangles(other, tolerance)
-            && answer.exchange.error_bound <= tolerance * answer.exchange.value
+            && answer.exchange.error <= tolerance * answer.exchange.value
         {
             return Ok(answer);
         }
         let answer = self.in_units(other, |first, second| {
-            Workspace::with(|work| seen([first, second], tolerance, |view| view.answer(work)))
+            Workspace::with(|work| {
+                with_clipped_pair([first, second], tolerance, |pair| pair.answer(work))
+            })
         });
         match answer {
-            Ok(found) if found.exchange.error_bound > tolerance * found.exchange.value => {
+            Ok(found) if found.exchange.error > tolerance * found.exchange.value => {
                 let enclosed = self.enclosed_rectangles(other);
-                let bound = found.exchange.error_bound;
-                let better = enclosed.filter(|enclosed| enclosed.exchange.error_bound < bound);
+                let bound = found.exchange.error;
+                let better = enclosed.filter(|enclosed| enclosed.exchange.error < bound);
                 Ok(better.unwrap_or(found))
             }
             answer => answer,
@@ -91,7 +93,7 @@ impl Polygon {
     ) -> Result<Answer, FormFactorError> {
         let not_served = FormFactorError::NotResolved {
             value: f64::NAN,
-            error_bound: f64::INFINITY,
+            error: f64::INFINITY,
         };
         if let Some(answer) = self
             .rectangles(other, 0.0)
@@ -101,8 +103,8 @@ impl Polygon {
         }
         self.in_units(other, |first, second| {
             Workspace::with(|work| {
-                let by_route = |view: &View| view.answer_by(route, work).ok_or(not_served);
-                seen([first, second], tolerance.max(0.0), by_route)
+                let by_route = |pair: &ClippedPair| pair.answer_by(route, work).ok_or(not_served);
+                with_clipped_pair([first, second], tolerance.max(0.0), by_route)
             })
         })
     }
@@ -130,11 +132,11 @@ impl Polygon {
         };
         let mut answer = answer(&first, &second)?;
         let exact = answer.exchange.value <= 0.0;
-        for number in [&mut answer.exchange.value, &mut answer.exchange.error_bound] {
+        for number in [&mut answer.exchange.value, &mut answer.exchange.error] {
             *number = *number * unit * unit;
         }
         let value = answer.exchange.value;
-        if exact || (value.is_normal() && answer.exchange.error_bound.is_finite()) {
+        if exact || (value.is_normal() && answer.exchange.error.is_finite()) {
             Ok(answer)
         } else {
             Err(FormFactorError::OutOfRange { value })
@@ -142,7 +144,7 @@ impl Polygon {
     }
 }
 
-impl View<'_> {
+impl ClippedPair<'_> {
     fn answer(&self, work: &mut Workspace) -> Result<Answer, FormFactorError> {
         let mut best: Option<Answer> = None;
         let mut left = Plans::new();
@@ -176,7 +178,7 @@ impl View<'_> {
             Some(best) => best.in_range(),
             None => Err(FormFactorError::NotResolved {
                 value: self.estimate,
-                error_bound: f64::INFINITY,
+                error: f64::INFINITY,
             }),
         }
     }
@@ -217,20 +219,20 @@ impl View<'_> {
     ) -> Option<Answer> {
         let mut exchange = exchange?;
         if route != Route::DoubleDouble {
-            exchange.error_bound += self.slack(self.off, exchange.value, route);
+            exchange.error += self.slack(self.displacement, exchange.value, route);
         }
-        let ExchangeArea { value, error_bound } = exchange;
+        let ExchangeArea { value, error } = exchange;
         let answer = Answer { exchange, route };
-        if error_bound <= self.tolerance * value {
+        if error <= self.tolerance * value {
             return Some(answer);
         }
         // of values that are not good enough, the one known best; what rounding left below zero is
         // not
         let value = value.max(0.0);
-        let error_bound = error_bound + (value - exchange.value);
-        let known = best.map_or(f64::INFINITY, |best| best.exchange.error_bound);
-        if error_bound < known {
-            let exchange = ExchangeArea { value, error_bound };
+        let error = error + (value - exchange.value);
+        let known = best.map_or(f64::INFINITY, |best| best.exchange.error);
+        if error < known {
+            let exchange = ExchangeArea { value, error };
             *best = Some(Answer { exchange, route });
         }
         None
@@ -246,7 +248,7 @@ impl View<'_> {
         let points = [self.points(0), self.points(1)];
         let on = [0, 1].map(|k| (LANES * self.rules(k, points[k]).1) as f64);
         let corners = self.shapes.map(|shape| shape.corners.len() as f64);
-        if points[0].max(points[1]) < MOST {
+        if points[0].max(points[1]) < MOST_PER_DIRECTION {
             let work = 1.0 * (on[0] + on[1]) + on[0] * on[1] * 0.2;
             plans.push((work, Plan::Kernel { points }));
             if work < CHEAP {
@@ -254,7 +256,7 @@ impl View<'_> {
             }
         }
         let over = usize::from(on[1] * corners[0] < on[0] * corners[1]);
-        if points[over] < MOST {
+        if points[over] < MOST_PER_DIRECTION {
             let work = on[over] * (1.0 + corners[1 - over] * self.lambert_work(over));
             let points = points[over];
             // computed when it is its turn
@@ -316,12 +318,12 @@ impl View<'_> {
         // the clip is right to 64 ε² of the coordinates; a polygon that is not planar is off by its
         // tilt
         let height = (first.tilt.max(second.tilt) + 64.0 * SQUARED_EPSILON) * self.reach;
-        let off = Off {
+        let displacement = Displacement {
             height,
-            strip: self.off.tilted_strip,
-            ..Off::default()
+            strip: self.displacement.tilted_strip,
+            ..Displacement::default()
         };
-        exchange.error_bound += self.slack(off, exchange.value, Route::DoubleDouble);
+        exchange.error += self.slack(displacement, exchange.value, Route::DoubleDouble);
         Some(exchange)
     }
 }
@@ -365,8 +367,8 @@ impl Plan {
 
 impl Answer {
     fn in_range(self) -> Result<Self, FormFactorError> {
-        let ExchangeArea { value, error_bound } = self.exchange;
-        if value.is_finite() && error_bound.is_finite() {
+        let ExchangeArea { value, error } = self.exchange;
+        if value.is_finite() && error.is_finite() {
             Ok(self)
         } else {
             Err(FormFactorError::OutOfRange { value })

@@ -1,4 +1,4 @@
-//! What a form factor cannot be computed for.
+//! Reasons why a form factor cannot be computed.
 
 use crate::geometry::GeometryError;
 
@@ -34,19 +34,19 @@ pub enum FormFactorError {
     /// The value over- or underflows `f64`.
     #[error("the exchange area leaves the range of f64: {value:e}")]
     OutOfRange {
-        /// What came out.
+        /// The value computed.
         value: f64,
     },
     /// The closed form cancels down to its rounding error.
     #[error(
-        "what is computed is {value:e} with an error up to {error_bound:e}, so no digit is certain: the \
-         patches are too small for their distance, or too thin; merge them with neighbours"
+        "what is computed is {value:e} with an error up to {error:e}, so no digit is certain: \
+         the patches are too small for their distance, or too thin; merge them with neighbours"
     )]
     NotResolved {
-        /// What came out.
+        /// The value computed.
         value: f64,
         /// Bound on its error.
-        error_bound: f64,
+        error: f64,
     },
     /// A direction that should have length 1.
     #[error("a normal of length {length} is not a direction: divide it by its length")]

@@ -19,11 +19,11 @@
 //! ```
 //!
 //! `horizon` clips what lies behind the other's plane, `view` measures what is left, `choice`
-//! chooses. [`crate::reference`] is a slow road of its own to judge them by, [`sampling`] another. A
-//! bound holds for corners as given: what their rounding does to a polygon that is not quite planar
-//! is in it.
+//! chooses. [`crate::reference`] is a slow road of its own to judge them by, [`sampling`] another.
+//! A bound holds for corners as given: what their rounding does to a polygon that is not quite
+//! planar is in it.
 //!
-//! [`Logarithms`] are those of distance and cosines, averaged over what a pair exchanges.
+//! [`LogMeans`] are those of distance and cosines, averaged over what a pair exchanges.
 //!
 //! **Not covered**: occlusion: every value is the unoccluded one.
 //!
@@ -47,7 +47,7 @@ pub use chooser::DEFAULT_TOLERANCE;
 pub use error::FormFactorError;
 pub use exchange_area::{Answer, ExchangeArea};
 pub use gauss::lambert::{point_form_factor, point_kernel};
-pub use logarithms::Logarithms;
+pub use logarithms::LogMeans;
 pub use polygon::Polygon;
 pub use rectangles::corner_sum::Exchange;
 pub(crate) use rectangles::derivatives::EdgeSlopes;

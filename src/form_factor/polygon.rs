@@ -1,4 +1,4 @@
-//! A patch made ready for form factors: what every route needs of it, computed once.
+//! A patch prepared for form factors: the quantities that every route needs of it, computed once.
 
 use crate::form_factor::clipped_pair::shape::Shape;
 use crate::geometry::{AlignedRectangle, Patch, Rectangle, Vector};

@@ -26,7 +26,7 @@ macro_rules! routes {
 }
 
 routes! {
-    /// Both lie in one plane: nothing is exchanged.
+    /// The polygons lie in one plane: nothing is exchanged.
     Coplanar = "coplanar",
     /// One lies behind the other's plane, or its front faces away: nothing is exchanged.
     BackFacing = "back-facing",

@@ -1,9 +1,12 @@
 //! Form factors by lines at random: estimates with a standard error, of any two polygons.
 //!
 //! ```text
-//!   local lines     from uniform points of the first polygon, directions by cosine:  F = P(the line hits the second's front)
-//!   global lines    uniform among the lines that meet a sphere around both:          F = P(… the second's front | the first)
-//!   quasi-random    local lines from a lattice-like sequence in four dimensions, shifted at random 16 times
+//!   local lines     from uniform points of the first polygon, directions by cosine:
+//!                   F = P(the line hits the second's front)
+//!   global lines    uniform among the lines that meet a sphere around both:
+//!                   F = P(the line hits the second's front | it leaves the first's)
+//!   quasi-random    local lines from a lattice-like sequence in four dimensions, shifted at random
+//!                   16 times
 //! ```
 //!
 //! Uniform lines meet a surface by cosine and in proportion to its area (Crofton's formula: a line
@@ -124,9 +127,9 @@ pub fn quasi_random_lines(first: &Patch, second: &Patch, lines: u32, seed: u64) 
 pub struct GlobalLines {
     /// Lines through the sphere.
     pub lines: u32,
-    /// Those that met the first polygon, and those that met the second.
+    /// Numbers of the lines that met the first polygon, and of those that met the second.
     pub met: [u32; 2],
-    /// Those that left the front of the first and arrived at the front of the second.
+    /// Number of the lines that left the front of the first and arrived at the front of the second.
     pub joined: u32,
     /// Area of the sphere, in squared units of length.
     pub sphere_area: f64,
@@ -180,7 +183,7 @@ pub fn global_lines(first: &Patch, second: &Patch, lines: u32, seed: u64) -> Glo
     }
 }
 
-/// Both polygons, from the middle between them and in units of their size.
+/// The two polygons, from the middle between them and in units of their size.
 struct Targets {
     polygons: [Target; 2],
     radius: f64,

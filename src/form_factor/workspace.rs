@@ -1,7 +1,7 @@
 //! Memory for the work on a pair, kept from one pair to the next.
 
 use super::contour::Scratch;
-use crate::form_factor::gauss::lambert::Side;
+use crate::form_factor::gauss::lambert::RelativeEdge;
 use crate::form_factor::gauss::points::Block;
 use std::cell::RefCell;
 
@@ -14,7 +14,7 @@ thread_local! {
 pub(super) struct Workspace {
     pub scratch: Scratch,
     pub blocks: [Vec<Block>; 2],
-    pub sides: Vec<Side>,
+    pub sides: Vec<RelativeEdge>,
 }
 
 impl Workspace {

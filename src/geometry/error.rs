@@ -1,4 +1,4 @@
-//! What makes a shape unusable.
+//! Reasons why a shape is unusable.
 
 /// A shape was refused; the message names the condition and the offending numbers.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -15,11 +15,11 @@ pub enum GeometryError {
     NotFinite {
         /// Index of the corner, from 0.
         corner: usize,
-        /// x as given.
+        /// The coordinate x as given.
         x: f64,
-        /// y as given.
+        /// The coordinate y as given.
         y: f64,
-        /// z as given.
+        /// The coordinate z as given.
         z: f64,
     },
     /// The polygon encloses no area.
@@ -42,7 +42,7 @@ pub enum GeometryError {
         deviation: f64,
         /// The distance over the diameter.
         relative: f64,
-        /// What would be accepted.
+        /// The largest deviation accepted.
         allowed: f64,
     },
     /// Two edges of the outline meet where they should not.
@@ -67,7 +67,7 @@ pub enum GeometryError {
     NotAligned {
         /// Largest deviation.
         deviation: f64,
-        /// What would be accepted.
+        /// The largest deviation accepted.
         allowed: f64,
     },
     /// The edges at the first corner span no plane, so no axes are defined.

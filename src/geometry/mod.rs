@@ -1,8 +1,9 @@
-//! Flat pieces of surface and how they lie to each other.
+//! Flat pieces of surface and their positions relative to each other.
 //!
 //! A [`Patch`] is a planar simple polygon; a [`Rectangle`] is recognised from one, cut into
-//! parts, and placed beside another by [`Placement`]; on one axis [`Span`]s lie to each other by
-//! [`Offsets`]. What lies between two patches is their [`Shaft`]. Lengths are in any one unit.
+//! parts, and placed beside another by [`Placement`]; on one axis [`Offsets`] hold the distances
+//! between the ends of two [`Span`]s. The solid between two patches is their [`Shaft`]. Lengths are
+//! in any one unit.
 //!
 //! **Not here**: anything radiometric.
 

@@ -117,7 +117,7 @@ impl Outline {
         &self.bounds
     }
 
-    /// Does a corner rise above a plane by more than `noise`?
+    /// Tells whether a corner rises above a plane by more than `noise`.
     #[must_use]
     pub fn rises_above(&self, plane: &Plane, noise: f64) -> bool {
         self.pieces
@@ -135,8 +135,8 @@ impl Outline {
             .collect()
     }
 
-    /// Do two patches that lie in one plane overlap, by more than `noise` in every direction of the
-    /// plane?
+    /// Tells whether two patches that lie in one plane overlap, by more than `noise` in every
+    /// direction of the plane.
     #[must_use]
     pub fn overlaps(&self, other: &Self, noise: f64) -> bool {
         let normal = self.plane.normal;
@@ -185,7 +185,7 @@ impl Shaft {
         ]
     }
 
-    /// Does a third patch enter the shaft by more than `noise`?
+    /// Tells whether a third patch enters the shaft by more than `noise`.
     #[must_use]
     pub fn is_entered_by(&self, third: &Outline) -> bool {
         let [first, second] = &self.ends;
@@ -222,10 +222,10 @@ fn edges(polygon: &[DVec3]) -> impl Iterator<Item = DVec3> + Clone {
     (0..n).map(move |i| polygon[(i + 1) % n] - polygon[i])
 }
 
-/// Every direction in which the depth of `k` in the hull of `a ∪ b` can be smallest, the likely
-/// ones first: the normals of the three planes; of the planes through an edge of `a` or `b` and a
-/// corner of the other; the cross products of the edges of `k` with the edges of the hull, which
-/// are edges of `a`, of `b`, or run from one to the other.
+/// The directions in which the depth of `k` in the hull of `a ∪ b` can be smallest, the likely ones
+/// first: the normals of the three planes; of the planes through an edge of `a` or `b` and a corner
+/// of the other; the cross products of the edges of `k` with the edges of the hull, which are edges
+/// of `a`, of `b`, or run from one to the other.
 fn directions<'a>(
     a: &'a [DVec3],
     b: &'a [DVec3],
@@ -252,14 +252,15 @@ fn directions<'a>(
         .chain(crossed)
 }
 
-/// Below this a vector's length is lost in the underflow of its square.
-const SHORTEST: f64 = 1e-150;
+/// Shortest vector whose length is not lost in the underflow of its square.
+const SHORTEST_VECTOR: f64 = 1e-150;
 
-/// Does a plane across `direction`, on either side, part `k` from `a ∪ b`, but for `noise`?
+/// Tells whether a plane across `direction`, on either side, parts `k` from `a ∪ b`, but for
+/// `noise`.
 fn parts(direction: DVec3, a: &[DVec3], b: &[DVec3], k: &[DVec3], noise: f64) -> bool {
     let length = direction.length();
     // parallel, or edges below 1e-75 of the unit: no direction
-    if length < SHORTEST {
+    if length < SHORTEST_VECTOR {
         return false;
     }
     let origin = k[0];

@@ -7,7 +7,8 @@ use std::f64::consts::TAU;
 /// the point is the nearest to the origin.
 ///
 /// ```text
-///   direction uniform on the sphere (z uniform, by Archimedes);   point uniform on the disk across it
+///   direction   uniform on the sphere (z uniform, by Archimedes)
+///   point       uniform on the disk across it
 /// ```
 ///
 /// For uniform numbers this is the density of lines that motions leave alone: a line meets a flat

@@ -14,7 +14,7 @@ use super::chain::{pair_divergence, positional_entropy};
 use super::scene::divergence_error;
 use crate::chain::{ChainError, brightness_chain};
 use crate::exchange::{Closure, ExchangeAreas};
-use crate::numeric::{Grade, compensated_sum, parallel_map, tolerance};
+use crate::numeric::{Bounded, compensated_sum, parallel_map, tolerance};
 use crate::transport::RadiositySolution;
 use std::f64::consts::LN_2;
 
@@ -69,7 +69,7 @@ pub fn brightness_information(
         let bounded = lit().map(|i| {
             let known = exchange.get(i, j).exchange;
             let share = if known.value > 0.0 {
-                known.error_bound / known.value
+                known.error / known.value
             } else {
                 0.0
             };
@@ -93,9 +93,7 @@ pub fn brightness_information(
     Ok(SceneInformation {
         positional_entropy,
         entropy_rate: (positional_entropy - mutual_information).max(0.0),
-        mutual_information,
-        error: error + rounding,
-        error_grade: Grade::Estimate,
+        mutual_information: Bounded::estimate(mutual_information, error + rounding),
         contributions,
         outside_contribution: None,
         weights: (0..n).map(|i| chain.stationary_probability(i)).collect(),

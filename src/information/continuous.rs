@@ -5,7 +5,7 @@
 //!   I^c_ij = (1/A_T) [∫∫ F ln(A_T F)]_ij / ln 2
 //! ```
 //!
-//! over pairs of faces; the parts of a pair are [`Logarithms`], so nothing singular is integrated.
+//! over pairs of faces; the parts of a pair are [`LogMeans`], so nothing singular is integrated.
 //! The result does not depend on the division of the faces into patches. Both end angles of a chord
 //! of a closed room are cosine-distributed, `E[ln cos θ] = −½`:
 //!
@@ -22,9 +22,9 @@
 
 use crate::chain::ChainError;
 use crate::exchange::ExchangeError;
-use crate::form_factor::Logarithms;
+use crate::form_factor::LogMeans;
 use crate::geometry::{GeometryError, Patch};
-use crate::numeric::{CompensatedSum, Grade, compensated_sum, tolerance, try_parallel_map};
+use crate::numeric::{Bounded, CompensatedSum, compensated_sum, tolerance, try_parallel_map};
 use crate::scene::{Occlusion, Scene};
 use std::f64::consts::LN_2;
 
@@ -45,12 +45,8 @@ pub struct FacePair {
 /// The continuous mutual information (4) of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContinuousInformation {
-    /// The information in bits, ≥ 0 but for rounding.
-    pub mutual_information: f64,
-    /// Estimated absolute error.
-    pub error: f64,
-    /// The grade of the error: an estimate.
-    pub error_grade: Grade,
+    /// The information in bits, ≥ 0 but for rounding; its error is an estimate.
+    pub mutual_information: Bounded,
     /// Number of faces.
     pub faces: usize,
     /// The face of each patch.
@@ -67,8 +63,8 @@ pub struct ContinuousInformation {
 ///
 /// # Errors
 /// [`ChainError::Scene`] if the room is not convex inside, an obstruction stands in it (leave it
-/// out with [`Scene::with_obstructions`]), or patches overlap; [`ChainError::Exchange`] if it is not
-/// closed, or a pair is refused.
+/// out with [`Scene::with_obstructions`]), or patches overlap; [`ChainError::Exchange`] if it is
+/// not closed, or a pair is refused.
 ///
 /// # Examples
 /// ```
@@ -76,7 +72,7 @@ pub struct ContinuousInformation {
 /// use infoscene::scene::Scene;
 /// let cube = continuous_information(&Scene::built_in("cube:2")?)?;
 /// // from an independent evaluation to 37 digits
-/// assert!((cube.mutual_information - 1.610_473_346_468_777_7).abs() < 2e-12);
+/// assert!((cube.mutual_information.value - 1.610_473_346_468_777_7).abs() < 2e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, ChainError> {
@@ -91,7 +87,7 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
         .collect();
     let measured = try_parallel_map(places.len(), &|place| {
         let [first, second] = places[place];
-        Logarithms::of(&faces[first], &faces[second]).map_err(|source| ExchangeError::Pair {
+        LogMeans::of(&faces[first], &faces[second]).map_err(|source| ExchangeError::Pair {
             first: first_patch(first),
             second: first_patch(second),
             source,
@@ -103,7 +99,7 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
             let [received, cosines, bound] = &mut rows[face];
             received.add(pair.exchange.value);
             cosines.add(cosine);
-            bound.add(pair.exchange.error_bound);
+            bound.add(pair.exchange.error);
         }
     }
     let unclosed = deviation_from_closure(&rows, &faces, |face| {
@@ -125,9 +121,10 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
     let estimates = compensated_sum(measured.iter().map(|pair| pair.error_estimate));
     let error = 2.0 * (estimates + unclosed) / (total_area * LN_2);
     Ok(ContinuousInformation {
-        mutual_information,
-        error: error + tolerance::INFORMATION * (1.0 + mutual_information.abs()),
-        error_grade: Grade::Estimate,
+        mutual_information: Bounded::estimate(
+            mutual_information,
+            error + tolerance::INFORMATION * (1.0 + mutual_information.abs()),
+        ),
         faces: faces.len(),
         face_of,
         pairs,

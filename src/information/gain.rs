@@ -118,7 +118,7 @@ pub fn refinement_gain(refinement: &Refinement) -> f64 {
 /// The weights of the parts of one state of a pair.
 struct PartWeights<'w> {
     scaled: Vec<Scaled>,
-    /// In units of a power of two near the largest.
+    /// The weights in units of a power of two near the largest.
     values: Vec<f64>,
     unit: i32,
     sum: f64,

@@ -29,13 +29,13 @@ use super::chain::{Unit, pair_divergence};
 use crate::chain::ChainError;
 use crate::exchange::{Closure, PassSummary, ScenePairs};
 use crate::form_factor::ExchangeArea;
-use crate::numeric::{Grade, compensated_sum, tolerance, x_log2_x};
+use crate::numeric::{Bounded, Grade, compensated_sum, tolerance, x_log2_x};
 use std::f64::consts::LN_2;
 
 /// The treatment of power that meets no patch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OpenScene {
-    /// It is refused.
+    /// An open scene is refused.
     Refuse,
     /// One more state, `outside`, takes what escapes.
     AddOutsideState,
@@ -48,12 +48,9 @@ pub struct SceneInformation {
     pub positional_entropy: f64,
     /// Entropy rate, eq. (2): `H_p − I`.
     pub entropy_rate: f64,
-    /// Mutual information, eq. (3).
-    pub mutual_information: f64,
-    /// The error of the mutual information.
-    pub error: f64,
-    /// The grade of the error: a bound for a closed scene, an estimate for an open one.
-    pub error_grade: Grade,
+    /// Mutual information, eq. (3); its error is a bound for a closed scene, an estimate for an
+    /// open one.
+    pub mutual_information: Bounded,
     /// The terms of eq. (3) by patch, or by the row that several are summed into,
     /// `w_i Σ_j P_ij log2(P_ij/w_j)`.
     pub contributions: Vec<f64>,
@@ -78,8 +75,8 @@ const DIVERGENCE_ERROR: usize = 3;
 /// The information of a scene's visibility chain, each pair taken once and none held.
 ///
 /// # Errors
-/// [`ChainError::Exchange`] for an open scene without [`OpenScene::AddOutsideState`], for rows above one, and if two patches are
-/// refused.
+/// [`ChainError::Exchange`] for an open scene without [`OpenScene::AddOutsideState`], for rows
+/// above one, and if two patches are refused.
 ///
 /// # Examples
 /// ```
@@ -90,7 +87,7 @@ const DIVERGENCE_ERROR: usize = 3;
 /// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
 /// let cube = scene_information(&pairs, OpenScene::Refuse)?;
 /// // one patch per face, from a 50-digit evaluation
-/// assert!((cube.mutual_information - 0.263_034_544_099_120_5).abs() < 1e-15);
+/// assert!((cube.mutual_information.value - 0.263_034_544_099_120_5).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn scene_information(
@@ -136,13 +133,15 @@ pub(super) fn information_with_sums<const N: usize>(
         positional_entropy,
         // a difference below rounding may come out on the other side of 0
         entropy_rate: (positional_entropy - mutual_information).max(0.0),
-        mutual_information,
-        error: error / outside.total + rounding,
-        error_grade: if is_closed {
-            Grade::Bound
-        } else {
-            Grade::Estimate
-        },
+        mutual_information: Bounded::of_grade(
+            mutual_information,
+            error / outside.total + rounding,
+            if is_closed {
+                Grade::Bound
+            } else {
+                Grade::Estimate
+            },
+        ),
         contributions,
         outside_contribution,
         weights: scene
@@ -159,7 +158,7 @@ pub(super) fn information_with_sums<const N: usize>(
 
 /// The sums over the rows of a scene, in units of [`Unit`].
 struct RowSums<const N: usize> {
-    /// In the unit of the scene.
+    /// The area in the unit of the scene.
     total_area: f64,
     area: f64,
     areas: Vec<f64>,
@@ -183,7 +182,7 @@ impl<const N: usize> RowSums<N> {
         let (areas, area_bounds) = (in_unit(pairs.areas()), in_unit(pairs.area_bounds()));
         let area = unit.times(total_area);
         let (sums, summary) = pairs.row_sums(|i, j, exchange| {
-            let (value, bound) = (unit.times(exchange.value), unit.times(exchange.error_bound));
+            let (value, bound) = (unit.times(exchange.value), unit.times(exchange.error));
             let probability = areas[j] / area;
             let divergence = pair_divergence(value, areas[i], probability);
             let error = divergence_error(value, bound, areas[i] * probability);

@@ -2,8 +2,9 @@
 //!
 //! ```text
 //!   x = high + low,   |low| ≤ ½ ulp(high)
-//!   ln x: x = 2^k m, c = m rounded to 1/32, z = (m − c)/(m + c):   k ln 2 + ln c + 2 Σ z^(2i+1)/(2i+1)
-//!   atan t: c = t rounded to 1/32, u = (t − c)/(1 + t c):           atan c + Σ (−1)^i u^(2i+1)/(2i+1)
+//!   ln x   = k ln 2 + ln c + 2 Σ z^(2i+1)/(2i+1)     x = 2^k m,  c = m rounded to 1/32,
+//!                                                    z = (m − c)/(m + c)
+//!   atan t = atan c + Σ (−1)^i u^(2i+1)/(2i+1)       c = t rounded to 1/32,  u = (t − c)/(1 + t c)
 //! ```
 //!
 //! Sums and products are within 4 ε², quotients and roots within 16 ε², functions within 64 ε²

@@ -1,4 +1,4 @@
-//! What can go wrong before any geometry is involved.
+//! Errors of computations that know no geometry.
 
 /// A guarded numerical routine refused its input or could not keep its promise.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

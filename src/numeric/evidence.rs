@@ -4,6 +4,12 @@
 //!   sample < estimate < bound < enclosure < proof
 //! ```
 //!
+//! One rule names them everywhere. A number that people read is a [`Bounded`]. A type held by the
+//! million has the fields `value` and `error` alone; its grade is the constant `GRADE`, and
+//! `bounded` joins the three. A list of errors is `errors`. An `error` is absolute and of the
+//! number beside it; `standard_error` (one standard deviation) and `relative_error` (a quotient)
+//! keep their names, for they mean something else.
+//!
 //! **Not covered**: enclosures themselves, which are [`Interval`](super::Interval)s.
 
 /// The grade of evidence behind a number or a statement, weakest first.
@@ -23,7 +29,7 @@ pub enum Grade {
 }
 
 impl Grade {
-    /// Every grade, weakest first.
+    /// The grades, weakest first.
     pub const ALL: [Self; 5] = [
         Self::Sample,
         Self::Estimate,
@@ -62,7 +68,7 @@ impl Grade {
 pub struct Bounded {
     /// The number.
     pub value: f64,
-    /// Its absolute error, ≥ 0: what the grade says of it.
+    /// The absolute error of the value, ≥ 0; the grade tells its meaning.
     pub error: f64,
     /// The grade of the error.
     pub grade: Grade,

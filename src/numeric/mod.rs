@@ -1,10 +1,10 @@
 //! The numbers everything else is written in.
 //!
-//! Each formula of this crate is written once, over [`Scalar`]: `f64` gives the
-//! fast value, [`Interval`] an enclosure of the exact one, [`Dual`] the derivative with it. Beside it stand
-//! the entropy kernels (`0·log 0 = 0` lives there and nowhere else), exact and
-//! compensated sums, roots and maxima (guarded in `f64`, [certified](certified_maximum) over intervals),
-//! guarded quadrature, and the one table of tolerances.
+//! Each formula of this crate is written once, over [`Scalar`]: `f64` gives the fast value,
+//! [`Interval`] an enclosure of the exact one, [`Dual`] the derivative with it. Beside it stand the
+//! entropy kernels (`0·log 0 = 0` lives there and nowhere else), exact and compensated sums, roots
+//! and maxima (guarded in `f64`, [certified](certified_maximum) over intervals), guarded
+//! quadrature, and the one table of tolerances.
 //!
 //! **Not here**: geometry, and anything that knows what a form factor is.
 

@@ -27,8 +27,8 @@ pub trait Scalar:
     + for<'a> Mul<&'a Self, Output = Self>
     + for<'a> Div<&'a Self, Output = Self>
 {
-    /// Do sums carry the magnitude of their terms, as a measure of rounding? An enclosure has no
-    /// use for it.
+    /// Whether sums carry the magnitude of their terms, as a measure of rounding. An enclosure has
+    /// no use for it.
     const TRACKS_ROUNDING: bool = true;
 
     /// The number `value`, exactly, at the precision of `self`.
@@ -37,7 +37,7 @@ pub trait Scalar:
     /// π at the precision of `self`.
     #[must_use]
     fn pi(&self) -> Self;
-    /// This number as an `f64`, to within one unit in the last place.
+    /// The number as an `f64`, to within one unit in the last place.
     #[must_use]
     fn to_f64(&self) -> f64;
     /// Square root of a number ≥ 0.
@@ -96,8 +96,8 @@ pub trait Scalar:
     #[must_use]
     fn x_ln_x(&self) -> Self;
 
-    /// Does some work; if numbers of this type fit a processor's vectors, compiled for those that
-    /// it has.
+    /// Runs `work`; if numbers of this type fit a processor's vectors, compiled for those that it
+    /// has.
     #[inline(always)]
     fn vectorised<T>(work: impl FnOnce() -> T) -> T {
         work()
@@ -108,12 +108,13 @@ pub trait Scalar:
     fn zero(&self) -> Self {
         self.constant(0.0)
     }
-    /// Is this exactly zero?
+    /// Tells whether this is exactly zero.
     #[must_use]
     fn is_zero(&self) -> bool {
         *self == self.zero()
     }
-    /// Is this certainly ≥ 0? An interval from 0 upwards is, though it does not compare with 0.
+    /// Tells whether this is certainly ≥ 0. An interval from 0 upwards is, though it does not
+    /// compare with 0.
     #[must_use]
     fn is_nonnegative(&self) -> bool {
         *self >= self.zero()

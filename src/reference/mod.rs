@@ -3,9 +3,9 @@
 //! Nothing of the library uses them: studies, tests and benches compare with them.
 
 pub mod exchange;
+pub mod fixed_float;
 mod gain;
 mod truth;
-pub mod wide;
 
 pub use gain::exact_gain;
 pub use truth::Truth;

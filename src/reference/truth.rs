@@ -1,4 +1,4 @@
-//! The exact value of an exchange area, to judge others by.
+//! The exact value of an exchange area, to judge computed ones by.
 //!
 //! Aligned rectangles whose coordinates are exact in a common frame: the closed form's enclosure
 //! with 256 bits. All other polygons: the slow [reference], with significands of 256 bits and an
@@ -62,7 +62,7 @@ impl Truth {
             .exchange;
         Ok(Self {
             value: Interval::precise(exchange.value, BITS),
-            uncertainty: exchange.error_bound / exchange.value + f64::EPSILON,
+            uncertainty: exchange.error / exchange.value + f64::EPSILON,
             origin: "double-double",
         })
     }

@@ -9,6 +9,7 @@
 //! **Not here**: computing, but for the numbers of [`findings_page`]; all others come finished.
 
 mod answers;
+mod error;
 mod render;
 
 pub use answers::claims::{curve_figure, curve_report, reproduction_report};
@@ -16,10 +17,11 @@ pub use answers::claims_page::{claims_page, first_verdicts};
 pub use answers::cuts::{cut_report, cuts_figure, cuts_report};
 pub use answers::findings::findings_page;
 pub use answers::form_factors::{FormFactorRecord, PatchRecord, write_form_factors};
-pub use answers::grid::{GridAnswer, GridEnclosures, grid_report};
+#[cfg(feature = "proptest")]
+pub use answers::fuzz::fuzz_report;
+pub use answers::grid::grid_report;
 pub use answers::measure::{measure_report, plan_notes};
 pub use answers::radiosity::radiosity_report;
-pub use answers::refinement::{refinements_figure, refinements_report};
 pub use answers::sampled::sample_report;
 pub use answers::studies::gradient::{directions_report, limits_report, profiles_report};
 #[cfg(feature = "proptest")]
@@ -27,6 +29,8 @@ pub use answers::studies::plain::fuzz_report;
 pub use answers::studies::plain::study_report;
 pub use answers::studies::routes::{accuracy_report, stability_report};
 pub use answers::studies::sampling::{figure_5_report, sampling_report};
+pub use answers::studies::{study_figure, study_report};
+pub use error::ReportError;
 pub use render::document::{Format, Report, ReportError, json_text};
 pub use render::figure::{Axis, Figure, Line};
 pub use render::npy::{write_npy_head, write_npy_row};

@@ -2,7 +2,6 @@
 
 use super::Obstacle;
 use crate::geometry::GeometryError;
-use crate::scene::files::error::FileError;
 
 /// A scene was refused.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -41,9 +40,14 @@ pub enum SceneError {
         /// The geometric reason.
         source: GeometryError,
     },
-    /// A file is not a scene.
-    #[error(transparent)]
-    File(#[from] Box<FileError>),
+    /// The file of a built-in scene cannot be read.
+    #[error("the built-in scene {name} cannot be read: {reason}")]
+    BuiltIn {
+        /// Its name.
+        name: &'static str,
+        /// What its reader says.
+        reason: String,
+    },
     /// A patch lies, in the end, in itself.
     #[error("patch {part} cannot lie in patch {base}, which lies in it: name a base outside")]
     BaseCycle {

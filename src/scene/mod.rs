@@ -21,9 +21,10 @@ mod visibility;
 
 pub use error::SceneError;
 pub use material::{Material, MaterialError};
-pub use visibility::blockers::{Blocker, Blockers, Obstacle};
+pub use visibility::blockers::{Blocker, Blockers};
 pub use visibility::grid_lines::GridLines;
 pub use visibility::lines::{Chord, Passage, SceneLines};
+pub use visibility::obstacle::Obstacle;
 pub use visibility::occlusion::Occlusion;
 
 use crate::geometry::{GeometryError, Patch, Rectangle};

@@ -104,8 +104,8 @@ pub fn refinements(quick: bool) -> Result<Vec<RefinementRow>, StudyError> {
     for (name, most) in SCENES {
         let most = if quick { most.min(100) } else { most };
         let whole = Scene::built_in(name)?;
-        let continuous = continuous_information(&whole)?;
-        let limit = continuous.mutual_information;
+        let continuous = continuous_information(&whole)?.mutual_information;
+        let limit = continuous.value;
         for times in 0.. {
             let (scene, _) = whole.subdivided(times)?;
             if scene.patches().len() > most {
@@ -118,9 +118,9 @@ pub fn refinements(quick: bool) -> Result<Vec<RefinementRow>, StudyError> {
                 Congruence::Shared,
                 Occlusion::Refuse,
             )?;
-            let discrete = scene_information(&pairs, OpenScene::Refuse)?;
+            let discrete = scene_information(&pairs, OpenScene::Refuse)?.mutual_information;
             let seconds = start.elapsed().as_secs_f64();
-            let information = discrete.mutual_information;
+            let information = discrete.value;
             let before = rows.last().filter(|row| row.scene == name);
             let gap = limit - information;
             rows.push(RefinementRow {

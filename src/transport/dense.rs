@@ -135,7 +135,8 @@ impl DenseExchange<'_> {
                 let row = self.0.row(j);
                 let mut own = [[0.0; LANES]; P];
                 let (taken, others) = (&mut own, sums.each_mut().map(|sums| &mut sums[..j]));
-                // what is moved in is local to the loop, which the compiler wants to see for vectors
+                // what is moved in is local to the loop, which the compiler wants to see for
+                // vectors
                 vectorised(
                     #[inline(always)]
                     move || *taken = along(row, x, others, kernel),

@@ -1,4 +1,4 @@
-//! Why there is no equilibrium of light.
+//! Reasons why there is no equilibrium of light.
 
 use crate::exchange::ExchangeError;
 
@@ -11,7 +11,7 @@ pub enum TransportError {
     WrongCount {
         /// The name of the list.
         what: &'static str,
-        /// Its length.
+        /// The number of values given.
         found: usize,
         /// Number of patches.
         expected: usize,
@@ -26,7 +26,8 @@ pub enum TransportError {
     },
     /// A positive reflectance whose inverse is beyond what can be computed with.
     #[error(
-        "the reflectance of patch {patch} is {value:e}: it must be 0, or {SMALLEST_REFLECTANCE:e} at least"
+        "the reflectance of patch {patch} is {value:e}: it must be 0, or {SMALLEST_REFLECTANCE:e} at \
+         least"
     )]
     ReflectanceTooSmall {
         /// The patch, from 0.
@@ -44,7 +45,7 @@ pub enum TransportError {
         /// The value that was given.
         value: f64,
     },
-    /// Every source is 0.
+    /// The sources are all 0.
     #[error("no patch has a positive {what}: give one to a patch at least")]
     NoSource {
         /// Emittance or importance.
@@ -63,7 +64,8 @@ pub enum TransportError {
     NoWalks,
     /// An exchange matrix was refused.
     #[error(
-        "entry ({row}, {column}) of the exchange areas is {value}: it must be finite, ≥ 0 and equal to its mirror image"
+        "entry ({row}, {column}) of the exchange areas is {value}: it must be finite, ≥ 0 and equal to \
+         its mirror image"
     )]
     InvalidExchange {
         /// Row, from 0.

@@ -1,4 +1,4 @@
-//! The solution of the equations of [`RadiositySystem`], with a bound on its error.
+//! Solution of the equations of [`RadiositySystem`], with a bound on its error.
 
 use super::conjugate_gradients::conjugate_gradients;
 use super::{ExchangeOperator, Importance, RadiositySolution, RadiositySystem, TransportError};
@@ -279,7 +279,7 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
 
     /// `g(x)`: what the errors of the exchange areas can do to the equations.
     fn perturbation(&self, x: &[f64], sources: &[f64]) -> Option<Vec<f64>> {
-        let bounds = self.error_bounds.as_ref()?;
+        let bounds = self.errors.as_ref()?;
         let (between, from_others) = (bounds.absolute_differences(x), leading(&bounds.gathered(x)));
         let row = |i: usize| {
             let reflectance = self.reflectances[i];

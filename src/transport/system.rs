@@ -9,7 +9,7 @@
 //! scene e is 0 by construction, with `A_i = Σ_j J_ij`: the usual form `B = E + R F B` moves B by
 //! δ/(1−R) when a row sum is off by δ, this one does not.
 //!
-//! **Solution**: conjugate gradients, the residual anew with 106 bits, and again for what is left.
+//! **Solution**: conjugate gradients, the residual anew with 106 bits, and again for the remainder.
 //!
 //! **Error of the solution**, a *bound*, of each B_i relative to itself. The matrix M has an
 //! inverse without negative entries. With its diagonal D, its other entries −D T and right sides b,
@@ -47,7 +47,7 @@ pub struct RadiositySystem<O> {
     /// Exchange areas off the diagonal.
     pub(super) exchange: O,
     /// The bounds on their errors; none where they count as exact.
-    pub(super) error_bounds: Option<O>,
+    pub(super) errors: Option<O>,
     /// `Σ_j δ_ij`.
     pub(super) row_bounds: Vec<f64>,
     /// The exchange area of each patch with itself.
@@ -114,11 +114,11 @@ impl<'e> RadiositySystem<DenseExchange<'e>> {
         closure.require_at_most_one()?;
         let rows = || 0..exchange.rows();
         let own = rows().map(|i| exchange.get(i, i).exchange);
-        let (own, own_bounds) = own.map(|own| (own.value, own.error_bound)).unzip();
+        let (own, own_bounds) = own.map(|own| (own.value, own.error)).unzip();
         let open = |i: usize| (closure.escaping(i) > 0.0).then(|| exchange.areas()[i]);
         Self::in_own_unit(
             exchange.values().into(),
-            Some(exchange.error_bounds().into()),
+            Some(exchange.errors().into()),
             ExchangeRows {
                 own,
                 own_bounds,
@@ -157,7 +157,7 @@ impl<'e> RadiositySystem<DenseExchange<'e>> {
     /// The system in units in which neither products nor their low halves leave `f64`.
     fn in_own_unit(
         mut exchange: DenseExchange<'e>,
-        mut error_bounds: Option<DenseExchange<'e>>,
+        mut errors: Option<DenseExchange<'e>>,
         mut rows: ExchangeRows,
         reflectances: Vec<f64>,
     ) -> Result<Self, TransportError> {
@@ -165,7 +165,7 @@ impl<'e> RadiositySystem<DenseExchange<'e>> {
         let power = -Scaled::new(exchange.largest(own)).exponent;
         if power.abs() > 300 {
             exchange.scale(power);
-            if let Some(bounds) = &mut error_bounds {
+            if let Some(bounds) = &mut errors {
                 bounds.scale(power);
             }
             let ExchangeRows {
@@ -178,7 +178,7 @@ impl<'e> RadiositySystem<DenseExchange<'e>> {
                 *value = Scaled::new(*value).times_power(power);
             }
         }
-        Self::try_new(exchange, error_bounds, rows, reflectances)
+        Self::try_new(exchange, errors, rows, reflectances)
     }
 }
 
@@ -192,7 +192,7 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
     /// [`TransportError::ReflectanceOutOfRange`], [`TransportError::ReflectanceTooSmall`].
     pub fn try_new(
         exchange: O,
-        error_bounds: Option<O>,
+        errors: Option<O>,
         rows: ExchangeRows,
         reflectances: Vec<f64>,
     ) -> Result<Self, TransportError> {
@@ -202,7 +202,7 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
         check_reflectances(&reflectances, exchange.order())?;
         let ones = vec![1.0; exchange.order()];
         let sums = exchange.gathered(&ones);
-        let row_bounds = match &error_bounds {
+        let row_bounds = match &errors {
             Some(bounds) => {
                 let sums = bounds.gathered(&ones);
                 let sums = sums.iter().zip(&rows.own_bounds);
@@ -232,7 +232,7 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
         Ok(Self {
             diagonal: diagonal.collect(),
             exchange,
-            error_bounds,
+            errors,
             row_bounds,
             own: rows.own,
             areas,

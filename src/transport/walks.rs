@@ -2,7 +2,7 @@
 //!
 //! A *gathering* walk starts at the patch whose radiosity is asked for and goes where light may
 //! come from; a *shooting* walk starts at a source and goes where its light falls. Both go on for
-//! ever: they end when what is left is below 2⁻⁷⁰ of what was found.
+//! ever: they end when the remaining weight is below 2⁻⁷⁰ of what was found.
 //!
 //! ```text
 //!   gathering from i:  B_i = E_i + Σ_k W_k E_ik,        W ← W · R_i F_ij / P_ij
@@ -59,7 +59,7 @@ impl Walks {
     }
 }
 
-/// Below this share of what was found, what is left does not count.
+/// Share of what was found below which the remaining weight does not count.
 const LEFT: f64 = 1.0 / (1u128 << 70) as f64;
 
 /// A walk that is longer is cut off: with reflectances up to 0.9999 none is.
@@ -194,7 +194,7 @@ impl<'w, 'e> Ways<'w, 'e> {
         }
     }
 
-    /// A walk from a patch with a weight, until what is left does not count: what it finds, and its
+    /// A walk from a patch with a weight, until the rest does not count: what it finds, and its
     /// steps.
     ///
     /// **Arguments** `finds`, `left`: what a patch adds per weight, and how much may follow;

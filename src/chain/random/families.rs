@@ -23,7 +23,7 @@ use nalgebra::DMatrix;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ChainFamily {
-    /// Every entry positive.
+    /// A refinement whose joint matrix has every entry positive.
     Dense,
     /// About five entries in eight are zero.
     Sparse,

@@ -20,8 +20,8 @@ impl Gaps {
     /// takes `limit_factor` times the limit.
     fn of(scene: &str, times: u32, case: &Case<'_>) -> Result<Self, ClaimError> {
         let whole = Scene::built_in(scene)?;
-        let continuous = continuous_information(&whole)?;
-        let limit = case.number("limit_factor")? * continuous.mutual_information;
+        let continuous = continuous_information(&whole)?.mutual_information;
+        let limit = case.number("limit_factor")? * continuous.value;
         let mut error = continuous.error;
         let mut gaps = Vec::new();
         for times in 0..=times {
@@ -32,9 +32,9 @@ impl Gaps {
                 Congruence::Shared,
                 Occlusion::Refuse,
             )?;
-            let discrete = scene_information(&pairs, OpenScene::Refuse)?;
+            let discrete = scene_information(&pairs, OpenScene::Refuse)?.mutual_information;
             error = larger(error, continuous.error + discrete.error);
-            gaps.push(limit - discrete.mutual_information);
+            gaps.push(limit - discrete.value);
         }
         Ok(Self { gaps, error })
     }
@@ -87,8 +87,8 @@ pub(crate) fn continuous_limit_is_approached(case: &Case<'_>) -> Result<Finding,
 /// proportional to the size of the patches `2 I(h/2) − I(h)` is the limit, and may miss it by
 /// `share` of the gap.
 pub(crate) fn continuous_is_least_upper_bound(case: &Case<'_>) -> Result<Finding, ClaimError> {
-    let continuous = continuous_information(&Scene::built_in("cube:1")?)?;
-    let limit = case.number("limit_factor")? * continuous.mutual_information;
+    let continuous = continuous_information(&Scene::built_in("cube:1")?)?.mutual_information;
+    let limit = case.number("limit_factor")? * continuous.value;
     let mut smallest = f64::INFINITY;
     let scanned = case.count("scanned")?;
     for step in 1..=scanned {
@@ -100,7 +100,8 @@ pub(crate) fn continuous_is_least_upper_bound(case: &Case<'_>) -> Result<Finding
                 limit
                     - BoxGrid::try_new(UNIT_CUBE, &lines)?
                         .information()?
-                        .mutual_information,
+                        .mutual_information
+                        .value,
             );
         }
     }
@@ -109,7 +110,8 @@ pub(crate) fn continuous_is_least_upper_bound(case: &Case<'_>) -> Result<Finding
         let gap = limit
             - BoxGrid::regular(UNIT_CUBE, 1 << doublings)?
                 .information()?
-                .mutual_information;
+                .mutual_information
+                .value;
         smallest = smaller(smallest, gap);
         regular.push(gap);
     }

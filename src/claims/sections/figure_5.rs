@@ -31,7 +31,7 @@ const MOST_SAMPLES: u64 = 1 << 50;
 /// # Errors
 /// [`DiscretizeError::FormFactor`] if a pair is refused.
 pub fn samples_for(grid: &BoxGrid, expected: f64) -> Result<Option<u64>, DiscretizeError> {
-    let wanted = expected - grid.information()?.mutual_information;
+    let wanted = expected - grid.information()?.mutual_information.value;
     let (mut low, mut high) = (0, 1);
     // the bias falls with every line
     while grid.expected_bias(high)? > wanted {
@@ -65,7 +65,7 @@ pub(crate) fn reading(case: &Case<'_>, lines: &[f64]) -> Result<String, ClaimErr
         "read as plug-in estimates from random lines, of which {thousands:.1} thousand give the \
          regular grid {printed} on average (fitted), this grid has {:.4} ± {:.4}: \
          the best explanation found, not a proof",
-        grid.information()?.mutual_information + grid.expected_bias(samples)?,
+        grid.information()?.mutual_information.value + grid.expected_bias(samples)?,
         grid.expected_deviation(samples)?
     ))
 }

@@ -318,7 +318,8 @@ pub(crate) fn regular_grid_information(case: &Case<'_>) -> Result<Finding, Claim
     let at = |cells: u32| -> Result<f64, ClaimError> {
         Ok(BoxGrid::regular(UNIT_CUBE, cells)?
             .information()?
-            .mutual_information)
+            .mutual_information
+            .value)
     };
     let information = CertifiedGrid::regular(UNIT_CUBE, case.count("cells")?, case.bits())?;
     let levels = (1..=12).map(at).collect::<Result<Vec<f64>, _>>()?;

@@ -178,7 +178,7 @@ fn highest_maximum(
             }
         }
     }
-    let information = |found: &(_, GridInformation, _)| found.1.mutual_information;
+    let information = |found: &(_, GridInformation, _)| found.1.mutual_information.value;
     maxima.sort_by(|a, b| information(b).total_cmp(&information(a)));
     let others = maxima.iter().skip(1).map(information).collect();
     let Some((grid, _, reached)) = maxima.into_iter().next() else {

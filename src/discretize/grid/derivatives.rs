@@ -54,7 +54,7 @@ impl BoxGrid {
             for pair in rows[chunk].iter().flat_map(|row| classes.row(row)) {
                 let product = pair.areas() / total;
                 let exchange = pair.exchange_area(product, allowed)?;
-                let error = exchange.error_bound / exchange.value;
+                let error = exchange.error / exchange.value;
                 sums.add(&pair, &exchange.value, &product, error);
             }
             Ok::<_, DiscretizeError>(sums)

@@ -87,7 +87,7 @@ impl CutSurface {
         let found = self.polygon.exchange_area(&other, DEFAULT_TOLERANCE)?;
         let exchange = found.exchange;
         // a value that is not positive beyond its error is that of a patch behind the plane
-        let whole = if exchange.value > exchange.error_bound {
+        let whole = if exchange.value > exchange.error {
             exchange.value
         } else {
             0.0

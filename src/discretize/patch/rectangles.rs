@@ -43,9 +43,7 @@ pub(crate) fn or_dark<S: Scalar>(
     like: &S,
 ) -> Result<S, DiscretizeError> {
     match exchange {
-        Err(FormFactorError::NotResolved { error_bound, .. })
-            if error_bound <= DARK * whole()?.to_f64() =>
-        {
+        Err(FormFactorError::NotResolved { error, .. }) if error <= DARK * whole()?.to_f64() => {
             Ok(like.zero())
         }
         exchange => Ok(exchange?),

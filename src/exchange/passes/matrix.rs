@@ -26,7 +26,7 @@ pub struct ExchangeAreas {
     /// The rows that may see themselves.
     diagonal: HashMap<usize, Answer>,
     values: Symmetric<f64>,
-    error_bounds: Symmetric<f64>,
+    errors: Symmetric<f64>,
     routes: Symmetric<Route>,
     summary: PassSummary,
 }
@@ -34,7 +34,7 @@ pub struct ExchangeAreas {
 /// One row left of the diagonal, to be filled.
 struct Row<'r> {
     values: &'r mut [f64],
-    error_bounds: &'r mut [f64],
+    errors: &'r mut [f64],
     routes: &'r mut [Route],
 }
 
@@ -66,8 +66,8 @@ impl ExchangeAreas {
 
     /// The bounds on the errors of [`values`](Self::values).
     #[must_use]
-    pub const fn error_bounds(&self) -> &Symmetric<f64> {
-        &self.error_bounds
+    pub const fn errors(&self) -> &Symmetric<f64> {
+        &self.errors
     }
 
     /// The rows' areas, without what lies in them.
@@ -103,7 +103,7 @@ impl ExchangeAreas {
         Answer {
             exchange: ExchangeArea {
                 value: *self.values.get(i, j),
-                error_bound: *self.error_bounds.get(i, j),
+                error: *self.errors.get(i, j),
             },
             route: *self.routes.get(i, j),
         }
@@ -130,14 +130,14 @@ impl ScenePairs<'_> {
     /// [`ExchangeError::Pair`] if two patches are refused.
     pub fn exchange_areas(&self) -> Result<ExchangeAreas, ExchangeError> {
         let mut values = Symmetric::filled(self.rows(), 0.0);
-        let mut error_bounds = Symmetric::filled(self.rows(), 0.0);
+        let mut errors = Symmetric::filled(self.rows(), 0.0);
         let mut routes = Symmetric::filled(self.rows(), Route::Coplanar);
-        let rows = values.rows_mut().into_iter().zip(error_bounds.rows_mut());
+        let rows = values.rows_mut().into_iter().zip(errors.rows_mut());
         let rows = rows.zip(routes.rows_mut());
         let to_fill: Vec<Row<'_>> = rows
-            .map(|((values, error_bounds), routes)| Row {
+            .map(|((values, errors), routes)| Row {
                 values,
-                error_bounds,
+                errors,
                 routes,
             })
             .collect();
@@ -158,7 +158,7 @@ impl ScenePairs<'_> {
             area_bounds: self.area_bounds().to_vec(),
             diagonal,
             values,
-            error_bounds,
+            errors,
             routes,
             summary: self.summary(counts),
         })
@@ -171,7 +171,7 @@ impl ScenePairs<'_> {
             |place| place,
             |[_, column], _, answer| {
                 entries.values[column] = answer.exchange.value;
-                entries.error_bounds[column] = answer.exchange.error_bound;
+                entries.errors[column] = answer.exchange.error;
                 entries.routes[column] = answer.route;
             },
         )?;

@@ -77,7 +77,7 @@ pub struct TileAnswers {
     /// The exchange areas, row by row.
     pub values: Vec<f64>,
     /// The bounds on their errors.
-    pub error_bounds: Vec<f64>,
+    pub errors: Vec<f64>,
     /// The counts of the tile's pairs.
     pub counts: PassCounts,
 }
@@ -104,16 +104,16 @@ impl ScenePairs<'_> {
     /// # Examples
     /// ```
     /// use infoscene::exchange::{Congruence, ScenePairs};
-    /// use infoscene::scene::Scene;
+    /// use infoscene::scene::{Occlusion, Scene};
     /// let cube = Scene::built_in("cube:2")?;
-    /// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared)?;
+    /// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
     /// let mut sum = 0.0;
     /// for tile in pairs.tiles(8) {
     ///     sum += 2.0 * pairs.tile(&tile)?.values.iter().sum::<f64>();
     /// }
     /// // faces of four patches each: no tile is on the diagonal, and the scene is closed
     /// assert!((sum - 6.0).abs() < 1e-13);
-    /// # Ok::<(), infoscene::scene::SceneError>(())
+    /// # Ok::<(), infoscene::exchange::ExchangeError>(())
     /// ```
     pub fn tiles(&self, side: usize) -> impl Iterator<Item = Tile> {
         self.bands(side).flat_map(|band| band.tiles)
@@ -143,7 +143,7 @@ impl ScenePairs<'_> {
         let order = self.plane_sets().order();
         let width = columns.len();
         let mut values = vec![0.0; rows.len() * width];
-        let mut error_bounds = values.clone();
+        let mut errors = values.clone();
         let is_on_diagonal = tile.block().is_on_diagonal();
         let counts = self.walk(
             tile.block(),
@@ -152,7 +152,7 @@ impl ScenePairs<'_> {
                 let (row, column) = (row - rows.start, column - columns.start);
                 let mut put = |at: usize| {
                     values[at] = answer.exchange.value;
-                    error_bounds[at] = answer.exchange.error_bound;
+                    errors[at] = answer.exchange.error;
                 };
                 put(row * width + column);
                 if is_on_diagonal {
@@ -164,7 +164,7 @@ impl ScenePairs<'_> {
             rows: order[rows.clone()].to_vec(),
             columns: order[columns.clone()].to_vec(),
             values,
-            error_bounds,
+            errors,
             counts,
         })
     }

@@ -45,14 +45,14 @@ pub struct Unreached {
     /// The exchange area.
     pub value: f64,
     /// The bound on its error.
-    pub error_bound: f64,
+    pub error: f64,
 }
 
 impl Unreached {
     /// The relative error that is certain; infinite for 0.
     #[must_use]
     pub fn relative(&self) -> f64 {
-        self.error_bound / self.value
+        self.error / self.value
     }
 }
 
@@ -95,14 +95,14 @@ impl PassCounts {
 
     /// Counts a pair of rows if it misses the tolerance.
     pub(crate) fn rows(&mut self, [first, second]: [usize; 2], answer: &Answer, tolerance: f64) {
-        let (value, error_bound) = (answer.exchange.value, answer.exchange.error_bound);
-        if error_bound > tolerance * value {
+        let (value, error) = (answer.exchange.value, answer.exchange.error);
+        if error > tolerance * value {
             self.unreached += 1;
             let unreached = Unreached {
                 first: first.min(second),
                 second: first.max(second),
                 value,
-                error_bound,
+                error,
             };
             self.keep_worst(&unreached);
         }

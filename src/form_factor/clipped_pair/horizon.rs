@@ -33,7 +33,7 @@ pub(crate) type Heights = SmallVec<[f64; 4]>;
 
 /// The part of a polygon in front of another one's plane.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) enum Side {
+pub(crate) enum FrontPart {
     /// Nothing: the polygon lies in the plane.
     Within,
     /// Nothing: the polygon lies behind the plane, or behind it and in it.
@@ -46,7 +46,7 @@ pub(crate) enum Side {
 
 /// Upper bounds on the displacement of corners.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct Off {
+pub(crate) struct Displacement {
     /// Above or below the other polygon's plane.
     pub height: f64,
     /// Anywhere, and the area of the ribbons that this leaves.
@@ -58,7 +58,7 @@ pub(crate) struct Off {
     pub tilted_strip: f64,
 }
 
-impl Off {
+impl Displacement {
     /// The bounds for both polygons: the larger distance, and the sum of areas.
     pub(crate) const fn and(self, other: Self) -> Self {
         Self {
@@ -71,8 +71,8 @@ impl Off {
     }
 }
 
-impl Side {
-    /// Is any of it in front?
+impl FrontPart {
+    /// Tells whether any of the polygon is in front.
     pub(crate) const fn is_in_front(&self) -> bool {
         matches!(self, Self::Front | Self::Clipped(_))
     }
@@ -90,7 +90,11 @@ impl Side {
 /// its corners.
 ///
 /// **Arguments** `heights`: empty; those of what is in front are put there.
-pub(crate) fn side_of(polygon: &Polygon, plane: &Polygon, heights: &mut Heights) -> (Side, Off) {
+pub(crate) fn side_of(
+    polygon: &Polygon,
+    plane: &Polygon,
+    heights: &mut Heights,
+) -> (FrontPart, Displacement) {
     let (shape, origin) = (&polygon.shape, plane.shape.corners[0]);
     let reach = shape.largest;
     // what the rounding of coordinates may do to a height
@@ -133,32 +137,32 @@ pub(crate) fn side_of(polygon: &Polygon, plane: &Polygon, heights: &mut Heights)
         (false, true) => above,
         (false, false) => below.max(above).max(0.0),
     };
-    let mut off = Off {
+    let mut displacement = Displacement {
         height: slack,
-        ..Off::default()
+        ..Displacement::default()
     };
     // none where every height is certain
     if wrong_side > f64::NEG_INFINITY {
         let widths = [wrong_side.max(0.0) + tilted, tilted];
-        [off.strip, off.tilted_strip] = strips(shape, heights, widths);
+        [displacement.strip, displacement.tilted_strip] = strips(shape, heights, widths);
     }
     match (least >= 0.0, most <= 0.0) {
-        (true, true) => return (Side::Within, off),
-        (true, false) => return (Side::Front, off),
-        (false, true) => return (Side::Behind, off),
+        (true, true) => return (FrontPart::Within, displacement),
+        (true, false) => return (FrontPart::Front, displacement),
+        (false, true) => return (FrontPart::Behind, displacement),
         (false, false) => {}
     }
     let (corners, clipped_heights, moved) = outline_in_front(shape, plane, heights);
     // a coordinate of a new corner, no farther out than the old ones, is rounded once: half an ε of
     // each of three
-    off.place = 0.87 * f64::EPSILON * reach;
-    off.ribbon = off.place * moved;
+    displacement.place = 0.87 * f64::EPSILON * reach;
+    displacement.ribbon = displacement.place * moved;
     match Shape::new(&corners, polygon.precise_normal) {
         Some(shape) => {
             *heights = heights_of(&shape, &corners, &clipped_heights);
-            (Side::Clipped(Box::new(shape)), off)
+            (FrontPart::Clipped(Box::new(shape)), displacement)
         }
-        None => (Side::Behind, off),
+        None => (FrontPart::Behind, displacement),
     }
 }
 

@@ -1,5 +1,5 @@
-//! A pair as the routes see it: what of each polygon is in front of the other's plane, and measures
-//! of both.
+//! A pair of polygons, each clipped at the other's plane, with the measures that the choice of a
+//! route rests on.
 
 pub(crate) mod horizon;
 pub(crate) mod shape;
@@ -7,12 +7,12 @@ pub(crate) mod shape;
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
 use crate::form_factor::gauss::points::{Lines, Rules};
 use glam::DVec3;
-use horizon::{Heights, Off, Side, side_of};
+use horizon::{Displacement, FrontPart, Heights, side_of};
 use shape::Shape;
 use std::f64::consts::PI;
 
 /// The parts of a pair in front of each other's planes, with measures that the choice rests on.
-pub(crate) struct View<'a> {
+pub(crate) struct ClippedPair<'a> {
     pub polygons: [&'a Polygon; 2],
     pub shapes: [&'a Shape; 2],
     pub heights: [&'a [f64]; 2],
@@ -21,13 +21,13 @@ pub(crate) struct View<'a> {
     /// An upper bound on all distances.
     pub reach: f64,
     /// Bounds on the displacement of corners.
-    pub off: Off,
+    pub displacement: Displacement,
     /// The largest height of each.
     highest: [f64; 2],
     /// `area × area × h_max g_max / (π gap⁴)`.
     pub largest: f64,
-    /// What that changes at most, per length: by flux through ribbons; for polygons apart, relative
-    /// to the value, by other heights, and by other areas and distances.
+    /// Bounds on the change that displaced corners cause, per length: by flux through ribbons; for
+    /// polygons apart, relative to the value, by other heights, and by other areas and distances.
     ribbons: f64,
     /// The most that a point of either receives, per area.
     received: f64,
@@ -40,24 +40,24 @@ pub(crate) struct View<'a> {
 
 /// Clips a pair and hands it to `route`, which is not asked if one polygon is behind the other's
 /// plane, or in it.
-pub(crate) fn seen(
+pub(crate) fn with_clipped_pair(
     polygons: [&Polygon; 2],
     tolerance: f64,
-    route: impl FnOnce(&View) -> Result<Answer, FormFactorError>,
+    route: impl FnOnce(&ClippedPair) -> Result<Answer, FormFactorError>,
 ) -> Result<Answer, FormFactorError> {
     let [first, second] = polygons;
     let [mut first_heights, mut second_heights] = [Heights::new(), Heights::new()];
-    let (above_second, first_off) = side_of(first, second, &mut first_heights);
-    let (above_first, second_off) = side_of(second, first, &mut second_heights);
-    let off = first_off.and(second_off);
+    let (above_second, first_displacement) = side_of(first, second, &mut first_heights);
+    let (above_first, second_displacement) = side_of(second, first, &mut second_heights);
+    let displacement = first_displacement.and(second_displacement);
     let sides = [&above_second, &above_first];
     if !sides.iter().all(|side| side.is_in_front()) {
-        let within = sides.iter().all(|side| matches!(side, Side::Within));
+        let within = sides.iter().all(|side| matches!(side, FrontPart::Within));
         return Ok(Answer {
             exchange: ExchangeArea {
                 value: 0.0,
-                error_bound: 2.0 * off.height * (first.perimeter() + second.perimeter())
-                    + off.strip,
+                error: 2.0 * displacement.height * (first.perimeter() + second.perimeter())
+                    + displacement.strip,
             },
             route: if within {
                 Route::Coplanar
@@ -70,22 +70,22 @@ pub(crate) fn seen(
         above_second.shape(&first.shape),
         above_first.shape(&second.shape),
     ];
-    let view = View::new(
+    let pair = ClippedPair::new(
         polygons,
         shapes,
         [&*first_heights, &*second_heights],
-        off,
+        displacement,
         tolerance,
     );
-    route(&view)
+    route(&pair)
 }
 
-impl<'a> View<'a> {
+impl<'a> ClippedPair<'a> {
     fn new(
         polygons: [&'a Polygon; 2],
         shapes: [&'a Shape; 2],
         heights: [&'a [f64]; 2],
-        off: Off,
+        displacement: Displacement,
         tolerance: f64,
     ) -> Self {
         let [first, second] = shapes;
@@ -133,7 +133,7 @@ impl<'a> View<'a> {
             heights,
             gap,
             reach,
-            off,
+            displacement,
             highest,
             ribbons: 2.0 * ribbons,
             received: received(first).max(received(second)),
@@ -147,14 +147,14 @@ impl<'a> View<'a> {
     /// Bounds the change of the exchange area caused by displaced corners. The kernel takes its
     /// heights from the corners', which are exact where a clip put them on the plane; for all
     /// others a corner out of place is at another height, too.
-    pub(crate) fn slack(&self, off: Off, value: f64, route: Route) -> f64 {
-        let Off {
+    pub(crate) fn slack(&self, displacement: Displacement, value: f64, route: Route) -> f64 {
+        let Displacement {
             height,
             place,
             ribbon,
             strip,
             ..
-        } = off;
+        } = displacement;
         let heights = if route == Route::Kernel {
             height
         } else {

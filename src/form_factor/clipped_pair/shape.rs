@@ -1,4 +1,4 @@
-//! What the routes need of a polygon's outline: sizes, and cells for quadrature.
+//! Measures of a polygon's outline for the routes: sizes, and cells for quadrature.
 //!
 //! ```text
 //!   cell: x(s, t) = (1−s)(1−t) c0 + s(1−t) c1 + s t c2 + (1−s) t c3,   s, t in [0, 1]
@@ -130,12 +130,13 @@ fn half_length(corners: &[DVec3], cells: &[Cell]) -> f64 {
     0.5 * cells.iter().map(longest).fold(0.0, f64::max).sqrt()
 }
 
-/// Is a polygon convex, and does it go round once only?
+/// Tells whether a polygon is convex and goes round once only.
 fn goes_round_convexly(corners: &[DVec3], normal: DVec3) -> bool {
     corners.len() == 3 || is_convex(corners, normal, 0.0) && turns_once(corners, normal)
 }
 
-/// Does a polygon that never turns right go round once only? (A star goes round more often.)
+/// Tells whether a polygon that never turns right goes round once only. (A star goes round more
+/// often.)
 fn turns_once(corners: &[DVec3], normal: DVec3) -> bool {
     let n = corners.len();
     n == 4

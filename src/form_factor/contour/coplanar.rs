@@ -4,7 +4,8 @@
 //!
 //! ```text
 //!   ∫∫ (2 ln r + 1) ds dt = s1 U(x(s1)) − s0 U(x(s0)) + t1 V(y(t1)) − t0 V(y(t0))
-//!   s = (w×v)·(u×v)/|u×v|²,  t = (w×u)·(u×v)/|u×v|²        (w = A − B from the nearest ends A, B, where s and t are)
+//!   s = (w×v)·(u×v)/|u×v|²,  t = (w×u)·(u×v)/|u×v|²
+//!       w = A − B from the nearest ends A, B, where s and t are
 //! ```
 //!
 //! where U and V are the [potentials](super::potential) of the two edges. Parallel edges, h apart,
@@ -27,9 +28,9 @@ use std::f64::consts::PI;
 /// The relation of two edges: skew, or in one plane.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Relation<S> {
-    /// On lines that meet, as far as rounding tells, or are parallel.
+    /// The edges lie on lines that meet, as far as rounding tells, or are parallel.
     Coplanar(Coplanar<S>),
-    /// On lines that miss each other, or meet too far away.
+    /// The edges lie on lines that miss each other, or meet too far away.
     Skew,
 }
 

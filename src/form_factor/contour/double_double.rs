@@ -1,4 +1,4 @@
-//! The double contour integral in double-double arithmetic, for what cancels in `f64`.
+//! The double contour integral in double-double arithmetic, for pairs whose terms cancel in `f64`.
 
 use super::coplanar::{Relation, Rounding, coplanar, relation};
 use super::edge::{Edge, PairIntegral, Precision};
@@ -24,7 +24,7 @@ pub(crate) fn precise_contour(
 
 /// Panels are this far from what is singular, as a sum of half-axes: potentials cost more than
 /// panels.
-const APART: f64 = 1.5;
+const PANEL_DISTANCE: f64 = 1.5;
 
 type Edges = SmallVec<[Edge<DoubleDouble>; 4]>;
 
@@ -78,7 +78,7 @@ fn precise_sum([p, q]: [&[Vector<DoubleDouble>]; 2], wanted: f64) -> Option<Exch
     }
     Some(ExchangeArea {
         value: sum.to_f64() / TAU,
-        error_bound: error / TAU + f64::EPSILON * sum.to_f64().abs(),
+        error: error / TAU + f64::EPSILON * sum.to_f64().abs(),
     })
 }
 
@@ -97,7 +97,7 @@ pub(crate) fn skew<S: Scalar + Copy>(
         inner,
         wanted,
         precision.epsilon,
-        APART,
+        PANEL_DISTANCE,
         #[inline(always)]
         |panel: Panel<S>| {
             let half = number(panel.half);

@@ -1,4 +1,4 @@
-//! Edges, and how well what is computed of them is known.
+//! Edges, with bounds on the errors of the quantities computed from them.
 
 use crate::geometry::Vector;
 use crate::numeric::functions::elementary::{ROUGH_LN_ERROR, rough_ln};

@@ -6,16 +6,19 @@
 //!
 //! An edge apart from all of the other polygon's takes one Gauss rule for all of them. Of the other
 //! pairs of edges each has a rule of its own, [graded panels](self::panels) or a
-//! [closed form](self::coplanar). What limits it is cancellation: the terms are of the size
-//! of perimeter × perimeter, and the sum falls like 1/distance².
+//! [closed form](self::coplanar). Cancellation limits the route: the terms are of the size of
+//! perimeter × perimeter, and the sum falls like 1/distance².
 //!
 //! In units of u = ε/2, beside the [potential's](self::potential) own error:
 //!
 //! ```text
-//!   coefficients w e_a·u_b      8 u of |w e_a| |U_b|: 3 u for w e_a, 2 u for u_b, 3 u for the product
+//!   coefficients w e_a·u_b      8 u of |w e_a| |U_b|: 3 u for w e_a, 2 u for u_b, 3 u for their
+//!                               product
 //!   length of u_b               5 u of U_b + L_b: common to all its coordinates
-//!   sums                        u of |w e_a| |U_b| for each addition, 3 u across a vector, 2 u for product and quotient
-//!   nodes off by δ              δ L_a |∇U_b|,  δ ≤ u (2 max |x| + 1.75 L_a),  |∇U_b| ≤ L_b/r,  |∇U_b|² ≤ π² + ln²(1 + L_b/r) ≤ (π + ln²(1 + L_b/r)/2π)²
+//!   sums                        u of |w e_a| |U_b| for each addition, 3 u across a vector, 2 u for
+//!                               product and quotient
+//!   nodes displaced by δ        δ L_a |∇U_b|,  δ ≤ u (2 max |x| + 1.75 L_a),  |∇U_b| ≤ L_b/r,
+//!                               |∇U_b|² ≤ π² + ln²(1 + L_b/r) ≤ (π + ln²(1 + L_b/r)/2π)²
 //!   u_a·u_b lost in rounding    28 u L_a max |U_b|, in place of the pair
 //! ```
 //!
@@ -46,9 +49,9 @@ use smallvec::SmallVec;
 use std::f64::consts::{LN_2, PI, TAU};
 
 /// Edges at least this far from each other, as a sum of half-axes, take a Gauss rule in one piece.
-const APART: f64 = 1.1;
+const ONE_PIECE_DISTANCE: f64 = 1.1;
 /// The number of points that such a rule has at most, roughly.
-const MOST: f64 = 40.0;
+const MOST_EDGE_POINTS: f64 = 40.0;
 /// Cosines up to this, in ε, are those of a right angle.
 const RIGHT_ANGLE: f64 = 8.0;
 
@@ -217,7 +220,7 @@ pub(crate) fn contour(
     let rounding = (13.0 + (depth + sums) as f64) * 0.5 * f64::EPSILON * size;
     Some(ExchangeArea {
         value: value / TAU,
-        error_bound: (sum.error + error + rounding) / TAU + moved,
+        error: (sum.error + error + rounding) / TAU + moved,
     })
 }
 
@@ -236,13 +239,13 @@ fn ask_ends(batch: &mut Batch, [a, b]: [&Edge<f64>; 2], relation: &Coplanar<f64>
     }
 }
 
-/// How far from a rule's edge others must be, as a sum of half-axes: [`APART`], or where the
-/// largest rule does.
+/// The distance from a rule's edge that others must keep, as a sum of half-axes:
+/// [`ONE_PIECE_DISTANCE`], or the distance at which the largest rule is accurate enough.
 fn apart_from(log_per_length: f64) -> f64 {
-    let log_rho = -(log_per_length + LN_2) / (2.0 * MOST);
+    let log_rho = -(log_per_length + LN_2) / (2.0 * MOST_EDGE_POINTS);
     if log_rho <= 0.44 {
-        // ln ρ of APART is 0.444
-        APART
+        // ln ρ of ONE_PIECE_DISTANCE is 0.444
+        ONE_PIECE_DISTANCE
     } else {
         // near cosh ln ρ: a point more or less does not matter
         let square = log_rho * log_rho;
@@ -305,13 +308,20 @@ impl EdgeSum {
         only: &[EdgeWithError],
     ) -> Option<()> {
         let displaced = cosine * self.displaced(a);
-        panels(a, b, self.per_length, f64::EPSILON, APART, |panel| {
-            let clearance = (APART - 1.0) * panel.half * a.length;
-            let gradient = gradient(b.length / clearance);
-            let truncation = b.length * panel.error;
-            self.error += a.length * (truncation + 2.0 * panel.half * displaced * gradient);
-            self.add(a, [panel.middle, panel.half], panel.points, nodes, only);
-        })
+        panels(
+            a,
+            b,
+            self.per_length,
+            f64::EPSILON,
+            ONE_PIECE_DISTANCE,
+            |panel| {
+                let clearance = (ONE_PIECE_DISTANCE - 1.0) * panel.half * a.length;
+                let gradient = gradient(b.length / clearance);
+                let truncation = b.length * panel.error;
+                self.error += a.length * (truncation + 2.0 * panel.half * displaced * gradient);
+                self.add(a, [panel.middle, panel.half], panel.points, nodes, only);
+            },
+        )
     }
 
     fn add(

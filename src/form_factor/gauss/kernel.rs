@@ -8,12 +8,12 @@
 
 use super::points::{Block, fill};
 use crate::form_factor::ExchangeArea;
-use crate::form_factor::clipped_pair::View;
+use crate::form_factor::clipped_pair::ClippedPair;
 use crate::form_factor::clipped_pair::horizon::Heights;
 use crate::numeric::{LANES, Lanes, across, vector_value};
 use std::f64::consts::PI;
 
-impl View<'_> {
+impl ClippedPair<'_> {
     /// Gauss rules with `points` each way over both shapes.
     #[allow(clippy::cast_precision_loss, reason = "some points")]
     pub(crate) fn kernel(&self, points: [usize; 2], blocks: &mut [Vec<Block>; 2]) -> ExchangeArea {
@@ -42,7 +42,7 @@ impl View<'_> {
         let relative = (24.0 + terms) * f64::EPSILON + 2.0 * HEIGHT_ERROR;
         ExchangeArea {
             value,
-            error_bound: relative * value + truncation,
+            error: relative * value + truncation,
         }
     }
 

@@ -1,14 +1,15 @@
 //! Lambert's formula, and a Gauss rule over one polygon with it.
 //!
 //! ```text
-//!   F_x = −(1/2π) Σ_b θ_b n·(a_b × u_b)/h_b      θ_b: angle that edge b subtends at x; a_b from x to its start,
-//!                                                u_b its direction, h_b = |a_b × u_b|
+//!   F_x = −(1/2π) Σ_b θ_b n·(a_b × u_b)/h_b      θ_b: angle that edge b subtends at x;
+//!                                                a_b from x to its start, u_b its direction,
+//!                                                h_b = |a_b × u_b|
 //! ```
 //!
 //! for a polygon in front of x, counter-clockwise seen from its own front; with c from x to the
 //! edge's end and e = c − a, a term is `(θ/sin θ) n·(a×e)/(|a| |c|)`, too, which takes one division
-//! less where no angle is wide. Beside the [contour](crate::form_factor::contour) one integration less is exact,
-//! and one power of the distance less cancels; the polygons must be apart.
+//! less where no angle is wide. Beside the [contour](crate::form_factor::contour) one integration
+//! less is exact, and one power of the distance less cancels; the polygons must be apart.
 //!
 //! **Rounding** of a term, in units of u = ε/2, with r the distance, R the radius about the origin,
 //! L = |e| and t = θ/sin θ: a and c are within (2 r + R) u, m = e×n within 4 u L, so that `n·(a×e)`
@@ -23,7 +24,7 @@
 //! Reference: Lambert, *Photometria*, 1760; Baum, Rushmeier and Winget, SIGGRAPH 1989.
 
 use super::points::{Block, fill};
-use crate::form_factor::clipped_pair::{View, widening};
+use crate::form_factor::clipped_pair::{ClippedPair, widening};
 use crate::form_factor::contour::edge::Edge;
 use crate::form_factor::{ExchangeArea, FormFactorError};
 use crate::geometry::{ClippedCorner, Patch, Vector, clip};
@@ -33,7 +34,7 @@ use glam::DVec3;
 use smallvec::SmallVec;
 use std::f64::consts::{PI, TAU};
 
-impl View<'_> {
+impl ClippedPair<'_> {
     /// A Gauss rule with `points` each way over shape `k`.
     #[allow(clippy::cast_precision_loss, reason = "some points")]
     pub(crate) fn point_to_polygon(
@@ -41,7 +42,7 @@ impl View<'_> {
         k: usize,
         points: usize,
         rounding: LambertRounding,
-        (blocks, sides): (&mut Vec<Block>, &mut Vec<Side>),
+        (blocks, sides): (&mut Vec<Block>, &mut Vec<RelativeEdge>),
     ) -> ExchangeArea {
         let (over, seen) = (self.shapes[k], self.shapes[1 - k]);
         let origin = over.centre;
@@ -53,7 +54,7 @@ impl View<'_> {
         sides.extend(
             seen.edges
                 .iter()
-                .map(|edge| Side::new(edge, normal, origin)),
+                .map(|edge| RelativeEdge::new(edge, normal, origin)),
         );
         let (sides, subtended) = (sides.as_slice(), self.subtended(k));
         let additions = blocks.len() as f64;
@@ -67,7 +68,7 @@ impl View<'_> {
         let moved = self.moved(4.0 * f64::EPSILON * over.radius, value);
         ExchangeArea {
             value,
-            error_bound: rounding.fixed
+            error: rounding.fixed
                 + rounding.relative * size
                 + truncation
                 + moved
@@ -83,7 +84,7 @@ impl View<'_> {
         let is_narrow = self.subtended(k) == Subtended::Narrow;
         let (mut fixed, mut terms) = (0.0, 0.0);
         for edge in &seen.edges {
-            let side = Side::new(edge, self.polygons[k].normal, over.centre);
+            let side = RelativeEdge::new(edge, self.polygons[k].normal, over.centre);
             let distance = side.ends[1].length();
             let away = (distance - over.radius).max(self.gap);
             if is_narrow {
@@ -144,7 +145,7 @@ enum Subtended {
 
 /// An edge from the origin of the points.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Side {
+pub(crate) struct RelativeEdge {
     ends: [Vector<f64>; 2],
     direction: Vector<f64>,
     length: f64,
@@ -152,7 +153,7 @@ pub(crate) struct Side {
     across: Vector<f64>,
 }
 
-impl Side {
+impl RelativeEdge {
     fn new(edge: &Edge<f64>, normal: DVec3, origin: DVec3) -> Self {
         let origin = Vector(origin.to_array());
         Self {
@@ -169,9 +170,9 @@ impl Side {
 /// `Σ_i w_i F_i` over points on a plane with this normal, anywhere, from an origin that the edges
 /// do not have.
 pub(crate) fn integral(blocks: &[Block], normal: DVec3, edges: &[Edge<f64>], origin: DVec3) -> f64 {
-    let sides: SmallVec<[Side; 8]> = edges
+    let sides: SmallVec<[RelativeEdge; 8]> = edges
         .iter()
-        .map(|edge| Side::new(edge, normal, origin))
+        .map(|edge| RelativeEdge::new(edge, normal, origin))
         .collect();
     let (sides, normal) = (sides.as_slice(), Vector(normal.to_array()));
     let sums = vector_value!(
@@ -184,7 +185,12 @@ pub(crate) fn integral(blocks: &[Block], normal: DVec3, edges: &[Edge<f64>], ori
 /// `−2π Σ_i w_i F_i`, and of narrow terms the sum of their magnitudes, lane by lane: vectors summed
 /// up here would be taken apart all along.
 #[inline(always)]
-fn sum(blocks: &[Block], normal: Vector<f64>, sides: &[Side], subtended: Subtended) -> [Lanes; 2] {
+fn sum(
+    blocks: &[Block],
+    normal: Vector<f64>,
+    sides: &[RelativeEdge],
+    subtended: Subtended,
+) -> [Lanes; 2] {
     let (mut total, mut size) = ([0.0; LANES], [0.0; LANES]);
     for block in blocks {
         let (sums, sizes) = match subtended {
@@ -204,7 +210,7 @@ fn sum(blocks: &[Block], normal: Vector<f64>, sides: &[Side], subtended: Subtend
 /// `Σ_b (θ/sin θ) n·(a×c)/(|a| |c|)`, and the terms' magnitudes; each edge starts where the one
 /// before ends.
 #[inline(always)]
-fn narrow([x, y, z]: [Lanes; 3], sides: &[Side]) -> (Lanes, Lanes) {
+fn narrow([x, y, z]: [Lanes; 3], sides: &[RelativeEdge]) -> (Lanes, Lanes) {
     let (mut sums, mut sizes, mut before) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
     if let Some(side) = sides.first() {
         let start = side.ends[0];
@@ -231,7 +237,7 @@ fn narrow([x, y, z]: [Lanes; 3], sides: &[Side]) -> (Lanes, Lanes) {
 
 /// `Σ_b θ n·(a×u)/h`.
 #[inline(always)]
-fn wide([x, y, z]: [Lanes; 3], normal: Vector<f64>, sides: &[Side]) -> Lanes {
+fn wide([x, y, z]: [Lanes; 3], normal: Vector<f64>, sides: &[RelativeEdge]) -> Lanes {
     let mut sums = [0.0; LANES];
     for side in sides {
         let ([start, end], direction, length) = (side.ends, side.direction, side.length);
@@ -266,9 +272,12 @@ fn wide([x, y, z]: [Lanes; 3], normal: Vector<f64>, sides: &[Side]) -> Lanes {
 /// use glam::DVec3;
 /// use infoscene::form_factor::point_form_factor;
 /// use infoscene::geometry::Patch;
-/// // a square seen from the middle at half its side: 4 atan(√½ / …)… a quarter of a cube's opposite and side faces
+/// // a square of side 2, seen from the axis through its middle
 /// let face = |z: f64| Patch::try_new(vec![
-///     DVec3::new(-1.0, 1.0, z), DVec3::new(1.0, 1.0, z), DVec3::new(1.0, -1.0, z), DVec3::new(-1.0, -1.0, z),
+///     DVec3::new(-1.0, 1.0, z),
+///     DVec3::new(1.0, 1.0, z),
+///     DVec3::new(1.0, -1.0, z),
+///     DVec3::new(-1.0, -1.0, z),
 /// ]);
 /// let opposite = point_form_factor(DVec3::ZERO, DVec3::Z, &face(2.0)?)?;
 /// // Howell, B-3: (4/π)·(1/√5)·atan(1/√5) for a square of side 2 at distance 2

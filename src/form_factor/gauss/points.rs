@@ -11,7 +11,8 @@
 //! of
 //!
 //! ```text
-//!   1/|z − a|⁴:   |α_k| ≤ ((k − 1)/q + ρ/q^(3/2) + 1/(η √q)) ρ^(−k)/η²            q = |a − 1| |a + 1|,  η = Im a
+//!   1/|z − a|⁴:   |α_k| ≤ ((k − 1)/q + ρ/q^(3/2) + 1/(η √q)) ρ^(−k)/η²
+//!                 q = |a − 1| |a + 1|,  η = Im a
 //! ```
 //!
 //! Off the end of the line, where η may be 0, it is a mean of 1/(z − a′)⁴ over a′ between a and ā,
@@ -170,10 +171,10 @@ pub(crate) struct Lines {
 const SMALLEST: f64 = 0.5;
 const STEPS: usize = 11 * 16;
 /// Points per direction from which on other routes are cheaper.
-pub(crate) const MOST: usize = 17;
+pub(crate) const MOST_PER_DIRECTION: usize = 17;
 
 /// `B_0, B_1, B_2` by the number of points.
-type Bounds = [[f64; 3]; MOST + 1];
+type Bounds = [[f64; 3]; MOST_PER_DIRECTION + 1];
 
 /// The largest ratio with bounds of its own that is not above this one, by number and as it is;
 /// `None` if there is none.
@@ -203,10 +204,11 @@ impl Lines {
     pub(crate) fn rules(&self, points: usize, shape: &Shape) -> Rules {
         static SQUARES: [OnceLock<Points>; MOST_POINTS + 1] =
             [const { OnceLock::new() }; MOST_POINTS + 1];
-        static TRIANGLES: [[OnceLock<Points>; MOST + 1]; STEPS] =
-            [const { [const { OnceLock::new() }; MOST + 1] }; STEPS];
+        static TRIANGLES: [[OnceLock<Points>; MOST_PER_DIRECTION + 1]; STEPS] =
+            [const { [const { OnceLock::new() }; MOST_PER_DIRECTION + 1] }; STEPS];
         let n = points.clamp(1, MOST_POINTS);
-        let has_triangles = shape.cells.iter().any(is_triangle) && (2..=MOST).contains(&n);
+        let has_triangles =
+            shape.cells.iter().any(is_triangle) && (2..=MOST_PER_DIRECTION).contains(&n);
         let quadrilateral = SQUARES[n].get_or_init(|| Points::new(n, |_| n));
         let triangle = match ratio(self.gamma) {
             Some(ratio) if has_triangles => {
@@ -225,19 +227,22 @@ impl Lines {
     }
 
     /// A bound on the error in one direction, relative to `J_max h_max g_max / (π gap⁴)` times the
-    /// area of the unit square, with at most [`MOST`] points; infinite where there is none.
+    /// area of the unit square, with at most [`MOST_PER_DIRECTION`] points; infinite where there is
+    /// none.
     pub(crate) fn error(&self, points: usize) -> f64 {
         let bounds = self.bounds();
-        bounds.map_or(f64::INFINITY, |bounds| self.sum(bounds[points.min(MOST)]))
+        bounds.map_or(f64::INFINITY, |bounds| {
+            self.sum(bounds[points.min(MOST_PER_DIRECTION)])
+        })
     }
 
-    /// The fewest points from 2 on whose error is certain to be below `wanted`; [`MOST`] if less
-    /// than that do not do.
+    /// The fewest points from 2 on whose error is certain to be below `wanted`;
+    /// [`MOST_PER_DIRECTION`] if less than that do not do.
     pub(crate) fn points(&self, wanted: f64) -> usize {
         let found = self
             .bounds()
-            .and_then(|bounds| (2..MOST).find(|n| self.sum(bounds[*n]) <= wanted));
-        found.unwrap_or(MOST)
+            .and_then(|bounds| (2..MOST_PER_DIRECTION).find(|n| self.sum(bounds[*n]) <= wanted));
+        found.unwrap_or(MOST_PER_DIRECTION)
     }
 }
 
@@ -270,7 +275,7 @@ fn bounds(gamma: f64) -> Bounds {
             [1.0 + gamma * cosine, gamma * sine]
         }
     };
-    let mut worst = [[0.0; 3]; MOST + 1];
+    let mut worst = [[0.0; 3]; MOST_PER_DIRECTION + 1];
     for i in 0..PIECES {
         let ([x, from], [farther, to]) = (zero(i), zero(i + 1));
         let to_end = (x - 1.0).hypot(from).min((farther - 1.0).hypot(to));

@@ -1,8 +1,9 @@
-//! What a line of points of one plane sends to a polygon: the rate at which an exchange area grows
-//! as a cut moves.
+//! The exchange between a line of points in one plane and a polygon: the rate at which an exchange
+//! area grows as a cut moves.
 //!
 //! ```text
-//!   ∂(A F)/∂t = breadth · ∫ F_x ds          over the cut line, x on it (Leibniz), F_x by Lambert's formula
+//!   ∂(A F)/∂t = breadth · ∫ F_x ds       over the cut line, x on it (Leibniz);
+//!                                        F_x by Lambert's formula
 //! ```
 //!
 //! The polygon is clipped once at the plane, the line at the polygon's plane; then F_x is analytic
@@ -32,7 +33,7 @@ const POINTS: usize = 20;
 
 /// Pieces shorter than this share of the line are not halved again: what Gauss misses of them
 /// counts less than ε, and their middles are still apart from their ends.
-const SHORTEST: f64 = 1.0 / (1_u64 << 46) as f64;
+const SHORTEST_PIECE: f64 = 1.0 / (1_u64 << 46) as f64;
 
 impl Polygon {
     /// `∫ F_x ds`: what the points of a segment in the plane of `self` send to `other`, per width
@@ -64,7 +65,7 @@ impl Polygon {
             let near = |[s, height]: &[f64; 2]| {
                 (s - middle - half).hypot(*height) + (s - middle + half).hypot(*height) < 3.0 * half
             };
-            if half > SHORTEST * length && zeros.iter().any(near) {
+            if half > SHORTEST_PIECE * length && zeros.iter().any(near) {
                 open.extend([[middle, to], [from, middle]]);
                 continue;
             }

@@ -1,6 +1,6 @@
-//! The part of the cosines, (a).
+//! The integrals of the logarithms of the cosines, formula (a) of the [module above](super).
 
-use super::face::{Edge, Side};
+use super::face::{Edge, Face};
 use super::panels::{Singularities, over_panels, to_plane};
 use crate::numeric::{
     CompensatedSum, GaussLegendre, dilogarithm_deficit, dilogarithm_of_complement,
@@ -8,7 +8,7 @@ use crate::numeric::{
 
 /// Shortest panels, relative to the root of the exchange area: the integrand is bounded, so that
 /// only the square of the length counts.
-const SHORTEST: f64 = 1e-8;
+const SHORTEST_PANEL: f64 = 1e-8;
 
 /// A constant added to the integrand of (a) changes nothing, so that it is counted from its value
 /// where r is far above h, or where r is h.
@@ -20,11 +20,11 @@ enum Level {
     Above,
 }
 
-/// Where the lowest point is higher than this part of the farthest distance, `h²/r²` is nearer to 1
-/// than to 0.
+/// Height of the lowest point, relative to the farthest distance, above which `h²/r²` is nearer to
+/// 1 than to 0.
 const ABOVE: f64 = 0.7;
 
-impl Side {
+impl Face {
     /// `∮∮ Li₂(1 − h²/r²) dl·dl'`, h the height over this plane, and the sum of the magnitudes.
     ///
     /// **Arguments** `flat`: heights up to it are 0; `exchange`: the exchange area, which sets the
@@ -36,7 +36,7 @@ impl Side {
         exchange: f64,
         gauss: &GaussLegendre,
     ) -> [f64; 2] {
-        let shortest = SHORTEST * exchange.sqrt();
+        let shortest = SHORTEST_PANEL * exchange.sqrt();
         let [lowest, _] = self.heights(other);
         let corners = || {
             self.corners

@@ -1,7 +1,7 @@
-//! The part of the distance: (c) by Euler's identity where the planes meet, (b) where they are
-//! nearly parallel.
+//! The integral of the logarithm of the distance: formula (c) of the [module above](super), by
+//! Euler's identity, where the planes meet, (b) where they are nearly parallel.
 
-use super::face::Side;
+use super::face::Face;
 use super::panels::{REACH, Singularities, over_panels, to_plane};
 use crate::geometry::triangulated;
 use crate::numeric::functions::elementary::{angle, ln, ln_1p};
@@ -10,13 +10,13 @@ use glam::DVec3;
 use std::f64::consts::{LN_2, TAU};
 
 /// The most that a shortest panel may hold, relative to the exchange area, but for a logarithm.
-const SHORTEST: f64 = 1e-15;
+const SHORTEST_PANEL_SHARE: f64 = 1e-15;
 
 /// Smallest triangles, relative to the polygon's size: a polygon that close to its own size over
 /// the other is left to the estimate of the error.
-const SMALLEST: f64 = 1e-3;
+const SMALLEST_TRIANGLE: f64 = 1e-3;
 
-impl Side {
+impl Face {
     /// `∫∫ F ln r` where the planes meet, by (c), and the sum of the magnitudes.
     pub(super) fn by_euler(
         &self,
@@ -34,8 +34,8 @@ impl Side {
         ]
     }
 
-    /// Where the planes meet, below the corner nearest to that line: distances from there vanish
-    /// for most edges that touch.
+    /// The point of the line where the planes meet that lies below the corner nearest to it:
+    /// distances from there vanish for most edges that touch.
     fn meeting_point(&self, other: &Self) -> DVec3 {
         let cosine = self.normal.dot(other.normal);
         let sine = self.normal.cross(other.normal).length_squared();
@@ -76,7 +76,7 @@ impl Side {
                 gaps.fold(to_plane(height, s), f64::min)
             };
             let inner = |s: f64| other.moment(edge.at(s), self.normal);
-            let shortest = SHORTEST * exchange / away.abs();
+            let shortest = SHORTEST_PANEL_SHARE * exchange / away.abs();
             let term = away * over_panels(edge.length, shortest, gap, inner, gauss);
             sum.add(term);
             size += term.abs();
@@ -132,7 +132,7 @@ impl Side {
         let triangles = triangulated(&self.corners, self.normal).into_iter();
         let mut open: Vec<[DVec3; 3]> = triangles.map(corners).collect();
         let least = self.edges.iter().map(|edge| edge.length);
-        let least = SMALLEST * least.fold(0.0, f64::max);
+        let least = SMALLEST_TRIANGLE * least.fold(0.0, f64::max);
         let mut sum = CompensatedSum::default();
         while let Some([a, b, c]) = open.pop() {
             let middle = (a + b + c) / 3.0;

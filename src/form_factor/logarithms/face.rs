@@ -23,7 +23,7 @@ impl Edge {
     }
 }
 
-pub(super) struct Side {
+pub(super) struct Face {
     pub(super) corners: Vec<DVec3>,
     pub(super) edges: Vec<Edge>,
     pub(super) normal: DVec3,
@@ -32,7 +32,7 @@ pub(super) struct Side {
     pub(super) least: f64,
 }
 
-impl Side {
+impl Face {
     pub(super) fn new(patch: &Patch) -> Self {
         let corners = patch.corners().to_vec();
         let ends = corners.iter().cycle().skip(1);

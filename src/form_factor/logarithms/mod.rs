@@ -1,7 +1,8 @@
-//! Logarithms of the distance and of the two cosines, averaged over what two polygons exchange.
+//! Logarithms of the distance and of the two cosines, integrated over the exchange of two polygons.
 //!
 //! ```text
-//!   F = cos θ cos θ'/(π r²),   E = ∫∫ F,   R = ∫∫ F ln r,   C = ∫∫ F ln cos θ,   C' = ∫∫ F ln cos θ'
+//!   F = cos θ cos θ'/(π r²),   E = ∫∫ F,   R = ∫∫ F ln r,
+//!   C = ∫∫ F ln cos θ,         C' = ∫∫ F ln cos θ'
 //!   ∫∫ F ln F = C + C' − 2 R − E ln π
 //! ```
 //!
@@ -11,24 +12,25 @@
 //! first outline by the divergence theorem, because `H/ρ` has a primitive in the plane:
 //!
 //! ```text
-//!   C = −E/2 + (1/8π) ∮∮ Li₂(1 − h(z)²/r²) dl·dl'                                                         (a)
-//!   R = ∫ F_x ln h(x) dA_x − C',     h(x) = r cos θ' the height of x over the second plane               (b)
+//!   C = −E/2 + (1/8π) ∮∮ Li₂(1 − h(z)²/r²) dl·dl'                                     (a)
+//!   R = ∫ F_x ln h(x) dA_x − C',     h(x) = r cos θ' the height of x over the second plane    (b)
 //! ```
 //!
 //! In (b) ln h is constant for parallel planes, and nearly so for nearly parallel ones, where a
-//! rule in two dimensions does what little is left. Where the planes meet, `F ln r` is homogeneous
+//! rule in two dimensions integrates the small rest. Where the planes meet, `F ln r` is homogeneous
 //! but for the logarithm about any point o of the line in which they meet, and Euler's identity
 //! takes the outer integral to the edges, at the distances p from o:
 //!
 //! ```text
-//!   2 R = −E + Σ_e p_e ∫_e m'(x) dl + Σ_e' p_e' ∫_e' m(y) dl,     m'(x) = ∫ F ln r dA_y                      (c)
-//!   m'(x) = F_x/2 + (n·n'/2π) ∫ dA_y/r² − (1/2π) Σ_b n·(a × t)/q ∫_b q ln r/r² ds                            (d)
-//!   ∫ dA_y/r² = Σ_b ∫_b ½ ln((cos²t + λ²)/cos²t) dt,     λ = |p_b|/d, with the sign of p_b                    (e)
+//!   2 R = −E + Σ_e p_e ∫_e m'(x) dl + Σ_e' p_e' ∫_e' m(y) dl,   m'(x) = ∫ F ln r dA_y       (c)
+//!   m'(x) = F_x/2 + (n·n'/2π) ∫ dA_y/r² − (1/2π) Σ_b n·(a × t)/q ∫_b q ln r/r² ds           (d)
+//!   ∫ dA_y/r² = Σ_b ∫_b ½ ln((cos²t + λ²)/cos²t) dt,   λ = |p_b|/d, with the sign of p_b    (e)
 //! ```
 //!
 //! The integrals in (d) and (e) are imaginary parts of the
-//! [dilogarithm](crate::numeric::imaginary_dilogarithm). What is left, one dimension in (c) and two
-//! in (a), is done by Gauss rules on panels short against the distance of the nearest singularity.
+//! [dilogarithm](crate::numeric::imaginary_dilogarithm). The remaining integrals, in one dimension
+//! in (c) and two in (a), take Gauss rules on panels short against the distance of the nearest
+//! singularity.
 //! For (d) take `∮ (ln r/r²) r × dl'` and Stokes' theorem: the kernel `1/r²` without a logarithm is
 //! Lambert's formula.
 //!
@@ -49,7 +51,7 @@ use super::{ExchangeArea, FormFactorError, Polygon};
 use crate::geometry::Patch;
 use crate::numeric::functions::elementary::ln;
 use crate::numeric::{GaussLegendre, tolerance};
-use face::Side;
+use face::Face;
 use std::f64::consts::PI;
 
 /// Points of the rule on a panel, and of the one that its error is estimated by.
@@ -62,9 +64,10 @@ const LEVEL: f64 = 0.05;
 /// The relative error asked for of the exchange area.
 const EXCHANGE: f64 = 1e-13;
 
-/// Logarithms integrated over what two polygons exchange, in squared units of length.
+/// Integrals of ln r and ln cos θ over the exchange of two polygons, in squared units of length;
+/// divided by the exchange area they are means.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Logarithms {
+pub struct LogMeans {
     /// `E = ∫∫ F`, the exchange area.
     pub exchange: ExchangeArea,
     /// `∫∫ F ln r`.
@@ -75,7 +78,7 @@ pub struct Logarithms {
     pub error_estimate: f64,
 }
 
-impl Logarithms {
+impl LogMeans {
     /// `∫∫ F ln(u F)`; `u` > 0 an area, that lengths are compared with.
     #[must_use]
     pub fn kernel(&self, unit: f64) -> f64 {
@@ -94,19 +97,19 @@ impl Logarithms {
     ///
     /// # Examples
     /// ```
-    /// use infoscene::form_factor::Logarithms;
+    /// use infoscene::form_factor::LogMeans;
     /// use infoscene::geometry::Patch;
     /// use glam::DVec3;
     /// let (o, x, y, z) = (DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z);
     /// let floor = Patch::try_new(vec![o, x, x + y, y])?;
     /// let ceiling = Patch::try_new(vec![z, y + z, x + y + z, x + z])?;
-    /// let there = Logarithms::of(&floor, &ceiling)?;
+    /// let there = LogMeans::of(&floor, &ceiling)?;
     /// // parallel at distance 1: r = 1/cos θ
     /// assert!((there.distance + there.cosines[0]).abs() < 1e-15);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn of(first: &Patch, second: &Patch) -> Result<Self, FormFactorError> {
-        let sides = [Side::new(first), Side::new(second)];
+        let sides = [Face::new(first), Face::new(second)];
         let [one, other] = &sides;
         let extent = one.extent(other);
         let flat = 4.0 * tolerance::ALIGNMENT * extent;
@@ -123,7 +126,7 @@ impl Logarithms {
                 exchange,
                 distance: 0.0,
                 cosines: [0.0; 2],
-                error_estimate: exchange.error_bound,
+                error_estimate: exchange.error,
             });
         }
         let [low, high] = other.heights(one);
@@ -133,7 +136,7 @@ impl Logarithms {
         let mut magnitude = 0.0;
         for (rule, values) in values.iter_mut().enumerate() {
             let gauss = GaussLegendre::with(POINTS[rule]);
-            let cosine = |from: &Side, to: &Side| {
+            let cosine = |from: &Face, to: &Face| {
                 let [sum, size] = from.cosine_part(to, flat, exchange.value, gauss);
                 (sum / (8.0 * PI) - 0.5 * exchange.value, size / (8.0 * PI))
             };
@@ -161,7 +164,7 @@ impl Logarithms {
             + (at_second - coarse[1]).abs()
             + 2.0 * (distance - coarse[2]).abs();
         // E enters each of C, C' and R by half, and the logarithm of the unit
-        let from_exchange = exchange.error_bound * (2.0 + extent.ln().abs());
+        let from_exchange = exchange.error * (2.0 + extent.ln().abs());
         Ok(Self {
             exchange,
             distance,

@@ -1,4 +1,4 @@
-//! Sums of signed terms that know how large their terms were.
+//! Sums of signed terms that keep the magnitude of their terms, as a measure of rounding.
 //!
 //! The closed forms are alternating sums. Each term is written so that its own relative error is a
 //! few ε; then the error of the sum is a few ε times the sum of the terms' magnitudes, which is
@@ -120,9 +120,9 @@ impl Exchange<f64> {
     #[inline(always)]
     pub fn in_range(&self, unit_area: f64) -> Result<ExchangeArea, FormFactorError> {
         let value = self.value * unit_area;
-        let error_bound = tolerance::RECTANGLE_TERMS * f64::EPSILON * self.magnitude * unit_area;
-        if value.is_finite() && error_bound.is_finite() {
-            Ok(ExchangeArea { value, error_bound })
+        let error = tolerance::RECTANGLE_TERMS * f64::EPSILON * self.magnitude * unit_area;
+        if value.is_finite() && error.is_finite() {
+            Ok(ExchangeArea { value, error })
         } else {
             Err(FormFactorError::OutOfRange { value })
         }
@@ -136,11 +136,11 @@ impl Exchange<f64> {
     #[inline(always)]
     pub fn resolved(&self, unit_area: f64) -> Result<ExchangeArea, FormFactorError> {
         let exchange = self.in_range(unit_area)?;
-        let ExchangeArea { value, error_bound } = exchange;
-        if value > error_bound {
+        let ExchangeArea { value, error } = exchange;
+        if value > error {
             Ok(exchange)
         } else {
-            Err(FormFactorError::NotResolved { value, error_bound })
+            Err(FormFactorError::NotResolved { value, error })
         }
     }
 }
@@ -153,11 +153,11 @@ impl<S: Scalar> Exchange<S> {
     /// tracks that; [`FormFactorError::OutOfRange`] if it has no bounds.
     pub fn certain(self) -> Result<S, FormFactorError> {
         let value = self.value.to_f64();
-        let error_bound = tolerance::RECTANGLE_TERMS * f64::EPSILON * self.magnitude.to_f64();
+        let error = tolerance::RECTANGLE_TERMS * f64::EPSILON * self.magnitude.to_f64();
         if !value.is_finite() {
             Err(FormFactorError::OutOfRange { value })
-        } else if S::TRACKS_ROUNDING && value <= error_bound {
-            Err(FormFactorError::NotResolved { value, error_bound })
+        } else if S::TRACKS_ROUNDING && value <= error {
+            Err(FormFactorError::NotResolved { value, error })
         } else {
             Ok(self.value)
         }

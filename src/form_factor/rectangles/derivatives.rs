@@ -2,8 +2,9 @@
 //! area changes as edges move.
 //!
 //! ```text
-//!   parallel        2π A F = Σ ± G(u, v),     p² = u² + z², q² = v² + z², α = atan(v/p), β = atan(u/q)
-//!     G_u = (u v/p) α + q β      G_uu = z² v α/p³     G_uv = (u/p) α + (v/q) β     (G_v, G_vv likewise)
+//!   parallel        2π A F = Σ ± G(u, v)
+//!     p² = u² + z²,  q² = v² + z²,  α = atan(v/p),  β = atan(u/q)
+//!     G_u = (u v/p) α + q β    G_uu = z² v α/p³    G_uv = (u/p) α + (v/q) β   (G_v, G_vv likewise)
 //!   perpendicular   2π A F = −Σ ± G(x, z, v),  s² = x² + z², r² = s² + v², α = atan(v/s)
 //!     H = (v/s) α − ½ ln r²,  K = (v/s) α/s²
 //!     G_x = x H      G_xx = H − x² K     G_xz = −x z K     G_xv = (x/s) α     (by z likewise)

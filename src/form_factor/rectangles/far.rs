@@ -10,12 +10,13 @@
 //! piecewise linear:
 //!
 //! ```text
-//!   ∫∫ f(x − ξ) dx dξ = ∫ w(u) f(u) du,     w(u): length of the x in [x0, x1] with x − u in [ξ0, ξ1]
+//!   ∫∫ f(x − ξ) dx dξ = ∫ w(u) f(u) du
+//!       w(u): length of the x in [x0, x1] with x − u in [ξ0, ξ1]
 //! ```
 //!
 //! On each piece w stands where a polygon's Jacobian does in the truncation bound of
-//! [`gauss_points`](crate::form_factor::gauss::points), at most twice its mean there, and no piece is longer than
-//! the longer side. Nothing cancels.
+//! [`gauss_points`](crate::form_factor::gauss::points), at most twice its mean there, and no piece
+//! is longer than the longer side. Nothing cancels.
 
 use super::layout::Layout;
 use crate::form_factor::ExchangeArea;
@@ -25,9 +26,9 @@ use crate::numeric::{GaussLegendre, vectorised};
 use std::f64::consts::PI;
 
 /// Points per side beyond which other routes are cheaper.
-const MOST: usize = 8;
+const MOST_PER_SIDE: usize = 8;
 /// Points of a difference.
-const MOST_NODES: usize = 3 * MOST;
+const MOST_NODES: usize = 3 * MOST_PER_SIDE;
 
 /// The exchange area in the spans' unit, if few points are certain to leave an error below
 /// `tolerance`, relative.
@@ -98,7 +99,7 @@ pub(crate) fn exchange_by_rules(layout: &Layout<f64>, tolerance: f64) -> Option<
             .map(|(peaks, lines)| peaks * lines.error(n));
         errors.sum::<f64>() * largest
     };
-    let points = (2..=MOST).find(|n| error(*n) <= 0.3 * tolerance * smallest)?;
+    let points = (2..=MOST_PER_SIDE).find(|n| error(*n) <= 0.3 * tolerance * smallest)?;
     let rule = GaussLegendre::with(points);
     let (mut squares, mut weights) = ([1.0; MOST_NODES], [0.0; MOST_NODES]);
     let mut used = 0;
@@ -106,7 +107,7 @@ pub(crate) fn exchange_by_rules(layout: &Layout<f64>, tolerance: f64) -> Option<
         (squares[used], weights[used]) = (v * v, weight);
         used += 1;
     });
-    let mut outer = [[0.0; 2]; MOST * MOST];
+    let mut outer = [[0.0; 2]; MOST_PER_SIDE * MOST_PER_SIDE];
     let mut count = 0;
     let mut push = |square: f64, factor: f64| {
         outer[count] = [square, factor];
@@ -140,7 +141,7 @@ pub(crate) fn exchange_by_rules(layout: &Layout<f64>, tolerance: f64) -> Option<
     let rounding = (32.0 + terms as f64) * f64::EPSILON * value;
     Some(ExchangeArea {
         value,
-        error_bound: rounding + error(points),
+        error: rounding + error(points),
     })
 }
 

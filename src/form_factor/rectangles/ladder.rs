@@ -70,7 +70,7 @@ impl Polygon {
         if exchange.value <= 0.0 {
             return None;
         }
-        exchange.error_bound += self.misplacement(other);
+        exchange.error += self.misplacement(other);
         Some(Answer { exchange, route })
     }
 
@@ -82,10 +82,10 @@ impl Polygon {
         let like = Interval::precise(1.0, ENCLOSED);
         let enclosure = pair.lifted(&like).exchange_value().ok()?;
         let value = enclosure.to_f64();
-        let error_bound = enclosure.width() + f64::EPSILON * value + self.misplacement(other);
-        let is_number = value > 0.0 && value.is_finite() && error_bound.is_finite();
+        let error = enclosure.width() + f64::EPSILON * value + self.misplacement(other);
+        let is_number = value > 0.0 && value.is_finite() && error.is_finite();
         is_number.then_some(Answer {
-            exchange: ExchangeArea { value, error_bound },
+            exchange: ExchangeArea { value, error },
             route: route_of(first, second),
         })
     }
@@ -108,8 +108,8 @@ impl Polygon {
         f64::EPSILON * (distance + radii) * ribbons
     }
 
-    /// Are the two so many sizes apart that closed forms of rectangles, which lose the fourth power
-    /// of that, lose more than rules do?
+    /// Tells whether the rectangles are so many sizes apart that closed forms, which lose the
+    /// fourth power of that ratio, lose more than rules do.
     fn is_far_from(&self, other: &Self) -> bool {
         let (first, second) = (&self.shape, &other.shape);
         let size = first.longest_edge.max(second.longest_edge);
@@ -151,12 +151,12 @@ impl Layout<'_, f64> {
         let value = exchange.value.to_f64();
         Ok(ExchangeArea {
             value,
-            error_bound: cancelled + f64::EPSILON * value.abs(),
+            error: cancelled + f64::EPSILON * value.abs(),
         })
     }
 
-    /// Are the rectangles farther apart than long? Nearer ones would take rules with too many
-    /// points.
+    /// Tells whether the rectangles are farther apart than they are long. Nearer ones would take
+    /// rules with too many points.
     fn is_far(&self) -> bool {
         let gap = |[a, b]: &[&Span; 2]| {
             let gap = (b.lower() - a.upper()).max(a.lower() - b.upper()).max(0.0);
@@ -198,11 +198,11 @@ impl Layout<'_, f64> {
             Some(found) => found,
             None => self.closed_form()?.in_range(1.0)?,
         };
-        if found.error_bound <= allowed * (found.value.abs() + product) {
+        if found.error <= allowed * (found.value.abs() + product) {
             return Ok(found);
         }
         let precise = self.in_double_double()?;
-        Ok(if precise.error_bound < found.error_bound {
+        Ok(if precise.error < found.error {
             precise
         } else {
             found

@@ -1,4 +1,5 @@
-//! Pairs of rectangles that are parallel or perpendicular: closed forms, their derivatives, and the ladder of routes.
+//! Pairs of rectangles that are parallel or perpendicular: closed forms, their derivatives, and the
+//! ladder of routes.
 
 pub(crate) mod corner_sum;
 pub(crate) mod derivatives;

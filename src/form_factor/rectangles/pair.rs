@@ -1,4 +1,5 @@
-//! Which closed form two rectangles need, and what of them is not needed at all.
+//! The choice of the closed form that two rectangles need, and of the parts of them that exchange
+//! nothing.
 //!
 //! Coplanar and back-facing rectangles exchange nothing; a rectangle that reaches behind the
 //! other's plane is clipped there, which for edges along common axes shortens one side.
@@ -28,10 +29,11 @@ pub struct RectanglePair<S = f64> {
 enum Second<S> {
     /// Nothing of it is visible from anywhere on the first one's plane.
     Dark,
-    /// It lies in a parallel plane.
+    /// The second rectangle lies in a parallel plane.
     Parallel { spans: [Span<S>; 2], distance: S },
-    /// It lies in the plane where the coordinate along `across` is `plane`; its front is where that
-    /// coordinate is larger (`faces_along`) or smaller. Its width runs along the other axis.
+    /// The second rectangle lies in the plane where the coordinate along `across` is `plane`; its
+    /// front is where that coordinate is larger (`faces_along`) or smaller. Its width runs along
+    /// the other axis.
     Perpendicular {
         across: SplitAxis,
         plane: S,
@@ -94,9 +96,8 @@ impl RectanglePair {
         let exchange = self.with_layout(|layout| exchange_by_rules(layout, tolerance));
         let exchange = exchange.ok()???;
         let unit_area = self.unit * self.unit;
-        let [value, error_bound] = [exchange.value, exchange.error_bound].map(|x| x * unit_area);
-        (value.is_normal() && error_bound.is_finite())
-            .then_some(ExchangeArea { value, error_bound })
+        let [value, error] = [exchange.value, exchange.error].map(|x| x * unit_area);
+        (value.is_normal() && error.is_finite()).then_some(ExchangeArea { value, error })
     }
 
     /// Lifts the pair, as placed, to numbers of the type and precision of `like`.

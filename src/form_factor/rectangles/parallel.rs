@@ -9,14 +9,15 @@
 //!
 //! The difference in `y` is taken in closed form (`exchange`'s building blocks), so a side
 //! `y1 − y0` of 1e-12 costs no digits; the caller's shortest side is put there. What remains is the
-//! cancellation of distance: three differences are left, about `(distance/size)³` in relative
+//! cancellation of distance: three differences remain, about `(distance/size)³` in relative
 //! error.
 //!
 //! A corner has five terms (Δ = y1 − y0; q, q' the smaller and the larger of q0, q1; ν = q1 − q0 =
 //! Δ (v0 + v1)/(q0 + q1)),
 //!
 //! ```text
-//!   Δ p atan(v1/p)   +   v0 p atan2(Δ p, p² + v0 v1)   +   ν u atan(u/q')   −   u q atan2(u ν, q q' + u²)   −   (z²/2) ln(r1²/r0²)
+//!   Δ p atan(v1/p)   +   v0 p atan2(Δ p, p² + v0 v1)
+//!     +   ν u atan(u/q')   −   u q atan2(u ν, q q' + u²)   −   (z²/2) ln(r1²/r0²)
 //! ```
 //!
 //! with 13, 19, 20, 23 and 21 roundings (`exchange`). The fourth is never larger than the third, as

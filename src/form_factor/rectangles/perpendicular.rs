@@ -16,8 +16,10 @@
 //! along a width, Δ = y1 − y0,
 //!
 //! ```text
-//!   ς v atan(v/s1)  −  v s0 atan2(v ς, s0 s1 + v²)  −  ¼ (s1² − v²) ln(r1²/r0²)  −  ¼ (s1² − s0²) ln r0²
-//!   Δ s atan(v1/s)  +  v0 s atan2(Δ s, s² + v0 v1)  −  ¼ (s² − v1²) ln(r1²/r0²)  +  ¼ (v1² − v0²) ln r0²
+//!   ς v atan(v/s1)  −  v s0 atan2(v ς, s0 s1 + v²)
+//!     −  ¼ (s1² − v²) ln(r1²/r0²)  −  ¼ (s1² − s0²) ln r0²
+//!   Δ s atan(v1/s)  +  v0 s atan2(Δ s, s² + v0 v1)
+//!     −  ¼ (s² − v1²) ln(r1²/r0²)  +  ¼ (v1² − v0²) ln r0²
 //! ```
 //!
 //! with 16, 23, 21 and 5 roundings, or 11, 16, 21 and 6 (`exchange`); of the first line the second

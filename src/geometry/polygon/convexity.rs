@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-/// Does an outline never turn right, but for a slack?
+/// Tells whether an outline never turns right, but for a slack.
 ///
 /// **Arguments** `corners`: counter-clockwise about the unit `normal`; `slack`: the largest sine of
 /// a right turn that counts as none. A star-shaped outline that goes round more than once passes,

@@ -1,8 +1,10 @@
 //! A polygon and the parallel lines that cut it.
 //!
 //! ```text
-//!   axis u: lines parallel to v0 → v_last, from the side of v0 to that of v1;   axis v: parallel to v0 → v1, towards v_last
-//!   position of a point x:   t = (g·x − min g·v)/(max g·v − min g·v),   g in the plane, across the lines
+//!   axis u:   lines parallel to v0 → v_last, from the side of v0 to that of v1
+//!   axis v:   lines parallel to v0 → v1, towards v_last
+//!   position of a point x:   t = (g·x − min g·v)/(max g·v − min g·v)
+//!                            g in the plane, across the lines
 //! ```
 //!
 //! In a parallelogram v0 is at 0 and the far edge at 1 on both axes. Heights that agree to

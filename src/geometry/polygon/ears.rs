@@ -1,4 +1,4 @@
-//! Ears of a simple polygon, and what remains of it as they are cut off.
+//! Ears of a simple polygon, and the rest of it as they are cut off.
 //!
 //! An ear is a corner that turns left and whose triangle contains no other corner. A simple polygon
 //! with more than three corners has two (Meisters 1975). The ear clipper knows which corners are
@@ -27,7 +27,7 @@ impl<'a, P: Copy + PartialEq, T: Fn(P, P, P) -> f64> EarClipper<'a, P, T> {
         }
     }
 
-    /// The corners that are left, in order.
+    /// The corners that remain, in order.
     pub(crate) fn left(&self) -> &[usize] {
         &self.left
     }
@@ -44,13 +44,13 @@ impl<'a, P: Copy + PartialEq, T: Fn(P, P, P) -> f64> EarClipper<'a, P, T> {
         (self.turn)(a, b, c)
     }
 
-    /// Does what is left never turn right? A triangle is taken not to.
+    /// Tells whether the remaining outline never turns right. A triangle is taken not to.
     pub(crate) fn is_convex(&self) -> bool {
         let n = self.left.len();
         n <= 3 || (0..n).all(|place| self.turn(place) >= 0.0)
     }
 
-    /// Is the corner at this place an ear?
+    /// Tells whether the corner at this place is an ear.
     pub(crate) fn is_ear(&self, place: usize) -> bool {
         let [a, b, c] = self.triangle(place).map(|i| self.corners[i]);
         let turn = &self.turn;

@@ -3,7 +3,8 @@
 //! ```text
 //!   triangle               4 triangles half its size: its corners and the middles of its edges
 //!   convex quadrilateral   4 quadrilaterals, along the lines through the middles of opposite edges
-//!   convex polygon         n quadrilaterals: a corner, the middles of its edges, the mean of all corners
+//!   convex polygon         n quadrilaterals: a corner, the middles of its edges, the mean of all
+//!                          corners
 //!   concave polygon        its triangles
 //! ```
 //!

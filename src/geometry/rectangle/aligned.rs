@@ -22,13 +22,14 @@ pub struct AlignedRectangle {
 }
 
 impl AlignedRectangle {
-    /// Is the other one in a parallel plane, or in the same?
+    /// Tells whether the other rectangle is in a parallel plane, or in the same.
     #[must_use]
     pub const fn is_parallel_to(&self, other: &Self) -> bool {
         self.axes[2] == other.axes[2]
     }
 
-    /// Are the corners `v0` and `v2` of `other` known without rounding from `v0` of this one?
+    /// Tells whether the corners `v0` and `v2` of `other` are known without rounding from `v0` of
+    /// this one.
     #[must_use]
     pub fn places_exactly(&self, other: &Self) -> bool {
         let mut lost = 0.0;
@@ -85,7 +86,7 @@ impl Rectangle {
 pub struct FlatBox {
     /// The coordinate axis along the normal.
     pub axis: usize,
-    /// Does the normal point along this axis (else against it)?
+    /// Whether the normal points along this axis (else against it).
     pub faces_along: bool,
     /// The smallest coordinates.
     pub lower: [f64; 3],

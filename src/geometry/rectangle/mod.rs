@@ -22,7 +22,7 @@ pub enum SplitAxis {
 }
 
 impl SplitAxis {
-    /// Both axes, u first.
+    /// The two axes, u first.
     pub const ALL: [Self; 2] = [Self::U, Self::V];
 
     /// `"u"` or `"v"`.

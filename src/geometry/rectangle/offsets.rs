@@ -1,4 +1,4 @@
-//! How two spans of one axis lie to each other.
+//! The positions of two spans of one axis relative to each other.
 
 use crate::geometry::Span;
 use crate::numeric::Scalar;

@@ -1,4 +1,4 @@
-//! Where a second rectangle lies in the frame of the first.
+//! The place of a second rectangle in the frame of the first.
 //!
 //! The frame has its origin at the first rectangle's `v0`, axes along its edges u and v, and the
 //! third along its normal. If the edges of both run along these axes, the second rectangle is a
@@ -13,9 +13,9 @@ use crate::numeric::{power_of_two_below, power_of_two_near, tolerance};
 /// The extent of a rectangle along one axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Extent {
-    /// It lies in the plane at this coordinate.
+    /// The rectangle lies in the plane at this coordinate.
     Flat(f64),
-    /// It covers this span.
+    /// The rectangle covers this span.
     Long(Span),
 }
 
@@ -26,8 +26,8 @@ pub struct Placement {
     pub first: [Span; 2],
     /// The second rectangle's extent along u, v and the normal; [`Extent::Flat`] in one of them.
     pub second: [Extent; 3],
-    /// Does the second rectangle's normal point along the axis in which it is flat (else against
-    /// it)?
+    /// Whether the second rectangle's normal points along the axis in which it is flat (else
+    /// against it).
     pub faces_along: bool,
     /// Length of one unit of the spans: a power of two.
     pub unit: f64,

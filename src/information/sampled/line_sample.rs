@@ -72,10 +72,11 @@ impl LineSample {
     /// `seed`: one seed always gives the same sample.
     ///
     /// # Errors
-    /// [`ChainError::Scene`] with [`SceneError::Overlap`](crate::scene::SceneError::Overlap) if patches lie on each other;
-    /// [`ChainError::Exchange`] with [`ExchangeError::LinesEscape`] if more than a millionth of the
-    /// lines leave a front and meet none, and with [`ExchangeError::LinesMiss`] if fewer than one in
-    /// ten thousand global lines meet the scene at all.
+    /// [`ChainError::Scene`] with [`SceneError::Overlap`](crate::scene::SceneError::Overlap) if
+    /// patches lie on each other; [`ChainError::Exchange`] with [`ExchangeError::LinesEscape`] if
+    /// more than a millionth of the lines leave a front and meet none, and with
+    /// [`ExchangeError::LinesMiss`] if fewer than one in ten thousand global lines meet the scene
+    /// at all.
     ///
     /// # Examples
     /// ```

@@ -6,7 +6,8 @@
 //!
 //! **Not covered**: arguments ≤ 0.
 
-/// From here on seven terms of the asymptotic series leave less than 3617/(8160·16^16) = 3e-20.
+/// Smallest argument at which seven terms of the asymptotic series leave less than
+/// 3617/(8160·16^16) = 3e-20.
 const ASYMPTOTIC: f64 = 16.0;
 
 /// `B_2k/2k`, k = 1 to 7.

@@ -1,4 +1,4 @@
-//! The few functions every entropy is a sum of.
+//! The functions that every entropy is a sum of.
 //!
 //! ```text
 //!   x_ln_x(x)         = x ln |x|,               0 log 0 = 0

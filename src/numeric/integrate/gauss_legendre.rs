@@ -2,8 +2,8 @@
 //!
 //! ```text
 //!   ∫_{−1}^{1} f ≈ Σ w_i f(x_i),   P_n(x_i) = 0,   w_i = 2 / ((1 − x_i²) P_n′(x_i)²)
-//!   |error| ≤ (64/15) M ρ^(−2n) / (1 − ρ^(−2))      if |f| ≤ M inside the ellipse with foci ±1 and half-axes
-//!                                                   (ρ ± 1/ρ)/2
+//!   |error| ≤ (64/15) M ρ^(−2n) / (1 − ρ^(−2))      if |f| ≤ M inside the ellipse with foci ±1
+//!                                                   and half-axes (ρ ± 1/ρ)/2
 //! ```
 //!
 //! Reference: Trefethen, *Approximation Theory and Approximation Practice*, 2013, theorem 19.3.

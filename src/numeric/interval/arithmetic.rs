@@ -58,11 +58,11 @@ fn quotient<E: Endpoint>(x: &E, y: &E, direction: Direction) -> E {
 /// The side of 0 on which an interval lies.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Side {
-    /// All ≥ 0.
+    /// An interval of numbers ≥ 0.
     Right,
-    /// All ≤ 0.
+    /// An interval of numbers ≤ 0.
     Left,
-    /// Both signs.
+    /// An interval with numbers of both signs.
     Both,
 }
 

@@ -13,7 +13,7 @@ use std::rc::Rc;
 
 /// Significands are kept in words of this many bits.
 pub(super) const WORD: u32 = 64;
-/// ln 2 to 32 bits, so that its multiples by an exponent are doubles.
+/// The leading 32 bits of ln 2, so that its multiples by an exponent are doubles.
 #[allow(clippy::approx_constant, reason = "cut on purpose")]
 pub(super) const LN_2_HEAD: f64 = 2_977_044_471.0 / 4_294_967_296.0;
 /// Entries per unit in the table of logarithms.
@@ -27,13 +27,13 @@ pub(super) const ATAN_STEPS: i32 = 32;
 pub(super) struct Constants<E> {
     pub(super) pi: Interval<E>,
     pub(super) ln_2: Interval<E>,
-    /// ln 2 − [`LN_2_HEAD`].
+    /// The rest of ln 2, less [`LN_2_HEAD`].
     pub(super) ln_2_tail: Interval<E>,
     /// 1/e.
     pub(super) inverse_e: Interval<E>,
-    /// ln(1 + i/64), from i = −16.
+    /// Values of ln(1 + i/64), from i = −16.
     pub(super) ln: Vec<Interval<E>>,
-    /// atan(i/32).
+    /// Values of atan(i/32).
     pub(super) atan: Vec<Interval<E>>,
     /// 1/1, 1/2, 1/3, …
     pub(super) reciprocals: Vec<Interval<E>>,

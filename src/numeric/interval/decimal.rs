@@ -7,14 +7,17 @@ use super::precise::Precise;
 /// Two decimal numbers that an interval lies between.
 #[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
 pub struct DecimalBounds {
-    /// At most the lower end.
+    /// A decimal number not above the lower end.
     pub lower: String,
-    /// At least the upper end.
+    /// A decimal number not below the upper end.
     pub upper: String,
 }
 
 /// Digits that are handled at a time.
 const CHUNK: usize = 15;
+
+/// More decimals than any precision leaves certain.
+const MOST_DECIMALS: u32 = 100_000;
 
 /// Numbers from 2^LONGEST are too long to be written out.
 const LONGEST: i32 = 332_000;
@@ -37,7 +40,8 @@ impl Interval {
         let digits = format!("{whole}{decimals}");
         let is_plain = !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit());
         let scale = exponent.checked_sub(i32::try_from(decimals.len()).ok()?)?;
-        if !is_plain || digits.len() > 100_000 || scale.unsigned_abs() > 100_000 {
+        let is_long = |length: usize| length > MOST_DECIMALS as usize;
+        if !is_plain || is_long(digits.len()) || scale.unsigned_abs() > MOST_DECIMALS {
             return None;
         }
         let exact_bits = u32::try_from(4 * digits.len()).ok()? + bits + 64;
@@ -95,6 +99,20 @@ impl Interval {
         Some(DecimalBounds { lower, upper })
     }
 
+    /// The ends as decimal numbers with every certain digit, as [`to_decimal`](Self::to_decimal)
+    /// without a limit.
+    ///
+    /// # Examples
+    /// ```
+    /// use infoscene::numeric::Interval;
+    /// let bounds = Interval::precise(0.375, 128).every_decimal().unwrap();
+    /// assert_eq!([bounds.lower, bounds.upper], ["0.375", "0.375"]);
+    /// ```
+    #[must_use]
+    pub fn every_decimal(&self) -> Option<DecimalBounds> {
+        self.to_decimal(MOST_DECIMALS)
+    }
+
     /// The number of decimals behind the point that the width leaves certain.
     #[must_use]
     pub fn certain_decimals(&self) -> u32 {
@@ -106,7 +124,8 @@ impl Interval {
         }
         // 2^e ≤ width < 2^(e+1)
         let binary = -i64::from(width.exponent()) - 1;
-        u32::try_from((binary * 30_103 / 100_000).clamp(0, 100_000)).unwrap_or(0)
+        let decimals = binary * 30_103 / 100_000;
+        u32::try_from(decimals.clamp(0, MOST_DECIMALS.into())).unwrap_or(0)
     }
 }
 

@@ -10,7 +10,8 @@
 //!   atanh z = z + z³ (1/3 + z²/5 + …)         tail from term k: [1, 2]/(2k+3) for z² ≤ 1/2
 //!   atan t = atan c + atan r,  c = i/32,      r = (t − c)/(1 + t c),  |r| ≤ 2⁻⁶
 //!   atan r = r − r³ (1/3 − r²/5 + …)          tail from term k: [0, 1]/(2k+3) for r² ≤ 1
-//!   eˣ = 2ᵏ (e^r)^256,  r = (x − k ln 2)/256; e^r = 1 + r/1 (1 + r/2 (…)),  tail [1/2, 2] for |r| ≤ 1/2
+//!   eˣ = 2ᵏ (e^r)^256,         r = (x − k ln 2)/256
+//!   e^r = 1 + r/1 (1 + r/2 (…))               tail [1/2, 2] for |r| ≤ 1/2
 //! ```
 
 use super::Interval;
@@ -153,7 +154,7 @@ impl<E: Endpoint> Interval<E> {
         }
     }
 
-    /// atan t, |t| ≤ 1.
+    /// Encloses atan t for |t| ≤ 1.
     fn atan_within(t: &Self, constants: &Constants<E>) -> Self {
         let middle = t.midpoint().to_double(Direction::Down);
         if middle < 0.0 {

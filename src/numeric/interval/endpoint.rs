@@ -1,4 +1,4 @@
-//! What the ends of an interval are made of: numbers whose operations round down or up.
+//! Ends of intervals: numbers whose operations round down or up.
 
 use crate::numeric::sums::expansion::two_sum;
 use std::cmp::Ordering;
@@ -64,11 +64,11 @@ pub trait Endpoint: Clone + Debug + PartialOrd + 'static {
         let sign = self.partial_cmp(&self.constant(0.0));
         sign.unwrap_or(Ordering::Equal)
     }
-    /// Is it exactly 0?
+    /// Tells whether this is exactly 0.
     fn is_zero(&self) -> bool {
         *self == self.constant(0.0)
     }
-    /// Is it neither infinite nor NaN?
+    /// Tells whether this is neither infinite nor NaN.
     fn is_finite(&self) -> bool;
 }
 

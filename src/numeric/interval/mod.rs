@@ -1,5 +1,4 @@
-//! Intervals that contain every value their expression can take: the layer that may say
-//! *enclosure*.
+//! Intervals that contain every value of their expression, which makes a result an *enclosure*.
 //!
 //! An operation on intervals returns an interval that contains the results for all numbers in its
 //! operands, with ends rounded outwards. A formula written over [`Scalar`](super::Scalar) becomes
@@ -97,31 +96,31 @@ impl<E: Endpoint> Interval<E> {
         larger(smaller(&middle, &self.upper), &self.lower).clone()
     }
 
-    /// Are both ends finite?
+    /// Tells whether both ends are finite.
     #[must_use]
     pub fn is_bounded(&self) -> bool {
         self.lower.is_finite() && self.upper.is_finite()
     }
 
-    /// Is it a single number?
+    /// Tells whether the interval is a single number.
     #[must_use]
     pub fn is_point(&self) -> bool {
         self.lower == self.upper
     }
 
-    /// Is 0 in it?
+    /// Tells whether 0 is in the interval.
     #[must_use]
     pub fn contains_zero(&self) -> bool {
         self.lower.sign().is_le() && self.upper.sign().is_ge()
     }
 
-    /// Does it contain all of `other`?
+    /// Tells whether the interval contains all of `other`.
     #[must_use]
     pub fn contains(&self, other: &Self) -> bool {
         self.lower <= other.lower && other.upper <= self.upper
     }
 
-    /// Does it contain all of `other` in its inside?
+    /// Tells whether the interval contains all of `other` in its inside.
     #[must_use]
     pub fn contains_inside(&self, other: &Self) -> bool {
         self.lower < other.lower && other.upper < self.upper

@@ -1,4 +1,4 @@
-//! Power series of intervals: what is left out is one more interval, an enclosure of the whole
+//! Power series of intervals: the terms left out are one more interval, an enclosure of the whole
 //! tail, from which the Horner scheme starts.
 
 use super::Interval;
@@ -47,12 +47,12 @@ pub(super) fn atanh_tail<E: Endpoint>(z: &Interval<E>, reciprocals: &[Interval<E
     odd_series(&z.square(), terms(z, reciprocals.len()), &tail, reciprocals)
 }
 
-/// atanh z, |z| ≤ 1/3.
+/// Encloses atanh z for |z| ≤ 1/3.
 pub(super) fn atanh<E: Endpoint>(z: &Interval<E>, reciprocals: &[Interval<E>]) -> Interval<E> {
     z.square() * &atanh_tail(z, reciprocals) * z + z
 }
 
-/// atan r, |r| ≤ 1/4.
+/// Encloses atan r for |r| ≤ 1/4.
 pub(super) fn atan_series<E: Endpoint>(
     r: &Interval<E>,
     reciprocals: &[Interval<E>],
@@ -105,7 +105,7 @@ mod tests {
     use super::super::constants::Constants;
     use super::*;
 
-    /// With few terms the tails show, which all the terms hide below the last bit: each enclosure
+    /// Few terms show the tails, which all the terms hide below the last bit: each enclosure
     /// contains that by more terms, and is no wider than its tail, 1/(2k+3)·|s|ᵏ or 3/2·|r|ᵏ⁻¹/k!,
     /// and some units.
     #[test]

@@ -12,14 +12,14 @@ use super::root::finite;
 use crate::numeric::{NumericError, root, tolerance};
 use nalgebra::{DMatrix, DVector};
 
-/// A local maximum, with the derivative that is left there.
+/// A local maximum, with the derivative found there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Maximum {
     /// The place where the derivative changes sign from plus to minus.
     pub position: f64,
     /// The function's value there.
     pub value: f64,
-    /// The derivative's value there: what is left of zero.
+    /// The derivative's value there, 0 but for rounding.
     pub residual: f64,
     /// The number of evaluations of the derivative.
     pub evaluations: u64,

@@ -14,7 +14,7 @@ use argmin::core::{CostFunction, Error, Executor, State};
 use argmin::solver::brent::BrentRoot;
 use std::cell::Cell;
 
-/// A root, with what is left of the function there.
+/// A root, with the function's value there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Root {
     /// The place where the function changes sign, within two units in the last place of the

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Both polygons are cut into strips along the line where their planes meet (`section`); two strips
-//! exchange a closed form, and what is left is a twofold integral over u and v (`strips`), by Gauss
+//! exchange a closed form, and there remains a twofold integral over u and v (`strips`), by Gauss
 //! rules on parts that shrink towards the singular points (`panels`). No contour, no logarithm and
 //! no solid angle occurs: nothing is shared with the fast routes. Every pass is repeated finer and
 //! with the two polygons' parts exchanged; the difference is the error *estimate*, which is no
@@ -18,7 +18,7 @@ pub(crate) mod panels;
 pub(crate) mod section;
 pub(crate) mod strips;
 
-use super::wide::Wide;
+use super::fixed_float::FixedFloat;
 use crate::form_factor::FormFactorError;
 use crate::geometry::Patch;
 use crate::numeric::power_of_two_near;
@@ -29,7 +29,7 @@ use strips::Pass;
 
 /// Words of the significand: 256 bits, of which a far pair of slivers leaves half.
 const WORDS: usize = 4;
-type Number = Wide<WORDS>;
+type Number = FixedFloat<WORDS>;
 
 /// An exchange area with many digits.
 #[derive(Debug, Clone, Copy)]

@@ -1,7 +1,9 @@
-//! How a range is divided so that a Gauss rule on each part is right to the digits asked for.
+//! The division of a range into parts on each of which a Gauss rule is right to the digits asked
+//! for.
 //!
 //! ```text
-//!   a rule of n points errs by about M ρ^(−2n),  ρ = a + √(a² − 1),  a = (|z − lower| + |z − upper|)/(upper − lower)
+//!   a rule of n points errs by about M ρ^(−2n)
+//!       ρ = a + √(a² − 1),  a = (|z − lower| + |z − upper|)/(upper − lower)
 //! ```
 //!
 //! for the singularity z with the smallest ρ, where M is the size of the part's integral. A part

@@ -10,23 +10,24 @@
 //! neighbouring corners (in u or v) a polygon is a few trapezoids, whose ends s are linear in u: a
 //! *slab*.
 
-use crate::reference::wide::Wide;
+use crate::reference::fixed_float::FixedFloat;
 use glam::DVec3;
 
-type Vector<const N: usize> = [Wide<N>; 3];
+type Vector<const N: usize> = [FixedFloat<N>; 3];
 
 /// An edge inside a slab: `s(u) = at + slope·(u − from)`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Line<const N: usize> {
-    pub from: Wide<N>,
-    pub at: Wide<N>,
-    pub slope: Wide<N>,
-    /// Does the polygon lie on the side of smaller s, so that this is the upper end of a trapezoid?
+    pub from: FixedFloat<N>,
+    pub at: FixedFloat<N>,
+    pub slope: FixedFloat<N>,
+    /// Whether the polygon lies on the side of smaller s, so that this is the upper end of a
+    /// trapezoid.
     pub is_upper: bool,
 }
 
 impl<const N: usize> Line<N> {
-    pub(crate) fn value(&self, u: Wide<N>) -> Wide<N> {
+    pub(crate) fn value(&self, u: FixedFloat<N>) -> FixedFloat<N> {
         self.at + self.slope * (u - self.from)
     }
 }
@@ -34,23 +35,23 @@ impl<const N: usize> Line<N> {
 /// The part of a polygon between two values of u, without a corner inside.
 #[derive(Debug, Clone)]
 pub(crate) struct Slab<const N: usize> {
-    pub ends: [Wide<N>; 2],
+    pub ends: [FixedFloat<N>; 2],
     /// Sorted by s: lower and upper ends of trapezoids in turn.
     pub lines: Vec<Line<N>>,
 }
 
 impl<const N: usize> Slab<N> {
     /// The extent of all its trapezoids along d at `u`.
-    pub(crate) fn extent(&self, u: Wide<N>) -> Wide<N> {
+    pub(crate) fn extent(&self, u: FixedFloat<N>) -> FixedFloat<N> {
         let ends = self.lines.iter().map(|line| {
             let value = line.value(u);
             if line.is_upper { value } else { -value }
         });
-        ends.fold(Wide::ZERO, |sum, end| sum + end)
+        ends.fold(FixedFloat::ZERO, |sum, end| sum + end)
     }
 
     /// The area.
-    pub(crate) fn area(&self) -> Wide<N> {
+    pub(crate) fn area(&self) -> FixedFloat<N> {
         let [lower, upper] = self.ends;
         self.extent((lower + upper).scaled(-1)) * (upper - lower)
     }
@@ -59,12 +60,12 @@ impl<const N: usize> Slab<N> {
 /// A linear function `at_zero + slope·v`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Linear<const N: usize> {
-    pub at_zero: Wide<N>,
-    pub slope: Wide<N>,
+    pub at_zero: FixedFloat<N>,
+    pub slope: FixedFloat<N>,
 }
 
 impl<const N: usize> Linear<N> {
-    pub(crate) fn at(&self, v: Wide<N>) -> Wide<N> {
+    pub(crate) fn at(&self, v: FixedFloat<N>) -> FixedFloat<N> {
         self.at_zero + self.slope * v
     }
 }
@@ -86,7 +87,7 @@ fn minus<const N: usize>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
     std::array::from_fn(|k| a[k] - b[k])
 }
 
-fn dot<const N: usize>(a: &Vector<N>, b: &Vector<N>) -> Wide<N> {
+fn dot<const N: usize>(a: &Vector<N>, b: &Vector<N>) -> FixedFloat<N> {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
@@ -112,11 +113,11 @@ impl<const N: usize> Plate<N> {
     fn new(corners: &[DVec3]) -> Self {
         let corners: Vec<Vector<N>> = corners
             .iter()
-            .map(|c| c.to_array().map(Wide::new))
+            .map(|c| c.to_array().map(FixedFloat::new))
             .collect();
         let arms: Vec<_> = corners.iter().map(|c| minus(c, &corners[0])).collect();
         let doubled = arms.windows(2).map(|pair| cross(&pair[0], &pair[1]));
-        let sum = doubled.fold([Wide::ZERO; 3], |sum: Vector<N>, next| {
+        let sum = doubled.fold([FixedFloat::ZERO; 3], |sum: Vector<N>, next| {
             std::array::from_fn(|k| sum[k] + next[k])
         });
         Self {
@@ -136,19 +137,23 @@ impl<const N: usize> Plate<N> {
                     long
                 }
             })
-            .unwrap_or([Wide::ZERO; 3])
+            .unwrap_or([FixedFloat::ZERO; 3])
     }
 
     /// Corners as (u, s), from `origin`.
-    fn flat(&self, origin: &Vector<N>, across: &Vector<N>, along: &Vector<N>) -> Vec<[Wide<N>; 2]> {
+    fn flat(
+        &self,
+        origin: &Vector<N>,
+        across: &Vector<N>,
+        along: &Vector<N>,
+    ) -> Vec<[FixedFloat<N>; 2]> {
         let arms = self.corners.iter().map(|c| minus(c, origin));
         arms.map(|arm| [dot(&arm, across), dot(&arm, along)])
             .collect()
     }
 }
 
-/// What is smaller than 2 to this power times the bits, relative to the size of the pair, is
-/// rounding.
+/// The power of two, relative to the size of the pair, below which a number is rounding.
 const fn negligible_power<const N: usize>() -> i64 {
     // two thirds of the digits
     -((N * 128 / 3) as i64)
@@ -161,7 +166,7 @@ impl<const N: usize> Section<N> {
         let (origin_p, origin_q) = (p.corners[0], q.corners[0]);
         let common = cross(&p.normal, &q.normal);
         let is_parallel =
-            dot(&common, &common) < Wide::new(1.0).scaled(2 * negligible_power::<N>());
+            dot(&common, &common) < FixedFloat::new(1.0).scaled(2 * negligible_power::<N>());
         let along = unit(&if is_parallel {
             p.longest_edge()
         } else {
@@ -169,7 +174,7 @@ impl<const N: usize> Section<N> {
         });
         let (across_p, across_q) = (cross(&p.normal, &along), cross(&q.normal, &along));
         let between = minus(&origin_q, &origin_p);
-        let slope = |value: Wide<N>| if is_parallel { Wide::ZERO } else { value };
+        let slope = |value: FixedFloat<N>| if is_parallel { FixedFloat::ZERO } else { value };
         let flat_p = p.flat(&origin_p, &across_p, &along);
         let mut flat_q = q.flat(&origin_q, &across_q, &along);
         // both polygons measure s and t from the same origin
@@ -205,11 +210,11 @@ impl<const N: usize> Section<N> {
 
 /// The slabs of a polygon where `height` is positive.
 fn slabs<const N: usize>(
-    corners: &[[Wide<N>; 2]],
+    corners: &[[FixedFloat<N>; 2]],
     height: &Linear<N>,
-    negligible: Wide<N>,
+    negligible: FixedFloat<N>,
 ) -> Vec<Slab<N>> {
-    let mut breaks: Vec<Wide<N>> = corners.iter().map(|c| c[0]).collect();
+    let mut breaks: Vec<FixedFloat<N>> = corners.iter().map(|c| c[0]).collect();
     if !height.slope.is_zero() {
         breaks.push(-height.at_zero / height.slope);
     }
@@ -226,7 +231,7 @@ fn slabs<const N: usize>(
     let (Some(least), Some(most)) = (least, most) else {
         return Vec::new();
     };
-    let is_inside = |middle: Wide<N>| least < middle && middle < most;
+    let is_inside = |middle: FixedFloat<N>| least < middle && middle < most;
     let pairs = breaks.windows(2).map(|pair| [pair[0], pair[1]]);
     pairs
         .filter_map(|ends| {
@@ -246,7 +251,7 @@ fn slabs<const N: usize>(
 }
 
 /// The edges that cross `middle`, in order.
-fn lines<const N: usize>(corners: &[[Wide<N>; 2]], middle: Wide<N>) -> Vec<Line<N>> {
+fn lines<const N: usize>(corners: &[[FixedFloat<N>; 2]], middle: FixedFloat<N>) -> Vec<Line<N>> {
     let next = corners.iter().cycle().skip(1);
     let crossing = corners.iter().zip(next).filter_map(|(a, b)| {
         let (a, b) = if a[0] < b[0] { (a, b) } else { (b, a) };

@@ -15,8 +15,8 @@
 
 use super::panels::{Fineness, panels};
 use super::section::{Line, Section, Slab};
-use crate::reference::wide::Wide;
-use crate::reference::wide::gauss::gauss_rule;
+use crate::reference::fixed_float::FixedFloat;
+use crate::reference::fixed_float::gauss::gauss_rule;
 use std::f64::consts::PI;
 
 /// The demands on a pass.
@@ -28,28 +28,33 @@ pub(crate) struct Pass {
 }
 
 /// A singular point: along the range, and off it.
-type Singularity<const N: usize> = [Wide<N>; 2];
+type Singularity<const N: usize> = [FixedFloat<N>; 2];
 
 /// The zeros of `(p + kU)² + (U + q)² + h²`.
-fn meeting<const N: usize>(p: Wide<N>, k: Wide<N>, q: Wide<N>, h: Wide<N>) -> Singularity<N> {
-    let norm = Wide::new(1.0) + k.square();
+fn meeting<const N: usize>(
+    p: FixedFloat<N>,
+    k: FixedFloat<N>,
+    q: FixedFloat<N>,
+    h: FixedFloat<N>,
+) -> Singularity<N> {
+    let norm = FixedFloat::new(1.0) + k.square();
     let off = ((p - k * q).square() + norm * h.square()).sqrt();
     [-(p * k + q) / norm, off / norm]
 }
 
 impl<const N: usize> Section<N> {
     /// The exchange area by one pass.
-    pub(crate) fn integral(&self, pass: &Pass) -> Wide<N> {
-        let mut sum = Wide::ZERO;
+    pub(crate) fn integral(&self, pass: &Pass) -> FixedFloat<N> {
+        let mut sum = FixedFloat::ZERO;
         for outer in &self.outer {
             for inner in &self.inner {
                 sum = sum + self.slab_pair(inner, outer, pass);
             }
         }
-        sum / Wide::pi()
+        sum / FixedFloat::pi()
     }
 
-    fn slab_pair(&self, inner: &Slab<N>, outer: &Slab<N>, pass: &Pass) -> Wide<N> {
+    fn slab_pair(&self, inner: &Slab<N>, outer: &Slab<N>, pass: &Pass) -> FixedFloat<N> {
         let singular = self.outer_singularities(inner, outer);
         let mut breaks = vec![outer.ends[0], outer.ends[1]];
         let inside = singular.iter().map(|z| z[0]);
@@ -59,7 +64,7 @@ impl<const N: usize> Section<N> {
         breaks.dedup_by(|a, b| *a - *b < least);
         let last = breaks.len() - 1;
         breaks[last] = outer.ends[1];
-        let mut sum = Wide::ZERO;
+        let mut sum = FixedFloat::ZERO;
         for pair in breaks.windows(2) {
             let half = (pair[1] - pair[0]).scaled(-1);
             for (start, length) in [(pair[0], half), (pair[1], -half)] {
@@ -74,16 +79,16 @@ impl<const N: usize> Section<N> {
         &self,
         inner: &Slab<N>,
         outer: &Slab<N>,
-        [start, length]: [Wide<N>; 2],
+        [start, length]: [FixedFloat<N>; 2],
         singular: &[Singularity<N>],
         pass: &Pass,
-    ) -> Wide<N> {
+    ) -> FixedFloat<N> {
         let seen: Vec<_> = singular
             .iter()
             .map(|z| seen_from(z, start, length))
             .collect();
         let size = self.outer_size(inner, outer, start, length);
-        let mut sum = Wide::ZERO;
+        let mut sum = FixedFloat::ZERO;
         for panel in panels(&seen, &size, pass.allowed, pass.fineness) {
             let width = length.abs().to_f64() * (panel.ends[1] - panel.ends[0]);
             let inner_pass = Pass {
@@ -102,8 +107,8 @@ impl<const N: usize> Section<N> {
         &self,
         inner: &Slab<N>,
         outer: &Slab<N>,
-        start: Wide<N>,
-        length: Wide<N>,
+        start: FixedFloat<N>,
+        length: FixedFloat<N>,
     ) -> impl Fn(f64, f64) -> f64 {
         let ends = [start, start + length];
         let extents = ends.map(|v| outer.extent(v).to_f64().abs());
@@ -160,22 +165,24 @@ impl<const N: usize> Section<N> {
 
     /// The place where the lines of two edges come closest, if that is beside the inner edge.
     fn crossing(&self, inner: &Slab<N>, end: &Line<N>, line: &Line<N>) -> Option<Singularity<N>> {
-        let one = Wide::new(1.0);
+        let one = FixedFloat::new(1.0);
         // coordinates (along d, u, height over the inner plane)
-        let e = [end.slope, one, Wide::ZERO];
+        let e = [end.slope, one, FixedFloat::ZERO];
         let f = [line.slope, self.foot.slope, self.height.slope];
         let w = [
             line.at - end.at,
             self.foot.at(line.from) - end.from,
             self.height.at(line.from),
         ];
-        let cross = |a: &[Wide<N>; 3], b: &[Wide<N>; 3]| -> [Wide<N>; 3] {
+        let cross = |a: &[FixedFloat<N>; 3], b: &[FixedFloat<N>; 3]| -> [FixedFloat<N>; 3] {
             std::array::from_fn(|k| {
                 let (i, j) = ((k + 1) % 3, (k + 2) % 3);
                 a[i] * b[j] - a[j] * b[i]
             })
         };
-        let dot = |a: &[Wide<N>; 3], b: &[Wide<N>; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        let dot = |a: &[FixedFloat<N>; 3], b: &[FixedFloat<N>; 3]| {
+            a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+        };
         let (fe, we) = (cross(&f, &e), cross(&w, &e));
         let (a, b, c) = (dot(&fe, &fe), dot(&fe, &we), dot(&we, &we));
         let scale = dot(&e, &e) * dot(&f, &f);
@@ -184,7 +191,7 @@ impl<const N: usize> Section<N> {
         }
         let along = -b / a;
         let off = (a * c - b.square()).sqrt() / a;
-        let meeting: [Wide<N>; 3] = std::array::from_fn(|k| w[k] + f[k] * along);
+        let meeting: [FixedFloat<N>; 3] = std::array::from_fn(|k| w[k] + f[k] * along);
         let u = end.from + dot(&meeting, &e) / dot(&e, &e);
         let margin = (inner.ends[1] - inner.ends[0]).scaled(-2) + off;
         let is_beside = inner.ends[0] - margin < u && u < inner.ends[1] + margin;
@@ -192,7 +199,13 @@ impl<const N: usize> Section<N> {
     }
 
     /// `h ∫ du k(u) Σ ± G` at v.
-    fn inner(&self, inner: &Slab<N>, outer: &Slab<N>, v: Wide<N>, pass: &Pass) -> Wide<N> {
+    fn inner(
+        &self,
+        inner: &Slab<N>,
+        outer: &Slab<N>,
+        v: FixedFloat<N>,
+        pass: &Pass,
+    ) -> FixedFloat<N> {
         let strip = Strip {
             section: self,
             slab: inner,
@@ -206,7 +219,7 @@ impl<const N: usize> Section<N> {
             extent: outer.extent(v).to_f64().abs(),
         };
         if !strip.height.is_positive() {
-            return Wide::ZERO;
+            return FixedFloat::ZERO;
         }
         strip.integral(pass)
     }
@@ -216,15 +229,15 @@ impl<const N: usize> Section<N> {
 struct Strip<'s, const N: usize> {
     section: &'s Section<N>,
     slab: &'s Slab<N>,
-    foot: Wide<N>,
-    height: Wide<N>,
+    foot: FixedFloat<N>,
+    height: FixedFloat<N>,
     /// The t of the outer lines, and whether each is an upper end.
-    ends: Vec<(Wide<N>, bool)>,
+    ends: Vec<(FixedFloat<N>, bool)>,
     extent: f64,
 }
 
 impl<const N: usize> Strip<'_, N> {
-    fn integral(&self, pass: &Pass) -> Wide<N> {
+    fn integral(&self, pass: &Pass) -> FixedFloat<N> {
         let [lower, upper] = self.slab.ends.map(|u| (u - self.foot) / self.height);
         let near = lower.abs().to_f64().min(upper.abs().to_f64());
         let has_foot = lower.is_negative() && upper.is_positive();
@@ -250,11 +263,11 @@ impl<const N: usize> Strip<'_, N> {
     }
 
     /// Gauss rules in u, where c hardly changes.
-    fn plain(&self, pass: &Pass) -> Wide<N> {
+    fn plain(&self, pass: &Pass) -> FixedFloat<N> {
         let singular = self.singularities();
         let [start, end] = self.slab.ends;
         let half = (end - start).scaled(-1);
-        let mut sum = Wide::ZERO;
+        let mut sum = FixedFloat::ZERO;
         for (start, length) in [(start, half), (end, -half)] {
             let seen: Vec<_> = singular
                 .iter()
@@ -273,9 +286,9 @@ impl<const N: usize> Strip<'_, N> {
     }
 
     /// Gauss rules in w, between the values of (u − foot)/h.
-    fn spread(&self, ends: [Wide<N>; 2], pass: &Pass) -> Wide<N> {
-        let one = Wide::new(1.0);
-        let to_w = |x: Wide<N>| {
+    fn spread(&self, ends: [FixedFloat<N>; 2], pass: &Pass) -> FixedFloat<N> {
+        let one = FixedFloat::new(1.0);
+        let to_w = |x: FixedFloat<N>| {
             let root = (x.square() + one).sqrt();
             if x.is_negative() {
                 (root - x).reciprocal()
@@ -303,9 +316,9 @@ impl<const N: usize> Strip<'_, N> {
         breaks.sort_by(f64::total_cmp);
         breaks.dedup_by(|a, b| *a <= *b * (1.0 + 1e-6));
         let mut edges = vec![exact[0]];
-        edges.extend(breaks.into_iter().map(Wide::new));
+        edges.extend(breaks.into_iter().map(FixedFloat::new));
         edges.push(exact[1]);
-        let mut sum = Wide::ZERO;
+        let mut sum = FixedFloat::ZERO;
         for ends in edges.windows(2) {
             sum = sum + self.spread_part(ends[0], ends[1] - ends[0], &singular, pass);
         }
@@ -315,11 +328,11 @@ impl<const N: usize> Strip<'_, N> {
     /// The inner integral from w = `start` on.
     fn spread_part(
         &self,
-        start: Wide<N>,
-        length: Wide<N>,
+        start: FixedFloat<N>,
+        length: FixedFloat<N>,
         singular: &[(f64, f64)],
         pass: &Pass,
-    ) -> Wide<N> {
+    ) -> FixedFloat<N> {
         let (offset, step) = (start.to_f64(), length.to_f64());
         let h = self.height.to_f64();
         let seen: Vec<_> = singular
@@ -331,7 +344,7 @@ impl<const N: usize> Strip<'_, N> {
             0.5 * h * (w - w.recip())
         };
         let size = |a: f64, b: f64| self.size(distance(a), distance(b));
-        let mut sum = Wide::ZERO;
+        let mut sum = FixedFloat::ZERO;
         for panel in panels(&seen, size, pass.allowed, pass.fineness) {
             for (w, weight) in nodes::<N>(start, length, panel.ends, panel.order) {
                 let inverse = w.reciprocal();
@@ -344,13 +357,13 @@ impl<const N: usize> Strip<'_, N> {
     }
 
     /// `k(u) Σ ± z·atan(z/c)`.
-    fn integrand(&self, u: Wide<N>, c: Wide<N>) -> Wide<N> {
-        let mut sum = Wide::ZERO;
+    fn integrand(&self, u: FixedFloat<N>, c: FixedFloat<N>) -> FixedFloat<N> {
+        let mut sum = FixedFloat::ZERO;
         for line in &self.slab.lines {
             let s = line.value(u);
             for (t, is_upper) in &self.ends {
                 let z = s - *t;
-                let term = z * Wide::atan_of_ratio(z, c);
+                let term = z * FixedFloat::atan_of_ratio(z, c);
                 sum = if line.is_upper == *is_upper {
                     sum - term
                 } else {
@@ -367,7 +380,7 @@ impl<const N: usize> Strip<'_, N> {
         let gap = from.max(-to).max(0.0);
         let h = self.height.to_f64();
         let c = gap.hypot(h);
-        let u = [from, to].map(|x| self.foot + Wide::new(x));
+        let u = [from, to].map(|x| self.foot + FixedFloat::new(x));
         let extent = u.map(|u| self.slab.extent(u).to_f64().abs());
         let extent = extent[0].max(extent[1]);
         let facing = u.map(|u| self.section.facing.at(u).to_f64().abs());
@@ -380,8 +393,8 @@ impl<const N: usize> Strip<'_, N> {
 /// A singularity from the start of a range, in units of its signed length.
 fn seen_from<const N: usize>(
     [at, off]: &Singularity<N>,
-    start: Wide<N>,
-    length: Wide<N>,
+    start: FixedFloat<N>,
+    length: FixedFloat<N>,
 ) -> (f64, f64) {
     let scale = -length.exponent();
     let step = length.scaled(scale).to_f64();
@@ -414,13 +427,13 @@ fn spread_out(re: f64, im: f64) -> (f64, f64) {
 
 /// Nodes and weights of a rule on a part of `start + [0, length]`, weights positive.
 fn nodes<const N: usize>(
-    start: Wide<N>,
-    length: Wide<N>,
+    start: FixedFloat<N>,
+    length: FixedFloat<N>,
     ends: [f64; 2],
     order: usize,
-) -> Vec<(Wide<N>, Wide<N>)> {
-    let half = (Wide::new(ends[1]) - Wide::new(ends[0])).scaled(-1) * length;
-    let middle = start + (Wide::new(ends[0]) + Wide::new(ends[1])).scaled(-1) * length;
+) -> Vec<(FixedFloat<N>, FixedFloat<N>)> {
+    let half = (FixedFloat::new(ends[1]) - FixedFloat::new(ends[0])).scaled(-1) * length;
+    let middle = start + (FixedFloat::new(ends[0]) + FixedFloat::new(ends[1])).scaled(-1) * length;
     let rule = gauss_rule::<N>(order);
     let scale = half.abs();
     rule.iter()

@@ -2,6 +2,7 @@
 
 use crate::claims::{Judgement, Quantity, Verdict};
 use crate::numeric::Grade;
+use crate::question::ReproduceAnswer;
 use crate::report::render::page::{PageError, Texts};
 use crate::report::{Format, ReportError, Table, certain_digits, reproduction_report};
 
@@ -20,23 +21,22 @@ pub fn claims_page(judgements: &[Judgement]) -> Result<String, PageError> {
     let grades = Grade::ALL.map(|grade| format!("| {} | {} |\n", grade.name(), grade.meaning()));
     texts.text("verdicts", verdicts.concat());
     texts.text("grades", grades.concat());
-    let table = reproduction_report(judgements)?;
+    let table = reproduction_report(&ReproduceAnswer::from(judgements))?;
     texts.text("claims", table.render(Format::Markdown)?);
     texts.filled(TEMPLATE)
 }
 
-/// The claims of the front page: the best cuts of figs. 2 and 3, a pair of cuts of §4.2, a theorem,
-/// and a statement that is refuted.
-const FIRST: [&str; 6] = [
+/// The claims of the front page: the best cuts of figs. 2 and 3, a pair of cuts of §4.2, a theorem.
+const FIRST: [&str; 5] = [
     "fig2-parallel-cut",
     "fig3-cut",
     "s42-information-cut-2",
     "s42-mean-square-cut-2",
     "theorem-1",
-    "s5-gain-for-constant-radiosity",
 ];
 
-/// The short table of the front page in Markdown: id, place, printed, computed, verdict.
+/// The short table of the front page in Markdown: id, place, printed, computed, verdict. For a claim
+/// in words the evidence stands in the place of a number.
 ///
 /// # Errors
 /// [`ReportError`] if the table cannot be rendered.
@@ -46,19 +46,16 @@ pub fn first_verdicts(judgements: &[Judgement]) -> Result<String, ReportError> {
         .filter_map(|id| judgements.iter().find(|j| j.claim.id == *id));
     let row = |judgement: &Judgement| {
         let claim = &judgement.claim;
-        let printed = claim.printed.as_ref();
-        let printed = printed.map_or_else(|| "in words".to_owned(), |p| p.text.clone());
-        let computed = judgement.finding.as_ref().map(|finding| {
-            let (value, error) = match finding.quantity {
-                Quantity::Value { value, error } => (value, error),
-                Quantity::Residual { value, tolerance } => (value, tolerance),
-            };
-            certain_digits(value, error)
+        let printed = claim.printed.as_ref().map(|printed| printed.text.clone());
+        let finding = judgement.finding.as_ref();
+        let computed = finding.map(|finding| match finding.quantity {
+            Quantity::Value { value, error } if printed.is_some() => certain_digits(value, error),
+            _ => finding.grade.name().to_owned(),
         });
         vec![
             claim.id.clone(),
             claim.place.clone(),
-            printed,
+            printed.unwrap_or_else(|| "in words".to_owned()),
             computed.unwrap_or_default(),
             judgement.verdict.name().replace('_', " "),
         ]

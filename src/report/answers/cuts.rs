@@ -1,107 +1,51 @@
 //! The cuts across a radiosity gradient (§4.2): of one patch, or of many side by side.
 
-use crate::discretize::{CertifiedCut, Cut, CutComparison};
-use crate::numeric::interval::DecimalBounds;
-use crate::numeric::{Interval, tolerance};
+use crate::numeric::tolerance;
+use crate::question::{CutAnswer, CutsAnswer, IrradianceExponent};
 use crate::report::{
     Axis, Figure, Line, Report, ReportError, Table, certain_digits, enclosed_digits,
 };
 
-/// Both cuts as a record: the keys are relied on by scripts.
-#[derive(Debug, serde::Serialize)]
-struct Record {
-    exponent: f64,
-    irradiance_exponent: f64,
-    mutual_information_cut: f64,
-    mutual_information_complement: f64,
-    mutual_information_gain: f64,
-    mean_square_cut: f64,
-    mean_square_complement: f64,
-    mean_square_error: f64,
-    distance: f64,
-    gain_at_mean_square_cut: f64,
-    error_at_mutual_information_cut: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    enclosures: Option<Enclosures>,
-}
+/// The names of both measures.
+const MEASURES: [&str; 2] = ["mutual information", "mean square"];
 
-/// Decimal bounds of the same quantities.
-#[derive(Debug, serde::Serialize)]
-struct Enclosures {
-    mutual_information_cut: Option<DecimalBounds>,
-    mutual_information_complement: Option<DecimalBounds>,
-    mutual_information_gain: Option<DecimalBounds>,
-    mean_square_cut: Option<DecimalBounds>,
-    mean_square_complement: Option<DecimalBounds>,
-    mean_square_error: Option<DecimalBounds>,
-}
-
-/// More decimals than any precision leaves certain.
-const MOST_DECIMALS: u32 = 100_000;
-
-fn bounds(enclosure: &Interval) -> Option<DecimalBounds> {
-    enclosure.to_decimal(MOST_DECIMALS)
-}
-
-impl From<&[CertifiedCut; 2]> for Enclosures {
-    fn from([information, square]: &[CertifiedCut; 2]) -> Self {
-        Self {
-            mutual_information_cut: bounds(&information.position),
-            mutual_information_complement: bounds(&information.complement),
-            mutual_information_gain: bounds(&information.value),
-            mean_square_cut: bounds(&square.position),
-            mean_square_complement: bounds(&square.complement),
-            mean_square_error: bounds(&square.value),
-        }
-    }
-}
-
-impl From<&CutComparison> for Record {
-    fn from(cuts: &CutComparison) -> Self {
-        let (information, square) = (&cuts.information, &cuts.square);
-        Self {
-            exponent: cuts.patch.exponent(),
-            irradiance_exponent: cuts.patch.irradiance_exponent(),
-            mutual_information_cut: information.position,
-            mutual_information_complement: information.complement,
-            mutual_information_gain: information.value,
-            mean_square_cut: square.position,
-            mean_square_complement: square.complement,
-            mean_square_error: square.value,
-            distance: cuts.distance(),
-            gain_at_mean_square_cut: cuts.gain_at_square,
-            error_at_mutual_information_cut: cuts.error_at_information,
-            enclosures: cuts.certified.as_ref().map(Enclosures::from),
-        }
-    }
-}
-
-/// The cuts of one patch: a line each, and their bounds if they were enclosed.
+/// The answer to [`Cut`](crate::question::Cut): a line for each cut, and their bounds if they were
+/// enclosed.
 ///
 /// # Errors
 /// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
-pub fn cut_report(cuts: &CutComparison) -> Result<Report, ReportError> {
-    let row = |name: &str, cut: &Cut, gain: f64, error: f64| {
-        vec![
+pub fn cut_report(answer: &CutAnswer) -> Result<Report, ReportError> {
+    let row = |name: &str, position: f64, numbers: [f64; 3]| {
+        let mut row = vec![
             name.to_owned(),
-            certain_digits(cut.position, tolerance::POSITION),
-            format!("{:.11e}", cut.complement),
-            format!("{gain:.11e}"),
-            format!("{error:.11e}"),
-        ]
+            certain_digits(position, tolerance::POSITION),
+        ];
+        row.extend(numbers.map(|number| format!("{number:.11e}")));
+        row
     };
-    let (information, square) = (&cuts.information, &cuts.square);
-    let names = ["mutual information", "mean square"];
-    let certified = cuts.certified.iter().flatten().zip(names);
-    let certified = certified.filter_map(|(cut, name)| {
-        let bounds = bounds(&cut.position)?;
+    let information = [
+        answer.mutual_information_complement,
+        answer.mutual_information_gain,
+        answer.error_at_mutual_information_cut,
+    ];
+    let square = [
+        answer.mean_square_complement,
+        answer.gain_at_mean_square_cut,
+        answer.mean_square_error,
+    ];
+    let enclosed = answer.enclosures.as_ref();
+    let enclosed = enclosed.map(|cuts| [&cuts.mutual_information_cut, &cuts.mean_square_cut]);
+    let enclosed = enclosed.into_iter().flatten().zip(MEASURES);
+    let enclosed = enclosed.filter_map(|(position, name)| {
+        let bounds = position.every_decimal()?;
         let between = format!("between {} and {}", bounds.lower, bounds.upper);
         Some((name.to_owned(), between))
     });
     let cost = format!(
-        "the mean-square cut keeps {} of the gain; the other has {} more than the least square error",
-        percent(cuts.gain_kept()),
-        percent(cuts.error_excess())
+        "the mean-square cut keeps {} of the gain; the other has {} more than the least square \
+         error",
+        percent(answer.gain_kept),
+        percent(answer.error_excess)
     );
     let table = Table {
         columns: vec![
@@ -112,49 +56,53 @@ pub fn cut_report(cuts: &CutComparison) -> Result<Report, ReportError> {
             "mean square error",
         ],
         rows: vec![
-            row(
-                names[0],
-                information,
-                information.value,
-                cuts.error_at_information,
-            ),
-            row(names[1], square, cuts.gain_at_square, square.value),
+            row(MEASURES[0], answer.mutual_information_cut, information),
+            row(MEASURES[1], answer.mean_square_cut, square),
         ],
-        notes: certified.chain([("cost".to_owned(), cost)]).collect(),
+        notes: enclosed.chain([("cost".to_owned(), cost)]).collect(),
         ..Table::default()
     };
-    Report::one(table, &Record::from(cuts))
+    Report::one(table, answer)
 }
 
-/// The cuts of many patches: a line each, records under `cuts` in JSON.
+/// The line of one patch among many.
+fn line(cuts: &CutAnswer) -> Vec<String> {
+    let [information, square] = match &cuts.enclosures {
+        Some(enclosed) => {
+            [&enclosed.mutual_information_cut, &enclosed.mean_square_cut].map(enclosed_digits)
+        }
+        None => [
+            position(
+                cuts.mutual_information_cut,
+                cuts.mutual_information_complement,
+            ),
+            position(cuts.mean_square_cut, cuts.mean_square_complement),
+        ],
+    };
+    vec![
+        exponent(cuts.exponent),
+        exponent(cuts.irradiance_exponent),
+        information,
+        square,
+        format!("{:.3e}", cuts.distance),
+        format!("{:.5e}", cuts.mutual_information_gain),
+        percent(cuts.gain_kept),
+        format!("{:.5e}", cuts.mean_square_error),
+        percent(cuts.error_excess),
+    ]
+}
+
+/// The answer to [`Cuts`](crate::question::Cuts): a line for each patch, records under `cuts` in
+/// JSON.
 ///
 /// # Errors
 /// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
-pub fn cuts_report(all: &[CutComparison]) -> Result<Report, ReportError> {
-    let row = |cuts: &CutComparison| {
-        let positions = match &cuts.certified {
-            Some(certified) => certified
-                .each_ref()
-                .map(|cut| enclosed_digits(&cut.position)),
-            None => [cuts.information, cuts.square].map(|cut| position(&cut)),
-        };
-        let [information, square] = positions;
-        vec![
-            exponent(cuts.patch.exponent()),
-            exponent(cuts.patch.irradiance_exponent()),
-            information,
-            square,
-            format!("{:.3e}", cuts.distance()),
-            format!("{:.5e}", cuts.information.value),
-            percent(cuts.gain_kept()),
-            format!("{:.5e}", cuts.square.value),
-            percent(cuts.error_excess()),
-        ]
-    };
+pub fn cuts_report(answer: &CutsAnswer) -> Result<Report, ReportError> {
     let notes = [
         (
             "n, m",
-            "radiosity grows as lⁿ, irradiance as lᵐ; the unit of the error is the square of the radiosity at l = 1",
+            "radiosity grows as lⁿ, irradiance as lᵐ; the unit of the error is the square of the \
+             radiosity at l = 1",
         ),
         ("kept", "gain of the mean-square cut, of the highest"),
         (
@@ -174,22 +122,21 @@ pub fn cuts_report(all: &[CutComparison]) -> Result<Report, ReportError> {
             "square error",
             "excess",
         ],
-        rows: all.iter().map(row).collect(),
+        rows: answer.cuts.iter().map(line).collect(),
         notes: notes
             .map(|(name, note)| (name.to_owned(), note.to_owned()))
             .to_vec(),
         ..Table::default()
     };
-    let records: Vec<Record> = all.iter().map(Record::from).collect();
-    Report::list(table, "cuts", &records)
+    Report::list(table, "cuts", &answer.cuts)
 }
 
 /// The position, by its distance from 1 where that is small.
-fn position(cut: &Cut) -> String {
-    if cut.complement < 1e-4 {
-        format!("1 − {:.11e}", cut.complement)
+fn position(position: f64, complement: f64) -> String {
+    if complement < 1e-4 {
+        format!("1 − {complement:.11e}")
     } else {
-        certain_digits(cut.position, tolerance::POSITION)
+        certain_digits(position, tolerance::POSITION)
     }
 }
 
@@ -221,27 +168,29 @@ pub(crate) fn percent(share: f64) -> String {
     }
 }
 
-/// The cuts against the exponent: a line for each reading (its name, and the cuts at rising exponents), and the mean-square cut.
+/// The figure of the cuts against the exponent of the radiosity: a line for each exponent of the
+/// irradiance, and the mean-square cut.
 #[must_use]
-pub fn cuts_figure(readings: &[(String, Vec<CutComparison>)]) -> Figure {
-    let line = |name: String, cuts: &[CutComparison], cut: fn(&CutComparison) -> &Cut| Line {
+pub fn cuts_figure(answer: &CutsAnswer) -> Figure {
+    let line = |name: String, cuts: &[&CutAnswer], position: fn(&CutAnswer) -> f64| Line {
         name,
         points: cuts
             .iter()
-            .map(|cuts| [cuts.patch.exponent(), cut(cuts).position])
+            .map(|cuts| [cuts.exponent, position(cuts)])
             .collect(),
     };
-    let mut lines: Vec<Line> = readings
-        .iter()
-        .map(|(reading, cuts)| {
-            let name = format!("mutual information, irradiance ∝ {reading}");
-            line(name, cuts, |cuts| &cuts.information)
+    let irradiance = answer.irradiance.iter().enumerate();
+    let mut lines: Vec<Line> = irradiance
+        .map(|(index, irradiance)| {
+            let name = format!("mutual information, irradiance ∝ {}", power(*irradiance));
+            line(name, &answer.rising(index), |cuts| {
+                cuts.mutual_information_cut
+            })
         })
         .collect();
-    if let Some((_, cuts)) = readings.first() {
-        lines.push(line("mean square error".to_owned(), cuts, |cuts| {
-            &cuts.square
-        }));
+    if !answer.irradiance.is_empty() {
+        let name = "mean square error".to_owned();
+        lines.push(line(name, &answer.rising(0), |cuts| cuts.mean_square_cut));
     }
     Figure {
         x: Axis {
@@ -253,5 +202,14 @@ pub fn cuts_figure(readings: &[(String, Vec<CutComparison>)]) -> Figure {
             is_logarithmic: false,
         },
         lines,
+    }
+}
+
+/// The irradiance as a power of the position.
+fn power(irradiance: IrradianceExponent) -> String {
+    match irradiance {
+        IrradianceExponent::OfRadiosity => "lⁿ".to_owned(),
+        IrradianceExponent::Fixed(m) if (m - 1.0).abs() <= 0.0 => "l".to_owned(),
+        IrradianceExponent::Fixed(m) => format!("l^{m}"),
     }
 }

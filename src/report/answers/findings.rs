@@ -170,7 +170,7 @@ fn figure_5(claims: &Claims<'_>, texts: &mut Texts) -> Result<(), PageError> {
     let mut around: [Option<(u32, f64)>; 2] = [None, None];
     for cells in 1..=12 {
         let grid = BoxGrid::regular(UNIT_CUBE, cells)?;
-        let information = grid.information()?.mutual_information;
+        let information = grid.information()?.mutual_information.value;
         let is_printed = (lower..=upper).contains(&information);
         PageError::unless(!is_printed, "no regular grid has the printed value")?;
         if information < lower {
@@ -195,7 +195,8 @@ fn figure_5(claims: &Claims<'_>, texts: &mut Texts) -> Result<(), PageError> {
     let quarters = BoxGrid::try_new(UNIT_CUBE, &[0.25, 0.375, 0.5, 0.625, 0.75])?;
     let mut deviation: f64 = 0.0;
     for (name, grid) in [("best", best), ("bad", quarters)] {
-        let expected = grid.information()?.mutual_information + grid.expected_bias(samples)?;
+        let expected =
+            grid.information()?.mutual_information.value + grid.expected_bias(samples)?;
         texts.number(name, Bounded::estimate(expected, SUMMED), 4)?;
         deviation = larger(deviation, grid.expected_deviation(samples)?);
     }

@@ -36,7 +36,7 @@ impl FormFactorRecord {
             from,
             to,
             value,
-            error: answer.exchange.error_bound / area + bound / area * value,
+            error: answer.exchange.error / area + bound / area * value,
             route: answer.route.name(),
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::exchange::PlanSummary;
 use crate::information::{ContinuousInformation, FacePair, PairLoss, SceneInformation};
-use crate::numeric::{Grade, tolerance};
+use crate::numeric::{Bounded, Grade, tolerance};
 use crate::report::{Report, ReportError, Table, certain_digits, scientific};
 
 /// Patches whose contributions a table shows; records carry all.
@@ -146,9 +146,13 @@ fn continuous_rows(
     continuous: &ContinuousInformation,
     pairs: &[PairRecord<'_>],
 ) -> Vec<Vec<String>> {
-    let (value, error) = (continuous.mutual_information, continuous.error);
+    let Bounded {
+        value,
+        error,
+        grade,
+    } = continuous.mutual_information;
     let in_parentheses = |value: f64| format!("({})", certain_digits(value, error));
-    let error = format!("{} ({})", scientific(error), continuous.error_grade.name());
+    let error = format!("{} ({})", scientific(error), grade.name());
     let mut rows = vec![
         vec![
             "continuous mutual information, bits".to_owned(),
@@ -182,15 +186,16 @@ pub fn measure_report(
     let closed = measured.closure.is_closed();
     let rows = measured.contributions.iter().zip(measured.closure.rows());
     let contributions: Vec<Contribution<'_>> = rows
-        .map(|(information, row)| Contribution {
+        .map(|(contribution, row)| Contribution {
             patch: row.row,
             name: names[row.row],
             weight: measured.weights[row.row],
-            mutual_information: *information,
+            mutual_information: *contribution,
             row_sum: row.sum,
         })
         .collect();
-    let bits = |value: f64, error: f64| match measured.error_grade {
+    let information = measured.mutual_information;
+    let bits = |value: f64, error: f64| match information.grade {
         grade if grade >= Grade::Bound => certain_digits(value, error),
         _ => format!("({})", certain_digits(value, error)),
     };
@@ -217,30 +222,30 @@ pub fn measure_report(
             "positional entropy, bits",
             bits(
                 measured.positional_entropy,
-                measured.error.max(entropy_error),
+                information.error.max(entropy_error),
             ),
         ),
         (
             "entropy rate, bits",
-            bits(measured.entropy_rate, measured.error + entropy_error),
+            bits(measured.entropy_rate, information.error + entropy_error),
         ),
         (
             "mutual information, bits",
-            bits(measured.mutual_information, measured.error),
+            bits(information.value, information.error),
         ),
     ];
     let error = format!(
         "{} ({})",
-        scientific(measured.error),
-        measured.error_grade.name()
+        scientific(information.error),
+        information.grade.name()
     );
     lines.push(("its error, bits", error));
     let name = |row: usize| format!("{row} ({})", names[row]);
     let row = format!(
         "{}: {} ± {}",
         name(worst.row),
-        certain_digits(worst.sum, worst.error_bound),
-        scientific(worst.error_bound)
+        certain_digits(worst.sum, worst.error),
+        scientific(worst.error)
     );
     lines.push(("row sum farthest from 1", row));
     let mut largest = 0;
@@ -270,7 +275,7 @@ pub fn measure_report(
         let quantity = format!("contribution of {}, bits", name(part.patch));
         rows.push(vec![
             quantity,
-            bits(part.mutual_information, measured.error),
+            bits(part.mutual_information, information.error),
         ]);
     }
     let table = Table {
@@ -285,19 +290,19 @@ pub fn measure_report(
         closed,
         positional_entropy: measured.positional_entropy,
         entropy_rate: measured.entropy_rate,
-        mutual_information: measured.mutual_information,
-        continuous_mutual_information: continuous.map(|(_, found)| found.mutual_information),
-        continuous_error: continuous.map(|(_, found)| found.error),
-        continuous_error_grade: continuous.map(|(_, found)| found.error_grade),
+        mutual_information: information.value,
+        continuous_mutual_information: continuous.map(|(_, found)| found.mutual_information.value),
+        continuous_error: continuous.map(|(_, found)| found.mutual_information.error),
+        continuous_error_grade: continuous.map(|(_, found)| found.mutual_information.grade),
         continuous_contributions: pairs,
         pair_losses: losses.map(|losses| losses.iter().map(LossRecord::from).collect()),
-        mutual_information_error: measured.error,
-        error_grade: measured.error_grade,
+        mutual_information_error: information.error,
+        error_grade: information.grade,
         closure: WorstRow {
             patch: worst.row,
             name: names[worst.row],
             row_sum: worst.sum,
-            error: worst.error_bound,
+            error: worst.error,
         },
         contributions,
         outside_contribution: measured.outside_contribution,

@@ -10,9 +10,10 @@ pub(crate) mod claims_page;
 pub(crate) mod cuts;
 pub(crate) mod findings;
 pub(crate) mod form_factors;
+#[cfg(feature = "proptest")]
+pub(crate) mod fuzz;
 pub(crate) mod grid;
 pub(crate) mod measure;
 pub(crate) mod radiosity;
-pub(crate) mod refinement;
 pub(crate) mod sampled;
 pub(crate) mod studies;

@@ -2,6 +2,7 @@
 
 use crate::information::LineSample;
 use crate::numeric::Grade;
+use crate::question::SampledInformation;
 use crate::report::{Report, ReportError, Table, certain_digits, scientific};
 use crate::scene::Scene;
 
@@ -17,101 +18,58 @@ struct Record {
     continuous_error_grade: Option<Grade>,
     lines: u32,
     seed: u64,
-    sampled: SampledRecord,
+    sampled: SampledInformation,
 }
 
-impl SampledRecord {
-    /// With the exact mutual information and the expected bias, where they are known.
-    pub(crate) fn new(sample: &LineSample, seed: u64, exact: Option<[f64; 2]>) -> Self {
-        let counts = &sample.counts;
-        Self {
-            lines: sample.lines,
-            seed,
-            kind: sample.kind.name(),
-            samples: counts.samples(),
-            occupied_cells: counts.occupied(),
-            unseen: counts.unseen(),
-            taken_for_unseen: counts.taken_for_unseen(),
-            mutual_information: counts.plug_in(),
-            expected_bias: exact.map(|[_, bias]| bias),
-            counted_weights: counts.plug_in_of_counted_weights(),
-            miller_madow: counts.miller_madow(),
-            corrected: counts.corrected(),
-            standard_error: counts.standard_error(),
-            error_grade: Grade::Sample,
-            confidence_interval: counts.confidence_interval(),
-            exact_mutual_information: exact.map(|[information, _]| information),
+/// Rows of a table with the estimates from random lines.
+pub(crate) fn sampled_rows(sampled: &SampledInformation) -> Vec<(&'static str, String)> {
+    // a digit more than is certain, to see the estimates apart
+    let digits = |value: f64| certain_digits(value, 0.1 * sampled.standard_error);
+    let estimate = |value: f64| format!("({})", digits(value));
+    let interval = match sampled.confidence_interval {
+        Some(ends) => {
+            let [from, to] = ends.map(digits);
+            format!("{from} to {to}")
         }
+        None => "none: too many pairs are not met yet".to_owned(),
+    };
+    let mut rows = vec![
+        (
+            "lines, seed",
+            format!("{} {}, {}", sampled.lines, sampled.kind, sampled.seed),
+        ),
+        ("chords", sampled.samples.to_string()),
+        ("pairs met", sampled.occupied_cells.to_string()),
+        (
+            "chords alone with their pair",
+            format!("{:.2} %", 100.0 * sampled.unseen),
+        ),
+        (
+            "sampled: plug-in, bits",
+            estimate(sampled.mutual_information),
+        ),
+        (
+            "the same, weights counted, too",
+            estimate(sampled.counted_weights),
+        ),
+        (
+            "less bias (Miller and Madow)",
+            estimate(sampled.miller_madow),
+        ),
+        (
+            "corrected (Chao, Wang and Jost)",
+            estimate(sampled.corrected),
+        ),
+        (
+            "standard error of each, bits",
+            scientific(sampled.standard_error),
+        ),
+        ("interval of 95 %, bits", interval),
+    ];
+    if let Some(bias) = sampled.expected_bias {
+        rows.push(("bias expected of the plug-in, bits", format!("{bias:.3e}")));
     }
-
-    /// The rows of a table.
-    pub(crate) fn rows(&self) -> Vec<(&'static str, String)> {
-        // a digit more than is certain, to see the estimates apart
-        let digits = |value: f64| certain_digits(value, 0.1 * self.standard_error);
-        let estimate = |value: f64| format!("({})", digits(value));
-        let interval = match self.confidence_interval {
-            Some(ends) => {
-                let [from, to] = ends.map(digits);
-                format!("{from} to {to}")
-            }
-            None => "none: too many pairs are not met yet".to_owned(),
-        };
-        let mut rows = vec![
-            (
-                "lines, seed",
-                format!("{} {}, {}", self.lines, self.kind, self.seed),
-            ),
-            ("chords", self.samples.to_string()),
-            ("pairs met", self.occupied_cells.to_string()),
-            (
-                "chords alone with their pair",
-                format!("{:.2} %", 100.0 * self.unseen),
-            ),
-            ("sampled: plug-in, bits", estimate(self.mutual_information)),
-            (
-                "the same, weights counted, too",
-                estimate(self.counted_weights),
-            ),
-            ("less bias (Miller and Madow)", estimate(self.miller_madow)),
-            ("corrected (Chao, Wang and Jost)", estimate(self.corrected)),
-            (
-                "standard error of each, bits",
-                scientific(self.standard_error),
-            ),
-            ("interval of 95 %, bits", interval),
-        ];
-        if let Some(bias) = self.expected_bias {
-            rows.push(("bias expected of the plug-in, bits", format!("{bias:.3e}")));
-        }
-        rows
-    }
-}
-
-/// Estimates from counted pairs.
-#[derive(Debug, serde::Serialize)]
-pub(crate) struct SampledRecord {
-    lines: u32,
-    seed: u64,
-    kind: &'static str,
-    /// Chords: several for a line where a room is not convex.
-    samples: u64,
-    occupied_cells: usize,
-    /// The part of the samples that are alone in their cell.
-    unseen: f64,
-    /// What the corrected estimate takes off for pairs not met.
-    taken_for_unseen: f64,
-    /// The plug-in estimate with the areas known.
-    mutual_information: f64,
-    /// How far it lies above the exact value on average, where that is known.
-    expected_bias: Option<f64>,
-    counted_weights: f64,
-    miller_madow: f64,
-    corrected: f64,
-    standard_error: f64,
-    error_grade: Grade,
-    /// Of 95 %, around the corrected estimate; none if too much is unseen.
-    confidence_interval: Option<[f64; 2]>,
-    exact_mutual_information: Option<f64>,
+    rows
 }
 
 /// What random lines from this seed say about a scene; beside it the exact mutual information and the expected bias of the plug-in
@@ -136,7 +94,7 @@ pub fn sample_report(
         continuous_error_grade: chords.map(|_| Grade::Sample),
         lines: sample.lines,
         seed,
-        sampled: SampledRecord::new(sample, seed, exact),
+        sampled: SampledInformation::new(sample, seed, exact),
     };
     let table = Table {
         columns: vec!["quantity", "value"],
@@ -152,7 +110,7 @@ pub fn sample_report(
 
 fn lines_of(record: &Record) -> Vec<(&'static str, String)> {
     let mut rows = vec![("patches", record.patches.to_string())];
-    rows.extend(record.sampled.rows());
+    rows.extend(sampled_rows(&record.sampled));
     if let Some(exact) = record.sampled.exact_mutual_information {
         rows.push(("exact, bits", format!("{exact:.9}")));
     }
@@ -167,7 +125,7 @@ fn lines_of(record: &Record) -> Vec<(&'static str, String)> {
     rows
 }
 
-fn note(sampled: &SampledRecord) -> String {
+fn note(sampled: &SampledInformation) -> String {
     let bias = "the plug-in estimate lies above the exact value by some (pairs)/(2 N ln 2), all estimates by part of what pairs not met yet \
                 would add";
     if sampled.confidence_interval.is_some() {

@@ -1,7 +1,7 @@
 //! Finished answers, a table and records, in any format.
 
 use super::finite;
-use crate::report::Table;
+use crate::report::{ReportError, Table};
 use serde_json::{Map, Value};
 
 /// The format of an answer.
@@ -18,33 +18,6 @@ pub enum Format {
     Json,
     /// A LaTeX tabular.
     Latex,
-}
-
-/// Records could not be written.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum ReportError {
-    /// A record is not a flat list of values.
-    #[error("a record cannot be written as comma-separated values: {0}")]
-    Csv(#[from] csv::Error),
-    /// A value cannot be written as JSON.
-    #[error("a record cannot be written as JSON: {0}")]
-    Json(#[from] serde_json::Error),
-    /// The text cannot be written where it goes.
-    #[error("the answer cannot be written: {0}")]
-    Write(#[from] std::io::Error),
-    /// A figure cannot be drawn.
-    #[error("the figure cannot be drawn: {reason}")]
-    Figure {
-        /// Why.
-        reason: String,
-    },
-    /// A number is NaN or infinite.
-    #[error("{key} is not finite")]
-    NotFinite {
-        /// Full key of the record's entry, such as `rows[3].relative_error`.
-        key: String,
-    },
 }
 
 /// An answer: a table for people, records for scripts.

@@ -60,7 +60,7 @@ pub fn certain_digits(value: f64, error: f64) -> String {
 /// ```
 #[must_use]
 pub fn enclosed_digits(enclosure: &Interval) -> String {
-    let exact = enclosure.to_decimal(MOST_DECIMALS);
+    let exact = enclosure.to_decimal(MOST_SHOWN);
     if let Some(bounds) = exact.filter(|_| enclosure.is_point()) {
         return bounds.lower;
     }
@@ -70,7 +70,7 @@ pub fn enclosed_digits(enclosure: &Interval) -> String {
     let decimals = enclosure
         .certain_decimals()
         .saturating_sub(1)
-        .min(MOST_DECIMALS);
+        .min(MOST_SHOWN);
     // half a unit away from 0, then cut
     let bits = enclosure.lower().bits();
     let half = Interval::parse(&format!("5e-{}", decimals + 1), bits);
@@ -88,7 +88,7 @@ pub fn enclosed_digits(enclosure: &Interval) -> String {
 }
 
 /// Most decimals of an enclosed number in a table; records carry all.
-const MOST_DECIMALS: u32 = 20;
+const MOST_SHOWN: u32 = 20;
 
 /// The least power of ten that is not below a number > 0, `1e-55`. Of a width, another platform
 /// prints this, too.

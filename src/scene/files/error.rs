@@ -50,6 +50,18 @@ impl std::error::Error for FileError {
     }
 }
 
+/// A name was refused: no built-in scene has it, and no file can be read under it.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum OpenError {
+    /// The name of a built-in scene was refused.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A file is not a scene.
+    #[error(transparent)]
+    File(#[from] FileError),
+}
+
 /// The condition that a file breaks; the message says what would mend it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]

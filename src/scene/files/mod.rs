@@ -25,7 +25,7 @@ pub(crate) mod obj;
 pub(crate) mod source;
 pub(crate) mod view3d;
 
-pub use error::{Fault, FileError, NotExpressible};
+pub use error::{Fault, FileError, NotExpressible, OpenError};
 pub use obj::read_obj;
 pub use obj::writer::{ObjText, write_obj};
 pub use source::Source;
@@ -59,17 +59,15 @@ pub struct LoadedScene {
 /// The scene that a name stands for: a built-in one ([`Scene::built_in`]) or a file ([`read`]).
 ///
 /// # Errors
-/// [`SceneError::UnknownName`] if it is neither; [`SceneError::File`] if the file is at fault.
-pub fn open(name: &str, faces: NonPlanarFaces) -> Result<LoadedScene, SceneError> {
+/// [`SceneError::UnknownName`] if it is neither; [`OpenError::File`] if the file is at fault.
+pub fn open(name: &str, faces: NonPlanarFaces) -> Result<LoadedScene, OpenError> {
     match Scene::built_in(name) {
         Ok(scene) => Ok(LoadedScene {
             scene,
             notes: Vec::new(),
         }),
-        Err(SceneError::UnknownName { .. }) if is_path(name) => {
-            read(Path::new(name), faces).map_err(|error| Box::new(error).into())
-        }
-        Err(error) => Err(error),
+        Err(SceneError::UnknownName { .. }) if is_path(name) => Ok(read(Path::new(name), faces)?),
+        Err(error) => Err(error.into()),
     }
 }
 
@@ -117,6 +115,11 @@ pub(crate) fn cornell_box() -> Result<Scene, SceneError> {
             include_str!("../../../data/scenes/cornell-box.mtl"),
         ))
     };
-    let loaded = read_obj(&source, &materials, NonPlanarFaces::Refuse).map_err(Box::new)?;
-    Ok(loaded.scene)
+    match read_obj(&source, &materials, NonPlanarFaces::Refuse) {
+        Ok(loaded) => Ok(loaded.scene),
+        Err(error) => Err(SceneError::BuiltIn {
+            name: "cornell-box",
+            reason: error.to_string(),
+        }),
+    }
 }

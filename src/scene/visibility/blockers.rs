@@ -20,31 +20,13 @@
 //!
 //! **Not covered**: how much is blocked.
 
+use super::obstacle::Obstacle;
 use super::surfaces::Surfaces;
 use crate::geometry::Shaft;
 use crate::scene::planes::ScenePlanes;
 use crate::scene::{Scene, SceneError};
 use rayon::prelude::*;
-use std::fmt;
 use std::ops::Range;
-
-/// A surface that stands in the way.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Obstacle {
-    /// The patch with this index.
-    Patch(usize),
-    /// The obstruction with this index.
-    Obstruction(usize),
-}
-
-impl fmt::Display for Obstacle {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Patch(index) => write!(f, "patch {index}"),
-            Self::Obstruction(index) => write!(f, "obstruction {index}"),
-        }
-    }
-}
 
 /// A pair of patches, and something that stands between parts of them.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -17,5 +17,6 @@
 pub(crate) mod blockers;
 pub(crate) mod grid_lines;
 pub(crate) mod lines;
+pub(crate) mod obstacle;
 pub(crate) mod occlusion;
 pub(crate) mod surfaces;

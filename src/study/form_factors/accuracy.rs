@@ -175,7 +175,7 @@ impl Method {
         let exchange = answer.exchange;
         Some(Found {
             value: exchange.value,
-            bound: Some(exchange.error_bound),
+            bound: Some(exchange.error),
             standard_error: None,
         })
     }

@@ -100,7 +100,7 @@ pub fn route_stability(repetitions: u32, is_quick: bool) -> Result<Vec<Stability
                 value: exact,
                 relative_error: exchange.map(|found| truth.relative_error_of(found.value)),
                 seconds,
-                bound: exchange.map(|found| found.error_bound / exact),
+                bound: exchange.map(|found| found.error / exact),
                 route: answer.map(|answer| answer.route.name()),
                 input_error,
                 uncertainty: Some(truth.uncertainty()),

@@ -128,7 +128,7 @@ impl Sample {
             .collect();
         let [sampled, sampled_deviation] = mean_and_deviation(estimates);
         let [difference, difference_deviation] = mean_and_deviation(&differences);
-        let mutual_information = grid.information()?.mutual_information;
+        let mutual_information = grid.information()?.mutual_information.value;
         let expected = mutual_information + grid.expected_bias(self.samples)?;
         let of_weights = bias_of_weights(grid, self.samples)?;
         Ok(Figure5Row {

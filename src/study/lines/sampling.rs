@@ -98,8 +98,8 @@ pub fn sampling(quick: bool) -> Result<Vec<SamplingRow>, StudyError> {
             Congruence::Shared,
             Occlusion::Refuse,
         )?;
-        let closed = scene_information(&pairs, OpenScene::Refuse)?;
-        let value = closed.mutual_information;
+        let closed = scene_information(&pairs, OpenScene::Refuse)?.mutual_information;
+        let value = closed.value;
         let plain = SamplingRow {
             case: (*name).to_owned(),
             patches: scene.patches().len(),

@@ -2,7 +2,10 @@
 //! `INFOSCENE_REFRESH=1 cargo test --test library claims`.
 
 use super::{JUDGEMENTS, judgements};
-use infoscene::report::{Format, claims_page, findings_page, first_verdicts, reproduction_report};
+use infoscene::question::ReproduceAnswer;
+use infoscene::report::{
+    Format, claims_page, curve_figure, findings_page, first_verdicts, reproduction_report,
+};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -20,16 +23,17 @@ fn assert_current(name: &str, current: &str) {
     let committed = fs::read_to_string(file(name)).unwrap_or_default();
     assert!(
         committed == current,
-        "{name} is stale; run INFOSCENE_REFRESH=1 cargo test --test library claims, and read the \
-         difference"
+        "{name} is stale; run INFOSCENE_REFRESH=1 cargo test --test library claims, \
+         and read the difference"
     );
 }
 
 #[test]
 fn the_readme_shows_the_current_verdicts() {
     let table = first_verdicts(&JUDGEMENTS).unwrap();
-    assert!(
-        table.lines().count() >= 7,
+    assert_eq!(
+        table.lines().count(),
+        2 + 5,
         "a claim of the table is missing"
     );
     let readme = fs::read_to_string(file("README.md")).unwrap();
@@ -54,6 +58,16 @@ fn the_page_of_claims_is_current_and_complete() {
     assert_current("data/report/claims.md", &page);
 }
 
+/// The figure of the front page, as `infoscene curve fig2-curve --figure` draws it.
+#[test]
+fn the_figure_of_the_readme_is_current() {
+    let shown = JUDGEMENTS.iter().find(|j| j.claim.id == "fig2-curve");
+    let shown = shown.unwrap();
+    let axes = shown.claim.curve_axes.as_ref().unwrap();
+    let figure = curve_figure(axes, &shown.finding.as_ref().unwrap().curve);
+    assert_current("data/report/fig2-curve.svg", &figure.to_svg().unwrap());
+}
+
 /// Every number of the page is computed by this run.
 #[test]
 fn the_page_of_findings_is_current() {
@@ -70,7 +84,8 @@ fn findings_need_their_claims() {
 /// Two runs write the same bytes in every format.
 #[test]
 fn two_runs_write_the_same_bytes() {
-    let [first, second] = [&JUDGEMENTS, &judgements()].map(|j| reproduction_report(j).unwrap());
+    let answers = [&JUDGEMENTS, &judgements()].map(|j| ReproduceAnswer::from(j.as_slice()));
+    let [first, second] = answers.map(|answer| reproduction_report(&answer).unwrap());
     for format in [
         Format::Table,
         Format::Markdown,

@@ -78,9 +78,9 @@ fn propagated(scene: &Scene, against: &[usize], axis: SplitAxis, cuts: &[f64]) -
         let whole = pair.exchange_area().unwrap().value;
         for part in ends.windows(2) {
             let exchange = pair.part(axis, &part[0], &part[1]).unwrap();
-            let ExchangeArea { value, error_bound } = exchange.exchange_area().unwrap();
+            let ExchangeArea { value, error } = exchange.exchange_area().unwrap();
             let ratio = value / whole / (part[1] - part[0]);
-            sum += ratio.log2().abs() * error_bound;
+            sum += ratio.log2().abs() * error;
         }
     }
     2.0 * sum / scene.total_area()
@@ -230,7 +230,7 @@ fn assert_best_grid(cells: u32) {
     for (line, enclosure) in fast.grid.lines().iter().zip(&certified.half) {
         assert_near(*line, enclosure, tolerance::POSITION, &what);
     }
-    let information = fast.information.mutual_information;
+    let information = fast.information.mutual_information.value;
     let allowed = tolerance::GRID_INFORMATION * information;
     assert_near(information, &certified.mutual_information, allowed, &what);
 }

@@ -45,7 +45,7 @@ fn assert_same(one: &ExchangeAreas, other: &ExchangeAreas, most: f64) {
         );
         for j in 0..n {
             let [a, b] = [one, other].map(|areas| areas.get(i, j).exchange);
-            let bounds = a.error_bound + b.error_bound;
+            let bounds = a.error + b.error;
             assert!((a.value - b.value).abs() <= bounds, "{i} {j}: {a:?} {b:?}");
             assert!(bounds <= most, "{i} {j}: {bounds}");
         }
@@ -133,16 +133,9 @@ fn what_cancels_keeps_an_honest_bound() {
         for wall in 2..7 {
             let [left, alone] = [&base, &cut].map(|areas| areas.get(0, wall).exchange);
             let off = (left.value - alone.value).abs();
-            assert!(
-                off <= left.error_bound + alone.error_bound,
-                "{width} {wall}: {off}"
-            );
+            assert!(off <= left.error + alone.error, "{width} {wall}: {off}");
             assert!((0.0..=base.areas()[0]).contains(&left.value));
-            assert!(
-                left.error_bound < 2e-14,
-                "{width} {wall}: {}",
-                left.error_bound
-            );
+            assert!(left.error < 2e-14, "{width} {wall}: {}", left.error);
         }
     }
 }
@@ -186,10 +179,10 @@ fn what_cancels_to_its_bound_is_never_negative() {
         let base = held(&turned(&scene).with_base(1, 0).unwrap());
         let left = base.get(0, 2).exchange;
         assert!(
-            0.0 <= left.value && left.value <= left.error_bound,
+            0.0 <= left.value && left.value <= left.error,
             "{step}: {left:?}"
         );
-        assert!(left.error_bound < 1e-12 && base.get(1, 2).exchange.value > 1e-3);
+        assert!(left.error < 1e-12 && base.get(1, 2).exchange.value > 1e-3);
     }
 }
 
@@ -213,8 +206,8 @@ fn a_part_may_lie_off_the_plane_within_rounding() {
         assert_eq!(off.blocker(), None);
         let off = held(&off);
         let [a, b] = [&flat, &off].map(|areas| areas.get(0, 2).exchange);
-        assert!((a.value - b.value).abs() <= a.error_bound + b.error_bound);
-        assert!(b.error_bound < 1e-11);
+        assert!((a.value - b.value).abs() <= a.error + b.error);
+        assert!(b.error < 1e-11);
         let route = off.get(0, 1).route;
         assert_eq!(
             (off.get(0, 1).exchange.value, route),

@@ -179,7 +179,7 @@ fn congruence_changes_no_value_beyond_its_bound() {
             for j in 0..i {
                 let (one, other) = (shared.get(i, j).exchange, apart.get(i, j).exchange);
                 let difference = (one.value - other.value).abs();
-                let bounds = one.error_bound + other.error_bound;
+                let bounds = one.error + other.error;
                 assert!(
                     difference <= bounds,
                     "{index}: {i} {j} {difference} {bounds}"

@@ -40,7 +40,7 @@ fn tiles_hold_each_visible_pair_once() {
                     let at = r * found.columns.len() + c;
                     let exchange = held.get(*row, *column).exchange;
                     assert_eq!(found.values[at], exchange.value, "{row} {column}");
-                    assert_eq!(found.error_bounds[at], exchange.error_bound);
+                    assert_eq!(found.errors[at], exchange.error);
                     assert!(!seen.contains(&(*row.min(column), *row.max(column))));
                     places.insert((*row.min(column), *row.max(column)));
                 }

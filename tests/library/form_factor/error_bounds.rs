@@ -19,7 +19,7 @@ fn wide(span: &Span) -> Span<HighPrecision> {
 
 /// The error in units of the bound, and the bound relative to the value.
 fn judged(fast: &Exchange<f64>, exact: &HighPrecision) -> (f64, f64) {
-    let bound = fast.in_range(1.0).unwrap().error_bound;
+    let bound = fast.in_range(1.0).unwrap().error;
     let error = (HighPrecision::new(fast.value) - exact).abs().to_f64();
     (error / bound, bound / exact.to_f64().abs())
 }
@@ -67,7 +67,7 @@ fn bounds_of_near_rectangles_are_small() {
     for (distance, allowed) in [(0.2, 1e-13), (1.0, 1e-13), (2.0, 1e-12), (4.0, 1e-11)] {
         let square = [span(0.0, 1.0), span(0.0, 1.0)];
         let exchange = parallel::exchange_area(&square, &square, &distance).unwrap();
-        let bound = exchange.in_range(1.0).unwrap().error_bound;
+        let bound = exchange.in_range(1.0).unwrap().error;
         assert!(
             bound <= allowed * exchange.value,
             "{distance}: {:e}",

@@ -46,7 +46,7 @@ fn aligned_rectangles_keep_their_bound_at_all_distances() {
             .map(|r| Polygon::new(&Patch::try_from(r).unwrap()));
         for tolerance in [1e-3, 1e-6, 1e-9, 1e-12] {
             let answer = first.exchange_area(&second, tolerance).unwrap();
-            let (value, bound) = (answer.exchange.value, answer.exchange.error_bound);
+            let (value, bound) = (answer.exchange.value, answer.exchange.error);
             let error = (exact.constant(value) - &exact).abs().to_f64();
             assert!(
                 error <= bound,

@@ -75,7 +75,7 @@ fn compare(what: &str, case: &Case, other: &Pair, factor: f64, allowed: f64) -> 
         .map_err(|error| format!("{error} when {what}\n  {}", corners(other)))?
         .exchange;
     let difference = (one.value * factor - two.value).abs();
-    let bound = one.error_bound * factor + two.error_bound + allowed;
+    let bound = one.error * factor + two.error + allowed;
     if difference <= bound {
         return Ok(());
     }
@@ -84,8 +84,8 @@ fn compare(what: &str, case: &Case, other: &Pair, factor: f64, allowed: f64) -> 
          {allowed:.1e}\n  {}",
         one.value * factor,
         two.value,
-        one.error_bound * factor,
-        two.error_bound,
+        one.error * factor,
+        two.error,
         corners(other),
     ))
 }
@@ -338,7 +338,7 @@ fn cut_in_two(case: &Case) -> Result<(), String> {
     let (one, two) = (part(one)?, part(two)?);
     let difference = (whole.value - one.value - two.value).abs();
     let allowed = allowance(pair, delta);
-    let bound = whole.error_bound + one.error_bound + two.error_bound + allowed;
+    let bound = whole.error + one.error + two.error + allowed;
     if difference <= bound {
         return Ok(());
     }
@@ -358,7 +358,7 @@ fn in_range(case: &Case) -> Result<(), String> {
     if answer.route == Route::Coplanar && Truth::of(pair).is_ok_and(|truth| truth.value() == 0.0) {
         return Ok(());
     }
-    let (value, bound) = (answer.exchange.value, answer.exchange.error_bound);
+    let (value, bound) = (answer.exchange.value, answer.exchange.error);
     let largest = pair[0].area().min(pair[1].area()) * (1.0 + 4.0 * f64::EPSILON);
     let is_sound = value > 0.0 && value - bound <= largest && bound >= 0.0 && bound < value;
     if is_sound && !answer.route.name().is_empty() {

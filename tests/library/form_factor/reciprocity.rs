@@ -26,7 +26,7 @@ proptest! {
                     .iter()
                     .sum::<f64>();
             let rounding = 2.0 * f64::EPSILON * coordinate * rim;
-            let allowed = there.error_bound + back.error_bound + rounding;
+            let allowed = there.error + back.error + rounding;
             prop_assert!(
                 (there.value - back.value).abs() <= allowed,
                 "{there:?} {back:?}"

@@ -42,7 +42,7 @@ fn contribution(chain: &ReversibleChain, i: usize) -> f64 {
 fn assert_equal(measured: &SceneInformation, chain: &ReversibleChain) {
     let close = |one: f64, other: f64| (one - other).abs() <= tolerance::IDENTITY;
     assert!(close(
-        measured.mutual_information,
+        measured.mutual_information.value,
         mutual_information(chain)
     ));
     assert!(close(
@@ -79,7 +79,7 @@ fn streamed_measures_of_an_open_scene_are_those_of_its_matrix() {
         let chain = open_visibility_chain(&scene).unwrap();
         let found = measured(&scene, OpenScene::AddOutsideState).unwrap();
         assert_equal(&found, &chain);
-        assert_eq!(found.error_grade, Grade::Estimate);
+        assert_eq!(found.mutual_information.grade, Grade::Estimate);
         assert!(found.outside_contribution.unwrap() > 0.0);
         // the weights of patches are their areas
         for (weight, patch) in chain.weights().iter().zip(scene.patches()) {
@@ -104,14 +104,18 @@ fn information_errors_are_bounds() {
     for cells in [1, 2, 3, 4, 6] {
         let found = measured(&cube(cells), OpenScene::Refuse).unwrap();
         let exact = value("cube_grids.csv", &format!("cube_regular_{cells}"));
-        assert_eq!(found.error_grade, Grade::Bound);
-        let off = (found.mutual_information - exact).abs();
+        assert_eq!(found.mutual_information.grade, Grade::Bound);
+        let off = (found.mutual_information.value - exact).abs();
         assert!(
-            off <= found.error && off <= 1e-13,
+            off <= found.mutual_information.error && off <= 1e-13,
             "{cells}: {off} {}",
-            found.error
+            found.mutual_information.error
         );
-        assert!(found.error <= 1e-10, "{cells}: {}", found.error);
+        assert!(
+            found.mutual_information.error <= 1e-10,
+            "{cells}: {}",
+            found.mutual_information.error
+        );
     }
 }
 

@@ -1,4 +1,4 @@
 //! The slow roads that judge the others.
 
 mod exchange;
-mod wide_numbers;
+mod fixed_float;

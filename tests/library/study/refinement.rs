@@ -30,13 +30,13 @@ fn refinements_rise_to_the_continuous_value() {
 fn rate_depends_on_the_edges_alone() {
     let kappa = |size: [f64; 3]| {
         let continuous = continuous_information(&tiled_box(size, 2.0)).unwrap();
-        let continuous = continuous.mutual_information;
+        let continuous = continuous.mutual_information.value;
         let values = [2.0, 4.0, 8.0].map(|cells| {
             let room = tiled_box(size, cells);
             let pairs =
                 ScenePairs::try_new(&room, 1e-12, Congruence::Shared, Occlusion::Refuse).unwrap();
             let discrete = scene_information(&pairs, OpenScene::Refuse).unwrap();
-            (continuous - discrete.mutual_information) * patch_sizes_per_edge(&room).unwrap()
+            (continuous - discrete.mutual_information.value) * patch_sizes_per_edge(&room).unwrap()
         });
         let halved = [0, 1].map(|k| 2.0 * values[k + 1] - values[k]);
         2.0 * halved[1] - halved[0]

@@ -97,7 +97,7 @@ fn the_bound_is_no_lower_than_what_one_error_does() {
     let half = Material::try_new(0.5, 0.0).unwrap();
     let room = RadiositySystem::of(&exchange, &[half; 2]).unwrap();
     let found = room.radiosity(&[1.0, 0.0]).unwrap();
-    let moved = 0.5 * found.values[0] * exchange.get(0, 1).exchange.error_bound;
+    let moved = 0.5 * found.values[0] * exchange.get(0, 1).exchange.error;
     let bound = found.form_factor_errors.unwrap()[1];
     assert!(
         moved > 0.0 && (moved..2.0 * moved).contains(&bound),

@@ -63,7 +63,7 @@ fn any_operator_with_the_same_products_has_the_same_solution() {
         open_areas: vec![None; n],
     };
     let plain = Plain(exchange.values());
-    let bounds = Plain(exchange.error_bounds());
+    let bounds = Plain(exchange.errors());
     let system = RadiositySystem::try_new(plain, Some(bounds), rows, reflectances).unwrap();
     let found = system.radiosity(&emittances).unwrap();
     let both = dense.relative_error + found.relative_error;

@@ -1,8 +1,9 @@
 //! The global maximum of a function on an open interval, with proof.
 //!
 //! Inside, every root of the derivative is found ([`certified_roots`]). Next to the two ends, where
-//! `t ln t` and divisions by zero live, the objective speaks for itself: by the sign of its derivative in an analytic
-//! form, or by an upper bound on its values, which then leaves only the neighbourhood of the maximum to be searched.
+//! `t ln t` and divisions by zero live, the objective itself excludes a maximum: by the sign of
+//! its derivative in an analytic form, or by an upper bound on its values, which then leaves only
+//! the neighbourhood of the maximum to be searched.
 //!
 //! **Not covered**: several variables; maxima at the ends themselves.
 
@@ -34,26 +35,29 @@ pub trait Maximand {
     fn slope_near<S: Scalar>(&self, _end: EndPoint, _distance: &S) -> Option<S> {
         None
     }
-    /// An upper bound on the values at all points of a box; `None` if there is no better way than to evaluate.
+    /// An upper bound on the values at all points of a box; `None` if there is no better way than
+    /// to evaluate.
     fn bound_on(&self, _domain: &Interval<f64>) -> Option<f64> {
         None
     }
 }
 
-/// What is proved about a maximum.
+/// The statement proved about a maximum.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Certificate {
     /// The maximiser is the only one in the open interval.
     Unique {
-        /// Is it the only stationary point, too? `None`: the derivative is not known everywhere.
+        /// Whether it is the only stationary point, too. `None`: the derivative is not known
+        /// everywhere.
         is_only_stationary_point: Option<bool>,
     },
-    /// The maximum is proved, and attained at one of this many points, which their enclosures cannot tell apart.
+    /// The maximum is proved, and attained at one of this many points, which their enclosures
+    /// cannot tell apart.
     Several {
-        /// How many.
+        /// The number of these points.
         maximisers: usize,
     },
-    /// Not proved.
+    /// The maximum is not proved.
     Unknown {
         /// Why.
         reason: String,
@@ -69,7 +73,8 @@ impl Display for Certificate {
             Self::Unique { .. } => write!(f, "the only highest point"),
             Self::Several { maximisers } => write!(
                 f,
-                "the maximum, attained at one or more of {maximisers} points equally high as far as enclosed"
+                "the maximum, attained at one or more of {maximisers} points equally high as far as \
+                 enclosed"
             ),
             Self::Unknown { reason } => write!(f, "not proved to be the highest: {reason}"),
         }
@@ -79,13 +84,14 @@ impl Display for Certificate {
 /// A maximum with the enclosures of its position and value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CertifiedMaximum {
-    /// Contains the maximiser if it is [`Certificate::Unique`]; of several, the first of the points that may be it.
+    /// An enclosure of the maximiser if it is [`Certificate::Unique`]; of several, of the first of
+    /// the points that may be it.
     pub position: Interval,
     /// Contains the maximum.
     pub value: Interval,
-    /// What is proved.
+    /// The statement proved.
     pub certificate: Certificate,
-    /// How often the derivative was evaluated on an interval.
+    /// The number of evaluations of the derivative on an interval.
     pub evaluations: u64,
 }
 
@@ -112,8 +118,9 @@ impl<O: Maximand> IntervalFunction for SlopeNear<'_, O> {
 /// The global maximum of `objective` in the open interval `range`, enclosed to about `bits` bits.
 ///
 /// # Errors
-/// [`NumericError::EmptyInterval`]; [`NumericError::NoInteriorMaximum`] if the derivative has no root at which it
-/// falls, [`NumericError::NotIsolated`] if none is found and something is undecided.
+/// [`NumericError::EmptyInterval`]; [`NumericError::NoInteriorMaximum`] if the derivative has no
+/// root at which it falls, [`NumericError::NotIsolated`] if none is found and something is
+/// undecided.
 pub fn certified_maximum(
     objective: &impl Maximand,
     (lower, upper): (f64, f64),
@@ -185,9 +192,10 @@ pub fn certified_maximum(
 /// Why no maximum lies outside the region that is searched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Exclusion {
-    /// The function rises from the lower end up to the region, and falls from there to the upper end.
+    /// The function rises from the lower end up to the region, and falls from there to the upper
+    /// end.
     BySlope,
-    /// Its values there are lower than one inside.
+    /// The function's values there are lower than one inside.
     ByBound,
     /// No reason found.
     None,
@@ -237,7 +245,8 @@ impl Region {
         })
     }
 
-    /// What is left when boxes are dropped whose bound is lower than the value at some maximum.
+    /// The maxima that remain when boxes are dropped whose bound is lower than the value at some
+    /// maximum.
     fn bounded(objective: &impl Maximand, lower: f64, upper: f64) -> Option<Self> {
         let slope = |x: f64| objective.slope(&x).unwrap_or(f64::NAN);
         let value = |x: f64| objective.value(&x).unwrap_or(f64::NAN);

@@ -1,13 +1,16 @@
-//! Every root of a function in an interval, with proof: none is missed, each is the only one in its enclosure.
+//! All roots of a function in an interval, with proof: none is missed, and each is the only one in
+//! its enclosure.
 //!
-//! Boxes that cannot contain a root are discarded by the mean value form; on the others Newton's operator
+//! Boxes that cannot contain a root are discarded by the mean value form; on the others Newton's
+//! operator
 //!
 //! ```text
 //!   N(X) = m − f(m)/f′(X)
 //! ```
 //!
-//! decides: `N(X)` inside X means exactly one root, and it lies in `N(X)`; an empty intersection means none. The
-//! search runs in `Interval<f64>`, the enclosures found are then tightened by the same operator at the precision asked for.
+//! decides: `N(X)` inside X means exactly one root, and it lies in `N(X)`; an empty intersection
+//! means none. The search runs in `Interval<f64>`, the enclosures found are then tightened by the
+//! same operator at the precision asked for.
 //!
 //! **Not covered**: multiple roots; they stay undecided and are reported as such.
 //!
@@ -31,7 +34,7 @@ pub trait IntervalFunction {
 pub struct CertifiedRoot {
     /// Contains the root.
     pub enclosure: Interval,
-    /// Does the function rise through it (else it falls)?
+    /// Whether the function rises through the root (else it falls).
     pub rises: bool,
 }
 
@@ -42,7 +45,7 @@ pub struct CertifiedRoots {
     pub roots: Vec<CertifiedRoot>,
     /// Boxes in which nothing could be decided; none, if the roots are all.
     pub undecided: Vec<(f64, f64)>,
-    /// How often the function was evaluated on an interval.
+    /// The number of evaluations of the function on an interval.
     pub evaluations: u64,
 }
 
@@ -120,13 +123,13 @@ struct Search<'f, F> {
     evaluations: u64,
 }
 
-/// What a box comes to.
+/// The outcome of the test of a box.
 enum Outcome {
     /// No root in it.
     Nothing,
     /// One root in it, in this enclosure; the slope does not vanish.
     Unique(Interval<f64>, Interval<f64>),
-    /// At most one root, in this part of it, perhaps on its border.
+    /// The box has at most one root, in this part of it, perhaps on its border.
     AtMostOne(Interval<f64>),
     /// Nothing known.
     Open,
@@ -172,7 +175,8 @@ impl<F: IntervalFunction> Search<'_, F> {
         }
     }
 
-    /// With room of half the width on either side, of `least` about a box that is hardly more than a point.
+    /// The interval with room of half its width on either side; of `least` about a box that is
+    /// hardly more than a point.
     fn widened(&self, domain: &Interval<f64>, least: f64) -> Option<Interval<f64>> {
         let room = least.max(0.5 * domain.width());
         let lower = (domain.lower() - room).max(self.range.0);
@@ -223,7 +227,8 @@ impl<F: IntervalFunction> Search<'_, F> {
         }
     }
 
-    /// The enclosure in doubles: on a wide box [`IntervalFunction::on_box`] may know the slope where plain evaluation does not.
+    /// The enclosure in doubles: on a wide box [`IntervalFunction::on_box`] may know the slope
+    /// where plain evaluation does not.
     fn tightened_on_boxes(&mut self, enclosure: Interval<f64>) -> Interval<f64> {
         let mut domain = enclosure;
         for _ in 0..TIGHTENINGS {
@@ -263,7 +268,7 @@ impl<F: IntervalFunction> Search<'_, F> {
     }
 }
 
-/// Does the function keep one sign on the whole interval? `Some(true)` if it is positive.
+/// Tells whether the function keeps one sign on the whole interval: `Some(true)` if it is positive.
 pub(crate) fn sign_on(function: &impl IntervalFunction, domain: &Interval<f64>) -> Option<bool> {
     let value = function.value(domain)?;
     let zero = value.zero();

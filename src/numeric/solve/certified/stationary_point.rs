@@ -1,13 +1,14 @@
 //! A stationary point in several variables, with proof that it exists and is the only one nearby.
 //!
-//! Krawczyk's operator, with C an approximate inverse of the Jacobian of f at the middle m of a box X,
+//! Krawczyk's operator, with C an approximate inverse of the Jacobian of f at the middle m of a box
+//! X,
 //!
 //! ```text
 //!   K(X) = m − C f(m) + (1 − C J(X)) (X − m)
 //! ```
 //!
-//! maps X into its inside only if f has exactly one root there, and the root lies in K(X). The Jacobian is enclosed once, in
-//! `Interval<f64>`; each further step needs f at one point only.
+//! maps X into its inside only if f has exactly one root there, and the root lies in K(X). The
+//! Jacobian is enclosed once, in `Interval<f64>`; each further step needs f at one point only.
 //!
 //! **Not covered**: searching; a point near the root is given.
 //!
@@ -16,7 +17,8 @@
 use crate::numeric::{Dual, Interval, NumericError, Scalar};
 use nalgebra::DMatrix;
 
-/// A function of several variables, as many values as variables, written once for every number type.
+/// A function of several variables with as many values as variables, written once for every number
+/// type.
 pub trait VectorFunction {
     /// The values at a point; `None` where there are none.
     fn values<S: Scalar>(&self, point: &[S]) -> Option<Vec<S>>;
@@ -27,11 +29,12 @@ const ROOM: f64 = 1e-12;
 /// Steps, each of which adds about as many digits as the Jacobian's box leaves certain.
 const STEPS: u32 = 200;
 
-/// The root of a gradient near `near`, a strict local maximum, each coordinate enclosed to about `bits` bits.
+/// The root of a gradient near `near`, a strict local maximum, each coordinate enclosed to about
+/// `bits` bits.
 ///
 /// # Errors
-/// [`NumericError::NotIsolated`] if the operator does not map the box around `near` into itself, or the Hessian is not
-/// shown to be negative definite there.
+/// [`NumericError::NotIsolated`] if the operator does not map the box around `near` into itself, or
+/// the Hessian is not shown to be negative definite there.
 pub fn certified_stationary_point(
     gradient: &impl VectorFunction,
     near: &[f64],
@@ -139,8 +142,9 @@ fn hessian(
     )
 }
 
-/// Do all of Gershgorin's circles of `VᵀHV` lie left of 0? V is near the eigenvectors of H, which makes the product nearly diagonal; whatever
-/// V is, H is negative definite if the product is.
+/// Tells whether all of Gershgorin's circles of `VᵀHV` lie left of 0. V is near the eigenvectors of
+/// H, which makes the product nearly diagonal; whatever V is, H is negative definite if the product
+/// is.
 fn is_negative_definite(hessian: &[Vec<Interval<f64>>]) -> bool {
     let n = hessian.len();
     let middle = DMatrix::from_fn(n, n, |i, k| {

@@ -1,10 +1,46 @@
-//! Answers of the studies, as tables and records.
+//! Tables and figures of the studies.
 //!
-//! `plain` has studies with one number per row and the fuzzing campaign, `routes` those that set
-//! several methods side by side, `gradient` the reach of the cuts of §4.2, `sampling` the estimates
-//! from random lines and fig. 5.
+//! `measurements` has studies with one number per row, `routes` those that set several methods side
+//! by side, `gradient_cuts` the reach of the cuts of §4.2, `refinement` the approach to the continuous
+//! value, `sampling` the estimates from random lines and fig. 5.
 
-pub(crate) mod gradient;
-pub(crate) mod plain;
-pub(crate) mod routes;
-pub(crate) mod sampling;
+mod gradient_cuts;
+mod measurements;
+mod refinement;
+mod routes;
+mod sampling;
+
+use crate::question::StudyAnswer;
+use crate::report::{Figure, Report, ReportError};
+
+/// The answer to [`Study`](crate::question::Study): its table, and its rows under `rows` in JSON.
+///
+/// # Errors
+/// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
+pub fn study_report(answer: &StudyAnswer) -> Result<Report, ReportError> {
+    match answer {
+        StudyAnswer::Accuracy(rows) => routes::accuracy_report(rows),
+        StudyAnswer::Stability(rows) => routes::stability_report(rows),
+        StudyAnswer::Precision(rows) => {
+            measurements::measurements_report("precision", "relative width", rows)
+        }
+        StudyAnswer::Limits(rows) => gradient_cuts::limits_report(rows),
+        StudyAnswer::Profiles(rows) => gradient_cuts::profiles_report(rows),
+        StudyAnswer::Directions(rows) => gradient_cuts::directions_report(rows),
+        StudyAnswer::Walks(rows) => {
+            measurements::measurements_report("walks", "deviation of a walk, relative", rows)
+        }
+        StudyAnswer::Refinement(rows) => refinement::refinements_report(rows),
+        StudyAnswer::Sampling(rows) => sampling::sampling_report(rows),
+        StudyAnswer::Figure5(rows) => sampling::figure_5_report(rows),
+    }
+}
+
+/// The figure of a study; none but the study of refinements has one.
+#[must_use]
+pub fn study_figure(answer: &StudyAnswer) -> Option<Figure> {
+    match answer {
+        StudyAnswer::Refinement(rows) => Some(refinement::refinements_figure(rows)),
+        _ => None,
+    }
+}

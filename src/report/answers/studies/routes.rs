@@ -1,4 +1,5 @@
-//! Tables of the studies that set several methods side by side: one line per case, records with everything.
+//! Tables of the studies that set several methods side by side: one line per case, records with
+//! everything.
 
 use crate::report::{Report, ReportError, Table, scientific};
 use crate::study::form_factors::accuracy::AccuracyRow;
@@ -8,7 +9,7 @@ use crate::study::form_factors::extreme_pairs::{CHOSEN, StabilityRow};
 ///
 /// # Errors
 /// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
-pub fn stability_report(rows: &[StabilityRow]) -> Result<Report, ReportError> {
+pub(crate) fn stability_report(rows: &[StabilityRow]) -> Result<Report, ReportError> {
     let table = Table {
         columns: vec!["case", "value", "route", "bound", "error", "digits kept"],
         rows: rows.chunk_by(|a, b| a.case == b.case).map(line).collect(),
@@ -67,7 +68,8 @@ fn digits(error: f64) -> String {
     format!("{:.0}", (-error.log10()).clamp(0.0, 17.0).floor())
 }
 
-/// Times of one pair that the digest of [`accuracy_report`] asks about, in seconds, and their headings.
+/// Times of one pair that the digest of [`accuracy_report`] asks about, in seconds, and their
+/// headings.
 const BUDGETS: [(f64, &str); 6] = [
     (1e-6, "1 µs"),
     (1e-5, "10 µs"),
@@ -77,11 +79,12 @@ const BUDGETS: [(f64, &str); 6] = [
     (1e-1, "100 ms"),
 ];
 
-/// Error against run time: records for log-log plots, and a table of the error that each method reaches within a time.
+/// Error against run time: records for log-log plots, and a table of the error that each method
+/// reaches within a time.
 ///
 /// # Errors
 /// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
-pub fn accuracy_report(rows: &[AccuracyRow]) -> Result<Report, ReportError> {
+pub(crate) fn accuracy_report(rows: &[AccuracyRow]) -> Result<Report, ReportError> {
     let mut lines = Vec::new();
     for family in rows.chunk_by(|a, b| a.family == b.family) {
         let mut methods: Vec<&str> = Vec::new();
@@ -106,8 +109,8 @@ pub fn accuracy_report(rows: &[AccuracyRow]) -> Result<Report, ReportError> {
     }
     let mut columns = vec!["family", "method", "pairs"];
     columns.extend(BUDGETS.map(|(_, heading)| heading));
-    let note = "largest relative error over the pairs served, by the most accurate setting that takes no longer for any \
-                case; empty where every setting does";
+    let note = "largest relative error over the pairs served, by the most accurate setting that \
+                takes no longer for any case; empty where every setting does";
     let table = Table {
         columns,
         rows: lines,
@@ -127,7 +130,8 @@ fn coverage(family: &[AccuracyRow], of_method: &[&AccuracyRow]) -> (usize, usize
     })
 }
 
-/// The largest error among the cases, each with the best setting within the time; `None` if a case has none.
+/// The largest error among the cases, each with the best setting within the time; `None` if a case
+/// has none.
 fn reached(of_method: &[&AccuracyRow], budget: f64) -> Option<f64> {
     let cases = of_method.chunk_by(|a, b| a.case == b.case);
     let best = cases.map(|case| {

@@ -8,7 +8,7 @@ use crate::study::lines::sampling::{SamplingRow, slope};
 ///
 /// # Errors
 /// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
-pub fn sampling_report(rows: &[SamplingRow]) -> Result<Report, ReportError> {
+pub(crate) fn sampling_report(rows: &[SamplingRow]) -> Result<Report, ReportError> {
     let mut numbers: Vec<u32> = rows.iter().filter_map(|row| row.lines).collect();
     numbers.sort_unstable();
     numbers.dedup();
@@ -76,7 +76,7 @@ pub fn sampling_report(rows: &[SamplingRow]) -> Result<Report, ReportError> {
 ///
 /// # Errors
 /// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
-pub fn figure_5_report(rows: &[Figure5Row]) -> Result<Report, ReportError> {
+pub(crate) fn figure_5_report(rows: &[Figure5Row]) -> Result<Report, ReportError> {
     let line = |row: &Figure5Row| {
         let runs = f64::from(u32::try_from(row.runs).unwrap_or(u32::MAX)).sqrt();
         vec![
@@ -98,15 +98,18 @@ pub fn figure_5_report(rows: &[Figure5Row]) -> Result<Report, ReportError> {
     let mut notes = Vec::new();
     if let Some(row) = rows.first() {
         let reading = format!(
-            "6 × 6 cells on every face of a cube, plug-in estimates from N = {} lines with the areas known; N is fitted to the printed \
-             value of the regular grid, the lines at a quarter are a guess: the best explanation found, not a proof",
+            "6 × 6 cells on every face of a cube, plug-in estimates from N = {} lines with the areas \
+             known; N is fitted to the printed value of the regular grid, the lines at a quarter \
+             are a guess: the best explanation found, not a proof",
             row.samples
         );
         let spread = format!(
-            "± is the standard deviation of one run, of \"sampled\" that of the mean of {} runs; all grids have the same lines",
+            "± is the standard deviation of one run, of \"sampled\" that of the mean of {} runs; all \
+             grids have the same lines",
             row.runs
         );
-        let range = "N at which the printed value is expected, and for half a unit of its last decimal more and less";
+        let range = "N at which the printed value is expected, and for half a unit of its last \
+                     decimal more and less";
         notes = vec![
             ("reading", reading),
             ("spread", spread),

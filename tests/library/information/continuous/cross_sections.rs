@@ -172,7 +172,7 @@ fn of_a_regular_solid(scene: &Scene, step: f64) -> f64 {
 fn assert_agreement(name: &str) {
     let expected = of_a_regular_solid(&Scene::built_in(name).unwrap(), 0.12);
     let found = information(name);
-    let off = (found.mutual_information - expected).abs();
+    let off = (found.mutual_information.value - expected).abs();
     assert!(off < MODERATE * expected, "{name}: {expected} {found:?}");
 }
 

@@ -15,12 +15,12 @@ fn known_values_are_met() {
         ("box:1,1,2", 1.796_996_907_794_523),
     ] {
         let found = information(name);
-        let off = (found.mutual_information - exact).abs();
+        let off = (found.mutual_information.value - exact).abs();
         assert!(off <= MODERATE * exact, "{name}: {off:e}");
         assert!(
-            off <= found.error && found.error < 1e-11,
+            off <= found.mutual_information.error && found.mutual_information.error < 1e-11,
             "{name}: {off:e} {:e}",
-            found.error
+            found.mutual_information.error
         );
     }
 }
@@ -91,16 +91,19 @@ fn boxes_agree_with_a_formula_of_their_own() {
         let [x, y, z] = edges;
         let found = continuous_information(&Scene::inside_of_box(x, y, z).unwrap()).unwrap();
         let expected = of_a_box(edges);
-        let off = (found.mutual_information - expected).abs() / expected;
-        println!("{edges:?}: {expected} {off:e}, said {:e}", found.error);
+        let off = (found.mutual_information.value - expected).abs() / expected;
+        println!(
+            "{edges:?}: {expected} {off:e}, said {:e}",
+            found.mutual_information.error
+        );
         assert!(
-            off < allowed && off * expected <= found.error,
+            off < allowed && off * expected <= found.mutual_information.error,
             "{edges:?}: {off:e}"
         );
         assert!(
-            found.error < allowed * expected,
+            found.mutual_information.error < allowed * expected,
             "{edges:?}: {:e}",
-            found.error
+            found.mutual_information.error
         );
     }
 }
@@ -113,9 +116,9 @@ fn errors_of_the_solids_are_small() {
     for name in SOLIDS {
         let found = information(name);
         assert!(
-            found.error < MODERATE * found.mutual_information.max(1.0),
+            found.mutual_information.error < MODERATE * found.mutual_information.value.max(1.0),
             "{name}: {:e}",
-            found.error
+            found.mutual_information.error
         );
         let probability: f64 = found.pairs.iter().map(|pair| pair.probability).sum();
         assert!(
@@ -129,6 +132,6 @@ fn errors_of_the_solids_are_small() {
 /// `sphere_is_zero`).
 #[test]
 fn rounder_solids_have_less_information() {
-    let values = SOLIDS.map(|name| information(name).mutual_information);
+    let values = SOLIDS.map(|name| information(name).mutual_information.value);
     assert!(values.is_sorted_by(|a, b| a > b), "{values:?}");
 }

@@ -4,7 +4,7 @@ use super::{SOLIDS, information};
 use crate::support::rooms::{L, patch, polygon, prism};
 use glam::DVec3;
 use infoscene::exchange::ExchangeError;
-use infoscene::form_factor::{Logarithms, point_kernel};
+use infoscene::form_factor::{LogMeans, point_kernel};
 use infoscene::geometry::{Patch, quartered};
 use infoscene::information::chord_information;
 use infoscene::numeric::GaussLegendre;
@@ -72,7 +72,7 @@ fn pairs_apart_agree_with_quadrature_of_the_definition() {
         patch(&lid.map(|[x, y]| [x, y, 2.0 + tilt * (x - 2.0 * y)]))
     });
     for other in others.iter().chain(&lids) {
-        let found = Logarithms::of(&floor, other).unwrap();
+        let found = LogMeans::of(&floor, other).unwrap();
         let expected = by_quadrature(&floor, other);
         let found = [found.distance, found.cosines[0], found.cosines[1]];
         for (found, expected) in found.iter().zip(expected) {
@@ -92,11 +92,11 @@ fn parts_of_touching_pairs_sum_to_the_whole() {
         let scene = Scene::built_in(name).unwrap();
         let first = scene.patches()[0].shape();
         for second in &scene.patches()[1..scene.patches().len().min(6)] {
-            let whole = Logarithms::of(first, second.shape()).unwrap();
+            let whole = LogMeans::of(first, second.shape()).unwrap();
             let mut sums = [0.0; 3];
             for one in quartered(first).unwrap() {
                 for other in quartered(second.shape()).unwrap() {
-                    let part = Logarithms::of(&one, &other).unwrap();
+                    let part = LogMeans::of(&one, &other).unwrap();
                     let numbers = [part.distance, part.cosines[0], part.cosines[1]];
                     sums.iter_mut()
                         .zip(numbers)
@@ -124,11 +124,11 @@ fn parts_under_a_close_lid_sum_to_the_whole() {
         let mut lid = corners.map(|[x, y]| [x, y, gap + tilt * x * gap / 0.02]);
         lid.reverse();
         let lid = patch(&lid);
-        let whole = Logarithms::of(&floor, &lid).unwrap();
+        let whole = LogMeans::of(&floor, &lid).unwrap();
         let mut sum = 0.0;
         for one in quartered(&floor).unwrap() {
             for part in quartered(&one).unwrap() {
-                sum += Logarithms::of(&part, &lid).unwrap().distance;
+                sum += LogMeans::of(&part, &lid).unwrap().distance;
             }
         }
         let off = (whole.distance - sum).abs();
@@ -150,7 +150,7 @@ fn random_chords_agree() {
     {
         let scene = Scene::built_in(name).unwrap();
         let sample = chord_information(&scene, 40_000, seed as u64).unwrap();
-        let off = (sample.mutual_information - information(name).mutual_information).abs();
+        let off = (sample.mutual_information - information(name).mutual_information.value).abs();
         assert!(
             off < 5.0 * sample.standard_error,
             "{name}: {off} {sample:?}"
@@ -176,7 +176,7 @@ fn chords_stop_at_what_they_meet() {
     let walls = [polygon("above", &square), polygon("below", &back)];
     let patches: Vec<NamedPatch> = cube.patches().iter().cloned().chain(walls).collect();
     let sample = chord_information(&Scene::try_new(patches).unwrap(), 40_000, 1).unwrap();
-    let expected = information("box:1,1,0.5").mutual_information + 1.0;
+    let expected = information("box:1,1,0.5").mutual_information.value + 1.0;
     assert!(
         (sample.mutual_information - expected).abs() < 5.0 * sample.standard_error,
         "{sample:?}"
@@ -220,7 +220,7 @@ fn sphere_is_zero() {
         }
     }
     let mut room = Scene::built_in("icosahedron").unwrap();
-    let mut before = information("icosahedron").mutual_information;
+    let mut before = information("icosahedron").mutual_information.value;
     for _ in 0..2 {
         let (fine, _) = room.subdivided(1).unwrap();
         room = crate::support::rooms::mapped(&fine, DVec3::normalize);

@@ -16,6 +16,7 @@ fn discrete(scene: &Scene) -> f64 {
     scene_information(&pairs, OpenScene::Refuse)
         .unwrap()
         .mutual_information
+        .value
 }
 
 /// `Σ I_ij = I`, `Σ I^c_ij = I^c` (whose pairs are of whole faces), `Σ P = 1`, each within the
@@ -33,7 +34,7 @@ fn parts_of_pairs_sum_to_both_informations() {
         let sum = |of: fn(&PairLoss) -> f64| parts.iter().map(of).sum::<f64>();
         let error = sum(|pair| pair.error) + 1e-13;
         assert!(error < 1e-12, "{name}: {error:e}");
-        let continuous = information(name).mutual_information;
+        let continuous = information(name).mutual_information.value;
         for (what, sum, whole) in [
             ("P", sum(|pair| pair.probability), 1.0),
             ("I", sum(|pair| pair.mutual_information), discrete(&scene)),

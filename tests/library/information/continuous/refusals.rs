@@ -3,7 +3,7 @@
 use crate::support::rooms::{L, prism};
 use infoscene::chain::ChainError;
 use infoscene::exchange::ExchangeError;
-use infoscene::form_factor::{FormFactorError, Logarithms};
+use infoscene::form_factor::{FormFactorError, LogMeans};
 use infoscene::information::continuous_information;
 use infoscene::scene::{Scene, SceneError};
 
@@ -66,7 +66,7 @@ fn polygons_behind_each_other_are_refused() {
         "across",
         &[[0.5, 0.0, -0.5], [0.5, 1.0, -0.5], [0.5, 1.0, 0.5]],
     );
-    let refused = Logarithms::of(floor, across.shape()).unwrap_err();
+    let refused = LogMeans::of(floor, across.shape()).unwrap_err();
     assert!(
         matches!(refused, FormFactorError::BehindPlane { .. }),
         "{refused}"

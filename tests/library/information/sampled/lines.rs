@@ -93,7 +93,7 @@ fn grids_find_their_cells_by_bisection() {
         sample.chords.standard_error,
     );
     assert!(
-        (found - continuous.mutual_information).abs() < 5.0 * error,
+        (found - continuous.mutual_information.value).abs() < 5.0 * error,
         "{found} {error}"
     );
     let mut random = ChaCha8Rng::seed_from_u64(6);

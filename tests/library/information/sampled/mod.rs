@@ -24,7 +24,7 @@ fn pairs(scene: &Scene) -> ScenePairs<'static> {
 /// The mutual information by closed forms.
 fn exact(scene: &Scene) -> f64 {
     let measured = scene_information(&pairs(scene), OpenScene::Refuse).unwrap();
-    measured.mutual_information
+    measured.mutual_information.value
 }
 
 /// The cube with walls across that leave n slabs 1 × 1 × 1/n; its faces are patches. Lines that are

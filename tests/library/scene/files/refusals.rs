@@ -3,7 +3,7 @@
 
 use super::{obj, obj_with, vs3};
 use infoscene::scene::SceneError;
-use infoscene::scene::files::{FileError, NonPlanarFaces, Source, open, read};
+use infoscene::scene::files::{FileError, NonPlanarFaces, OpenError, Source, open, read};
 use std::time::{Duration, Instant};
 
 /// One line that begins with the place and holds the condition and the mend.
@@ -354,12 +354,12 @@ fn files_that_are_not_there_are_refused() {
         let refusal = read(&path, NonPlanarFaces::Refuse).unwrap_err();
         assert_says(&refusal, &[path.to_str().unwrap(), says]);
         let opened = open(path.to_str().unwrap(), NonPlanarFaces::Refuse).unwrap_err();
-        assert_eq!(opened, SceneError::File(Box::new(refusal)));
+        assert_eq!(opened, OpenError::File(refusal));
     }
     for name in ["", "sphere", "cube:0", "cube:1.5", "Cornell-Box"] {
         let refusal = open(name, NonPlanarFaces::Refuse).unwrap_err();
         assert!(
-            matches!(refusal, SceneError::UnknownName { .. }),
+            matches!(refusal, OpenError::Scene(SceneError::UnknownName { .. })),
             "{name}: {refusal}"
         );
     }

@@ -10,7 +10,7 @@ const MOST_LINES: usize = 6;
 ///
 /// # Errors
 /// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
-pub fn refinements_report(rows: &[RefinementRow]) -> Result<Report, ReportError> {
+pub(crate) fn refinements_report(rows: &[RefinementRow]) -> Result<Report, ReportError> {
     let line = |row: &RefinementRow| {
         let digits = |number: Option<f64>, decimals: usize| {
             number.map_or_else(String::new, |number| format!("{number:.decimals$}"))
@@ -71,8 +71,7 @@ pub fn refinements_report(rows: &[RefinementRow]) -> Result<Report, ReportError>
 }
 
 /// The gaps against the number of patches, of the first six scenes.
-#[must_use]
-pub fn refinements_figure(rows: &[RefinementRow]) -> Figure {
+pub(crate) fn refinements_figure(rows: &[RefinementRow]) -> Figure {
     #[allow(clippy::cast_precision_loss, reason = "some thousand patches")]
     let point = |row: &RefinementRow| [row.patches as f64, row.gap];
     let scenes = rows.chunk_by(|a, b| a.scene == b.scene).take(MOST_LINES);

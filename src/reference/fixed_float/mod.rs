@@ -22,7 +22,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number with N words of significand.
 #[derive(Debug, Clone, Copy)]
-pub struct Wide<const N: usize> {
+pub struct FixedFloat<const N: usize> {
     is_negative: bool,
     exponent: i64,
     words: [u64; N],
@@ -71,7 +71,7 @@ fn product<const N: usize>(a: &[u64; N], b: &[u64; N]) -> ([u64; N], [u64; N]) {
     (lower, upper)
 }
 
-impl<const N: usize> Wide<N> {
+impl<const N: usize> FixedFloat<N> {
     /// Zero.
     pub const ZERO: Self = Self {
         is_negative: false,
@@ -103,13 +103,13 @@ impl<const N: usize> Wide<N> {
         }
     }
 
-    /// Is it zero?
+    /// Tells whether the number is zero.
     #[must_use]
     pub const fn is_zero(&self) -> bool {
         self.words[N - 1] == 0
     }
 
-    /// Is it above zero?
+    /// Tells whether the number is above zero.
     #[must_use]
     pub const fn is_positive(&self) -> bool {
         !self.is_negative && !self.is_zero()
@@ -151,7 +151,7 @@ impl<const N: usize> Wide<N> {
         words.map(move |(k, word)| (*word, self.exponent - below(k)))
     }
 
-    /// Is it below zero?
+    /// Tells whether the number is below zero.
     #[must_use]
     pub const fn is_negative(&self) -> bool {
         self.is_negative && !self.is_zero()
@@ -277,7 +277,7 @@ impl<const N: usize> Wide<N> {
     }
 }
 
-impl<const N: usize> Neg for Wide<N> {
+impl<const N: usize> Neg for FixedFloat<N> {
     type Output = Self;
     fn neg(mut self) -> Self {
         self.is_negative = !self.is_negative;
@@ -285,7 +285,7 @@ impl<const N: usize> Neg for Wide<N> {
     }
 }
 
-impl<const N: usize> Add for Wide<N> {
+impl<const N: usize> Add for FixedFloat<N> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
         let order = self.magnitude_order(&other);
@@ -312,14 +312,14 @@ impl<const N: usize> Add for Wide<N> {
     }
 }
 
-impl<const N: usize> Sub for Wide<N> {
+impl<const N: usize> Sub for FixedFloat<N> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + -other
     }
 }
 
-impl<const N: usize> Mul for Wide<N> {
+impl<const N: usize> Mul for FixedFloat<N> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
         if self.is_zero() || other.is_zero() {
@@ -343,7 +343,7 @@ impl<const N: usize> Mul for Wide<N> {
     }
 }
 
-impl<const N: usize> Div for Wide<N> {
+impl<const N: usize> Div for FixedFloat<N> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         let inverse = other.half_reciprocal();
@@ -352,19 +352,19 @@ impl<const N: usize> Div for Wide<N> {
     }
 }
 
-impl<const N: usize> PartialEq for Wide<N> {
+impl<const N: usize> PartialEq for FixedFloat<N> {
     fn eq(&self, other: &Self) -> bool {
         self.cmp_numbers(other).is_eq()
     }
 }
 
-impl<const N: usize> PartialOrd for Wide<N> {
+impl<const N: usize> PartialOrd for FixedFloat<N> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         Some(self.cmp_numbers(other))
     }
 }
 
-impl<const N: usize> Wide<N> {
+impl<const N: usize> FixedFloat<N> {
     fn cmp_numbers(&self, other: &Self) -> Ordering {
         match (self.is_negative(), other.is_negative()) {
             (false, true) => Ordering::Greater,

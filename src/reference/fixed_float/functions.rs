@@ -7,7 +7,7 @@
 //!   atan r = r − r³/3 + r⁵/5 − …
 //! ```
 
-use super::{WORD, Wide, minus_with_borrow, product};
+use super::{FixedFloat, WORD, minus_with_borrow, product};
 use std::any::Any;
 use std::cell::RefCell;
 use std::collections::HashMap;
@@ -18,8 +18,8 @@ const STEPS: u32 = 512;
 
 /// Tables that depend on the precision only.
 struct Tables<const N: usize> {
-    /// atan(i/512) for i up to 512.
-    atan: Vec<Wide<N>>,
+    /// Values of atan(i/512) for i up to 512.
+    atan: Vec<FixedFloat<N>>,
     /// 1/3, 1/5, … as fixed point fractions.
     series: Vec<[u64; N]>,
 }
@@ -49,15 +49,15 @@ impl<const N: usize> Tables<N> {
     }
 
     fn new() -> Self {
-        let one = Wide::<N>::new(1.0);
+        let one = FixedFloat::<N>::new(1.0);
         // 20 bits with each term
         let bits = u32::try_from(N).unwrap_or(0) * WORD;
         let series: Vec<_> = (1..bits / 20 + 3)
-            .map(|k| (one / Wide::new(f64::from(2 * k + 1))).fraction())
+            .map(|k| (one / FixedFloat::new(f64::from(2 * k + 1))).fraction())
             .collect();
         // atan((i+1)/K) − atan(i/K) = atan((1/K)/(1 + i(i+1)/K²)) = atan(K/(K² + i(i+1)))
-        let whole = |value: u32| Wide::new(f64::from(value));
-        let mut atan = vec![Wide::ZERO];
+        let whole = |value: u32| FixedFloat::new(f64::from(value));
+        let mut atan = vec![FixedFloat::ZERO];
         for i in 0..STEPS {
             let step = whole(STEPS) / whole(STEPS * STEPS + i * (i + 1));
             let angle = atan[i as usize] + by_series(step, &series);
@@ -67,17 +67,17 @@ impl<const N: usize> Tables<N> {
     }
 }
 
-/// atan r, |r| ≤ 2⁻⁹ (the table's first steps lose a bit per term, which the two spare terms make
-/// up for).
+/// The arc tangent of r for |r| ≤ 2⁻⁹ (the table's first steps lose a bit per term, which the two
+/// spare terms make up for).
 ///
 /// With q = r² as a fixed point fraction it is `r − r q (1/3 − q (1/5 − …))`, every bracket in (0,
 /// 1): no number needs its exponent moved.
-fn by_series<const N: usize>(r: Wide<N>, series: &[[u64; N]]) -> Wide<N> {
+fn by_series<const N: usize>(r: FixedFloat<N>, series: &[[u64; N]]) -> FixedFloat<N> {
     let square = r.square().fraction();
     let bracket = series.iter().rev().copied();
     let bracket = bracket.reduce(|bracket, term| fixed_minus(term, fixed_times(square, bracket)));
     let bracket = bracket.unwrap_or([0; N]);
-    r - r * Wide::of_fraction(fixed_times(square, bracket))
+    r - r * FixedFloat::of_fraction(fixed_times(square, bracket))
 }
 
 /// The upper half of the product: of fractions in [0, 1) again the product.
@@ -94,7 +94,7 @@ fn fixed_minus<const N: usize>(mut a: [u64; N], b: [u64; N]) -> [u64; N] {
     a
 }
 
-impl<const N: usize> Wide<N> {
+impl<const N: usize> FixedFloat<N> {
     /// π.
     #[must_use]
     pub fn pi() -> Self {

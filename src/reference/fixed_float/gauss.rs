@@ -1,6 +1,6 @@
-//! Gauss–Legendre rules with all the digits of a [`Wide`].
+//! Gauss–Legendre rules with all the digits of a [`FixedFloat`].
 
-use super::Wide;
+use super::FixedFloat;
 use super::functions::kept;
 use crate::numeric::{NodeNumber, legendre_node};
 use std::any::Any;
@@ -12,7 +12,7 @@ use std::rc::Rc;
 pub const LARGEST_ORDER: usize = 64;
 
 /// Nodes in `[−1, 1]`, decreasing, with their weights, which sum to 2.
-pub type GaussRule<const N: usize> = Vec<(Wide<N>, Wide<N>)>;
+pub type GaussRule<const N: usize> = Vec<(FixedFloat<N>, FixedFloat<N>)>;
 
 thread_local! {
     static RULES: RefCell<HashMap<usize, Rc<dyn Any>>> = RefCell::default();
@@ -25,13 +25,13 @@ pub fn gauss_rule<const N: usize>(order: usize) -> Rc<GaussRule<N>> {
     kept(&RULES, N * (LARGEST_ORDER + 1) + order, || rule(order))
 }
 
-impl<const N: usize> From<f64> for Wide<N> {
+impl<const N: usize> From<f64> for FixedFloat<N> {
     fn from(value: f64) -> Self {
         Self::new(value)
     }
 }
 
-impl<const N: usize> NodeNumber for Wide<N> {
+impl<const N: usize> NodeNumber for FixedFloat<N> {
     // 2⁹ digits
     const STEPS: usize = 9;
 }

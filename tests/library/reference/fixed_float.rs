@@ -2,11 +2,11 @@
 //! 256 bits.
 
 use infoscene::numeric::{Interval, Scalar};
-use infoscene::reference::wide::{Wide, gauss_rule};
+use infoscene::reference::fixed_float::{FixedFloat, gauss_rule};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-type Number = Wide<4>;
+type Number = FixedFloat<4>;
 
 /// A number as an interval of no width, by its words.
 fn enclosed(number: Number) -> Interval {

@@ -1,0 +1,6 @@
+//! Questions: their answers, and the records that these serialize to.
+
+mod cut;
+mod grid;
+mod reproduce;
+mod studies;

@@ -1,0 +1,3 @@
+//! Reports: answers as text.
+
+mod finite;
