@@ -66,18 +66,36 @@ proptest! {
     /// bits.
     #[test]
     fn exchange_areas_agree_with_their_enclosures((first, second) in rectangle_pair()) {
-        let Ok(pair) = RectanglePair::try_new(&first, &second) else { return Ok(()) };
+        let Ok(pair) = RectanglePair::try_new(&first, &second) else {
+            return Ok(());
+        };
         let fast = computed(&pair).unwrap();
-        agree(&fast, &pair.lifted(&Interval::precise(1.0, 256)).exchange_value().unwrap())?;
+        agree(
+            &fast,
+            &pair
+                .lifted(&Interval::precise(1.0, 256))
+                .exchange_value()
+                .unwrap(),
+        )?;
     }
 
     /// Extreme rectangles are enclosed with 512 bits: their terms cancel by the cube of the
     /// distance.
     #[test]
     fn extreme_exchange_areas_agree_with_their_enclosures((first, second) in extreme_pair()) {
-        let Ok(pair) = RectanglePair::try_new(&first, &second) else { return Ok(()) };
-        let Some(fast) = computed(&pair) else { return Ok(()) };
-        agree(&fast, &pair.lifted(&Interval::precise(1.0, 512)).exchange_value().unwrap())?;
+        let Ok(pair) = RectanglePair::try_new(&first, &second) else {
+            return Ok(());
+        };
+        let Some(fast) = computed(&pair) else {
+            return Ok(());
+        };
+        agree(
+            &fast,
+            &pair
+                .lifted(&Interval::precise(1.0, 512))
+                .exchange_value()
+                .unwrap(),
+        )?;
     }
 }
 

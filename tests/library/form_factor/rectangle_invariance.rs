@@ -15,7 +15,9 @@ proptest! {
             let [v0, v1, _, v3] = r.corners();
             Rectangle::try_new(v0 * scale, (v1 - v0) * scale, (v3 - v0) * scale)
         };
-        let plain = RectanglePair::try_new(&first, &second).unwrap().exchange_area();
+        let plain = RectanglePair::try_new(&first, &second)
+            .unwrap()
+            .exchange_area();
         let pair = RectanglePair::try_new(&scaled(&first).unwrap(), &scaled(&second).unwrap());
         match (plain, pair.unwrap().exchange_area()) {
             (Ok(plain), Ok(scaled)) => {
@@ -44,15 +46,22 @@ proptest! {
         if shortest < 0.01 {
             return Ok(()); // the motion's own rounding of a sliver's direction is not the library's
         }
-        let plain = RectanglePair::try_new(&first, &second).unwrap().exchange_area();
+        let plain = RectanglePair::try_new(&first, &second)
+            .unwrap()
+            .exchange_area();
         let pair = RectanglePair::try_new(&moved(&first).unwrap(), &moved(&second).unwrap());
         if let (Ok(plain), Ok(moved)) = (plain, pair.unwrap().exchange_area()) {
             // coordinates up to 10 carry 10 ε each, edges that over their length; near a plane the
             // exchange changes by as much, relative to the smaller area
             let allowed = 10.0 * tolerance::ALIGNMENT / shortest * first.area().min(second.area())
-                + plain.error + moved.error;
+                + plain.error
+                + moved.error;
             let change = (plain.value - moved.value).abs();
-            prop_assert!(change <= allowed, "{change:e} of {:e}, {allowed:e} allowed", plain.value);
+            prop_assert!(
+                change <= allowed,
+                "{change:e} of {:e}, {allowed:e} allowed",
+                plain.value
+            );
         }
     }
 }

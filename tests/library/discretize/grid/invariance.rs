@@ -12,12 +12,19 @@ proptest! {
     fn units_do_not_matter(edges in edges(), lines in lines(4), power in -100..=100) {
         let unit = 10f64.powi(power);
         let here = grid(edges, &lines).information().unwrap();
-        let there = grid(edges.map(|edge| unit * edge), &lines).information().unwrap();
+        let there = grid(edges.map(|edge| unit * edge), &lines)
+            .information()
+            .unwrap();
         let (one, other) = (here.mutual_information, there.mutual_information);
         let difference = one.value - other.value;
-        prop_assert!(difference.abs() <= one.error + other.error, "{difference:e}");
+        prop_assert!(
+            difference.abs() <= one.error + other.error,
+            "{difference:e}"
+        );
         // powers of two change no bit
-        let twice = grid(edges.map(|edge| 2f64.powi(power) * edge), &lines).information().unwrap();
+        let twice = grid(edges.map(|edge| 2f64.powi(power) * edge), &lines)
+            .information()
+            .unwrap();
         prop_assert_eq!(here, twice);
     }
 
@@ -29,7 +36,10 @@ proptest! {
             let there = grid(edges, &lines).information().unwrap();
             let (one, other) = (here.mutual_information, there.mutual_information);
             let difference = one.value - other.value;
-            prop_assert!(difference.abs() <= one.error + other.error, "{difference:e}");
+            prop_assert!(
+                difference.abs() <= one.error + other.error,
+                "{difference:e}"
+            );
             prop_assert_eq!(here.classes, there.classes);
         }
     }
@@ -42,8 +52,12 @@ proptest! {
         let there = grid(edges, &mirrored).information().unwrap();
         let (one, other) = (here.mutual_information, there.mutual_information);
         let difference = one.value - other.value;
-        // 1 − t is rounded, which narrow cells notice most: 1e-4 of an edge moves by 1e-12 of itself
-        prop_assert!(difference.abs() <= one.error + other.error + 1e-14, "{difference:e}");
+        // 1 − t is rounded, which narrow cells notice most: 1e-4 of an edge moves by 1e-12 of
+        // itself
+        prop_assert!(
+            difference.abs() <= one.error + other.error + 1e-14,
+            "{difference:e}"
+        );
     }
 
     /// One more line says more (Theorem 1).
