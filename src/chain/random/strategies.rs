@@ -18,7 +18,7 @@
 //! | [`DivisionFamily::Proportional`] | 1 | a gain of exactly 0 |
 //!
 //! ```
-//! use infoscene::chain::random::seeded::strategies::refinement;
+//! use infoscene::chain::random::strategies::refinement;
 //! use infoscene::information::{mutual_information, refinement_gain};
 //! use proptest::prelude::*;
 //!
