@@ -40,7 +40,8 @@ pub enum FormFactorError {
     /// The closed form cancels down to its rounding error.
     #[error(
         "what is computed is {value:e} with an error up to {error_bound:e}, so no digit is \
-         certain: the patches are too small for their distance, or too thin; merge them with neighbours"
+         certain: the patches are too small for their distance, or too thin; merge them with \
+         neighbours"
     )]
     NotResolved {
         /// The value computed.
