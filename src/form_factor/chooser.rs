@@ -48,7 +48,9 @@ impl Polygon {
     /// use infoscene::geometry::Patch;
     /// // the corner of a cube cut off: from one leg to another, (1 − 1/√3)/2
     /// let (o, x, y, z) = (DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z);
-    /// let leg = |corners: [DVec3; 3]| Patch::try_new(corners.to_vec()).map(|patch| Polygon::new(&patch));
+    /// let leg = |corners: [DVec3; 3]| {
+    ///     Patch::try_new(corners.to_vec()).map(|patch| Polygon::new(&patch))
+    /// };
     /// let (floor, wall) = (leg([o, x, y])?, leg([o, y, z])?);
     /// let answer = floor.exchange_area(&wall, DEFAULT_TOLERANCE)?;
     /// let exact = (1.0 - 1.0 / 3f64.sqrt()) / 2.0;

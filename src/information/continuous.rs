@@ -17,6 +17,13 @@
 //! and the deviation of `Σ_j C_ij + A_i/2` from 0 is part of the error. A sphere has `F = 1/A_T`
 //! everywhere and `I^c = 0`.
 //!
+//! Discrete values rise to the continuous one from below (Corollary 1): the gap tends to c·h for
+//! patches of size h, because the pairs along an edge lose what the others do not. For 6,144
+//! patches of the cube 0.074 bit are still missing. Per length of edge the gap depends on the angle
+//! and the shape of the patches only: 1.24 bits, to 1 %, for all boxes of squares
+//! (`infoscene study refinement`). The loss of a single pair ([`pair_losses`](super::pair_losses))
+//! bounds what any subdivision of its patches can gain.
+//!
 //! **Not covered**: rooms that are open or not convex inside;
 //! [`chord_information`](super::chord_information) samples closed ones.
 
@@ -55,7 +62,20 @@ pub struct ContinuousInformation {
     pub pairs: Vec<FacePair>,
 }
 
-/// Continuous mutual information (4) of a closed scene that is convex inside.
+/// Computes the continuous mutual information (4) of a closed scene that is convex inside.
+///
+/// | room | I^c, bits |
+/// |---|---|
+/// | tetrahedron | 2.61945798793 |
+/// | cube | 1.61047334647 |
+/// | octahedron | 1.25768687805 |
+/// | dodecahedron | 0.813520276613 |
+/// | icosahedron | 0.542459960968 |
+/// | box 1 × 1 × 2 | 1.79699690779 |
+/// | box 1 × 1 × 1000 | 9.66487556298 |
+/// | box 1 × 1 × 0.001 | 16.4051008577 |
+///
+/// These are values of `infoscene measure SCENE --continuous`.
 ///
 /// **Accuracy** 1e-12 relative for the regular solids, held by
 /// `solids_agree_with_their_cross_sections`; 1e-10 for boxes from 1e-9 to 1e8 times as high as

@@ -1,10 +1,50 @@
-//! The numbers everything else is written in.
+//! Numbers that carry their errors, and the functions, sums, roots and integrals built on them.
 //!
 //! Each formula of this crate is written once, over [`Scalar`]: `f64` gives the fast value,
-//! [`Interval`] an enclosure of the exact one, [`Dual`] the derivative with it. Beside it stand the
-//! entropy kernels (`0·log 0 = 0` lives there and nowhere else), exact and compensated sums, roots
-//! and maxima (guarded in `f64`, [certified](certified_maximum) over intervals), guarded
-//! quadrature, and the one table of tolerances.
+//! [`Interval`] an enclosure of the exact one, [`Dual`] the derivative with it, and
+//! `Dual<Interval>` an enclosure of the derivative.
+//!
+//! | question | where |
+//! |---|---|
+//! | number types | [`Scalar`], [`Interval`], [`Dual`], [`DoubleDouble`], [`Scaled`] |
+//! | a value with its error | [`Bounded`], and the [`Grade`] of the error |
+//! | elementary functions, entropy kernels (`0·log 0 = 0`) | [`functions`], [`x_log2_x`] |
+//! | compensated and exact sums | [`CompensatedSum`], [`Expansion`] |
+//! | roots and maxima in `f64` | [`root`], [`maximum`], [`maximum_of_many`] |
+//! | roots and maxima with proof | [`certified_roots`], [`certified_maximum`] |
+//! | stationary points with proof | [`certified_stationary_point`] |
+//! | integrals | [`GaussLegendre`], [`integral`] |
+//! | accuracy promises | [`tolerance`] |
+//!
+//! # Numbers you can trust
+//!
+//! An expression in `Interval` contains the exact value, at any precision; a maximum is certified
+//! by its derivative's enclosure.
+//!
+//! ```
+//! use infoscene::discretize::PatchSplit;
+//! use infoscene::geometry::SplitAxis;
+//! use infoscene::numeric::Interval;
+//! use infoscene::scene::Scene;
+//!
+//! let squares = Scene::built_in("two-squares")?;
+//! let split = PatchSplit::try_new(&squares, 0, &[1], SplitAxis::U)?;
+//!
+//! // the gain of a cut at 0.4, enclosed to some 70 digits
+//! let cut = Interval::parse("0.4", 256).ok_or("a decimal number")?;
+//! let gain = split.rectangles()?.lifted(&cut).gain(&[cut])?;
+//! assert!(gain.width() < 1e-70);
+//!
+//! // the best cut of all, with proof: it is the only stationary point
+//! let best = split.certified_best(128)?;
+//! let digits = best.position.to_decimal(30).ok_or("bounded")?;
+//! assert!(digits.lower.starts_with("0.39920102604538512521124559685"));
+//! assert_eq!(best.certificate.to_string(), "the only maximum, and the only stationary point");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Roots, maxima and stationary points of other functions are certified alike: implement
+//! [`IntervalFunction`], [`Maximand`] or [`VectorFunction`].
 //!
 //! **Not here**: geometry, and anything that knows what a form factor is.
 

@@ -1,7 +1,8 @@
-//! The one table of tolerances, with a line of reason each.
+//! Accuracy promises: the tolerances that callers and tests rely on, each with its reason.
 //!
-//! A number is here because (a) a bound was derived, (b) a named test measures it, or
-//! (c) the paper prints that many digits (those come with the claims, as data).
+//! A number is here because (a) a bound was derived, (b) a named test measures it, or (c) the paper
+//! prints that many digits (those come with the claims, as data). Constants that only steer a
+//! search stand with the code that searches.
 
 /// Relative error of [`divergence_kernel`](super::divergence_kernel): (a) at |x| = 1/4 the plain
 /// form cancels (1+x)·ln(1+x) against x, a factor 9 on 2 ε; the series form stays below. Measured
@@ -25,7 +26,7 @@ pub const AT_REST: f64 = 64.0 * f64::EPSILON;
 /// followed by one near 1e-16 where the third derivative is moderate.
 pub const TREMBLING: f64 = 1e-9;
 
-/// Deviation from a plane, relative to a patch's diameter, up to which it counts as planar: the
+/// Deviation from a plane, relative to a patch's diameter, up to which it counts as planar: (a) the
 /// input's own rounding is 1e-16 of its coordinates, a file of twelve decimals gives 1e-12.
 pub const PLANARITY: f64 = 1e-12;
 
@@ -72,7 +73,7 @@ pub const IDENTITY: f64 = 1e-12;
 /// hundred terms with the bound [`RECTANGLE_TERMS`].
 pub const CLOSURE: f64 = 1e-12;
 
-/// What a gain that vanishes by symmetry may leave, in bits: (a) the square of 64 ε, the relative
+/// Bound on a gain that vanishes by symmetry, in bits: (a) the square of 64 ε, the relative
 /// difference of two equal form factors computed apart.
 pub const VANISHING_GAIN: f64 = 1e-27;
 
@@ -95,12 +96,12 @@ pub const INFORMATION: f64 = 32.0 * f64::EPSILON;
 /// `rotated_rooms_have_no_blocker`.
 pub const TOUCHING: f64 = 64.0 * f64::EPSILON;
 
-/// How deep a patch may seem to enter the solid between two others if corners deviate from their
+/// Largest apparent depth of a patch in the solid between two others if corners deviate from their
 /// planes by 1: (a) a quadrilateral with one corner off by δ shows a deviation of δ/4 on each side
 /// of its mean plane, and the depth of two bodies changes by at most 2 δ.
 pub const DEPTH_PER_DEVIATION: f64 = 8.0;
 
-/// Relative error bound of radiosities for the exchange areas as given, stiff scenes included: a
+/// Relative error bound of radiosities for the exchange areas as given, stiff scenes included: (b) a
 /// few ε, measured by `stiff_scenes_keep_their_digits`.
 pub const RADIOSITY: f64 = 1e-14;
 
@@ -109,8 +110,8 @@ pub const RADIOSITY: f64 = 1e-14;
 /// around it.
 pub const COVERED: f64 = 1e-10;
 
-/// What a corrected estimate from samples may take off for cells not met, in standard errors, if an
-/// interval is to be given: (b) a fifth of it is missing yet, measured by
+/// Most that a corrected estimate from samples may subtract for cells not met, in standard errors,
+/// if an interval is to be given: (b) a fifth of it is missing yet, measured by
 /// `a_fifth_is_missing_of_what_is_taken_off`, and a bias of a fifth of the standard error leaves
 /// 94.5 % of the 95 % covered.
 pub const UNSEEN: f64 = 1.0;

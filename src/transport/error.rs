@@ -26,8 +26,8 @@ pub enum TransportError {
     },
     /// A positive reflectance whose inverse is beyond what can be computed with.
     #[error(
-        "the reflectance of patch {patch} is {value:e}: it must be 0, or {SMALLEST_REFLECTANCE:e} at \
-         least"
+        "the reflectance of patch {patch} is {value:e}: it must be 0, or {SMALLEST_REFLECTANCE:e} \
+         at least"
     )]
     ReflectanceTooSmall {
         /// The patch, from 0.
@@ -64,8 +64,8 @@ pub enum TransportError {
     NoWalks,
     /// An exchange matrix was refused.
     #[error(
-        "entry ({row}, {column}) of the exchange areas is {value}: it must be finite, ≥ 0 and equal to \
-         its mirror image"
+        "entry ({row}, {column}) of the exchange areas is {value}: it must be finite, ≥ 0 and \
+         equal to its mirror image"
     )]
     InvalidExchange {
         /// Row, from 0.

@@ -1,5 +1,9 @@
 //! A pair of polygons, each clipped at the other's plane, with the measures that the choice of a
 //! route rests on.
+//!
+//! `shape` measures one outline, once per polygon; `horizon` finds the part of it in front of the
+//! other plane and bounds the displacement of its corners; [`ClippedPair`] here has the measures of
+//! both: distances, heights, and an estimate of the value.
 
 pub(crate) mod horizon;
 pub(crate) mod shape;

@@ -25,6 +25,11 @@
 //! (the gradient's component along b is the logarithm of the ends' distances' ratio, that across it
 //! the angle.)
 //!
+//! Edges with their errors are in `edge`, the inner integral over one of them in `potential`;
+//! `double_double` repeats the whole with 106 bits where this file's sum cancels.
+//!
+//! **Not covered**: polygons that reach behind each other's plane; they are clipped before.
+//!
 //! Reference: Sparrow, "A new and simpler formulation for radiative angle factors", *J. Heat
 //! Transfer* 85 (1963), 81–87.
 

@@ -1,4 +1,8 @@
-//! Planar polygons: clipping, triangles, convex pieces, quarters and cuts.
+//! Planar polygons: tests on outlines, and ways to cut them.
+//!
+//! `convexity` and `containment` test outlines, `centroid` measures one. `clip` cuts at a plane or
+//! line, `cut_lines` into strips along parallel lines, `quarters` into parts of the same kind.
+//! `triangulation` and `convex_pieces` divide concave polygons, both by way of `ears`.
 
 pub(crate) mod centroid;
 pub(crate) mod clip;

@@ -1,4 +1,8 @@
-//! Rectangles: recognised from a patch, cut into parts.
+//! Rectangles: recognised from a patch, cut into parts, placed beside each other.
+//!
+//! [`Rectangle`] itself is here. `placement` has the place of a second rectangle in the frame of a
+//! first one, `span` and `offsets` a side of each on one axis and their distances; `aligned` has
+//! rectangles with edges along the coordinate axes, whose places are known without rounding.
 //!
 //! For corners `v0 v1 v2 v3`, axis u runs along `v0 → v1` and axis v along `v0 → v3`;
 //! positions on an axis are relative, 0 at `v0` and 1 at the far side.

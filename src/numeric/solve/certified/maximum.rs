@@ -73,8 +73,8 @@ impl Display for Certificate {
             Self::Unique { .. } => write!(f, "the only highest point"),
             Self::Several { maximisers } => write!(
                 f,
-                "the maximum, attained at one or more of {maximisers} points equally high as far as \
-                 enclosed"
+                "the maximum, attained at one or more of {maximisers} points equally high as far \
+                 as enclosed"
             ),
             Self::Unknown { reason } => write!(f, "not proved to be the highest: {reason}"),
         }
