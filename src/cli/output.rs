@@ -5,6 +5,7 @@ use clap::builder::RangedI64ValueParser;
 use indicatif::style::TemplateError;
 use indicatif::{ProgressBar, ProgressStyle};
 use infoscene::numeric::interval::DecimalBounds;
+use infoscene::question::Unreached;
 use infoscene::report::{Format, Report};
 use std::fs;
 use std::io::{self, Write};
@@ -264,6 +265,22 @@ fn folder_of(path: &Path) -> io::Result<&Path> {
         ));
     }
     Ok(folder)
+}
+
+/// Prints remarks on an answer to standard error.
+pub(super) fn say(notes: &[String]) {
+    for note in notes {
+        eprintln!("infoscene: {note}");
+    }
+}
+
+/// The exit status of an answer; a tolerance that it misses is named on standard error.
+pub(super) fn finished(unreached: Option<&Unreached>) -> Outcome {
+    let Some(unreached) = unreached else {
+        return Outcome::Done;
+    };
+    eprintln!("infoscene: {unreached}");
+    Outcome::Differs
 }
 
 /// A progress bar, drawn on a terminal only.

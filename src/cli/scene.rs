@@ -1,7 +1,10 @@
-//! SCENE: the argument that all questions about a scene share.
+//! SCENE: the arguments that questions about a scene share.
 
-use infoscene::scene::files::{NonPlanarFaces, open};
-use infoscene::scene::{Occlusion, Scene, SceneError};
+use infoscene::exchange::Congruence;
+use infoscene::form_factor::DEFAULT_TOLERANCE;
+use infoscene::question::SceneSource;
+use infoscene::scene::Occlusion;
+use infoscene::scene::files::NonPlanarFaces;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct SceneArgument {
@@ -20,29 +23,57 @@ pub(super) struct SceneArgument {
 }
 
 impl SceneArgument {
-    /// The scene, whatever lies or stands in it; what its reader has to say goes to standard error.
-    pub(super) fn read(&self) -> Result<Scene, SceneError> {
-        let faces = if self.triangulate {
-            NonPlanarFaces::Triangulate
-        } else {
-            NonPlanarFaces::Refuse
-        };
-        let loaded = open(&self.scene, faces)?;
-        for note in &loaded.notes {
-            eprintln!("infoscene: {note}");
+    /// The scene that is meant.
+    pub(super) fn source(&self) -> SceneSource {
+        SceneSource {
+            faces: if self.triangulate {
+                NonPlanarFaces::Triangulate
+            } else {
+                NonPlanarFaces::Refuse
+            },
+            subdivide: self.subdivide,
+            occlusion: if self.unoccluded {
+                Occlusion::Ignore
+            } else {
+                Occlusion::Refuse
+            },
+            ..SceneSource::from(self.scene.as_str())
         }
-        if self.subdivide == 0 {
-            return Ok(loaded.scene);
-        }
-        Ok(loaded.scene.subdivided(self.subdivide)?.0)
+    }
+}
+
+/// The arguments that questions about the pairs of a scene share.
+#[derive(Debug, clap::Args)]
+pub(super) struct ScenePairsArguments {
+    #[command(flatten)]
+    scene: SceneArgument,
+    /// The relative error asked for of every form factor.
+    #[arg(long, value_name = "REL", default_value_t = DEFAULT_TOLERANCE, value_parser = relative)]
+    pub(super) tolerance: f64,
+    /// Compute congruent pairs, too.
+    #[arg(long, hide = true)]
+    every_pair: bool,
+}
+
+fn relative(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(number) if number > 0.0 && number < 1.0 => Ok(number),
+        _ => Err("it must be a number between 0 and 1".to_owned()),
+    }
+}
+
+impl ScenePairsArguments {
+    /// The scene that is meant.
+    pub(super) fn source(&self) -> SceneSource {
+        self.scene.source()
     }
 
-    /// What is asked for where something may stand between two patches.
-    pub(super) const fn occlusion(&self) -> Occlusion {
-        if self.unoccluded {
-            Occlusion::Ignore
+    /// The treatment of congruent pairs.
+    pub(super) const fn congruence(&self) -> Congruence {
+        if self.every_pair {
+            Congruence::Ignored
         } else {
-            Occlusion::Refuse
+            Congruence::Shared
         }
     }
 }

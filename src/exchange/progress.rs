@@ -22,6 +22,10 @@ use std::fmt;
 /// # Ok::<(), infoscene::scene::SceneError>(())
 /// ```
 pub trait Progress: Sync {
+    /// So many units of work begin, named in the plural: `pairs`, `cases`. Who does not care for
+    /// the total need not listen.
+    fn begin(&self, _units: u64, _name: &str) {}
+
     /// So many more units of work are finished: pairs, cases. It is called from any thread.
     fn advance(&self, finished: usize);
 }

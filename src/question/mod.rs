@@ -7,6 +7,32 @@
 //!
 //! **Not here**: formats, arguments, files that answers are written to.
 
+mod convert;
 mod error;
+mod form_factors;
+mod light;
+mod measure;
+mod patch_values;
+mod radiosity;
+mod sample;
+mod sampled_information;
+mod scene;
+mod split;
+mod unreached;
 
+pub use convert::{Convert, ConvertAnswer, SceneFormat};
 pub use error::QuestionError;
+pub use form_factors::{
+    FormFactorMatrix, FormFactorRecord, FormFactors, FormFactorsAnswer, PatchRecord,
+};
+pub use light::{Light, SceneChain};
+pub use measure::{
+    Contribution, FacePairRecord, Measure, MeasureAnswer, PairLossRecord, RowSumRecord,
+};
+pub use patch_values::{MaterialChanges, PatchValue, PatchValueError};
+pub use radiosity::{PatchLight, Power, Radiosity, RadiosityAnswer};
+pub use sample::{Sample, SampleAnswer};
+pub use sampled_information::SampledInformation;
+pub use scene::{SceneOrigin, SceneSource};
+pub use split::{Split, SplitAnswer, SplitEnclosures};
+pub use unreached::Unreached;

@@ -15,12 +15,13 @@ pub use answers::claims::{curve_figure, curve_report, reproduction_report};
 pub use answers::claims_page::{claims_page, first_verdicts};
 pub use answers::cuts::{cut_report, cuts_figure, cuts_report};
 pub use answers::findings::findings_page;
-pub use answers::form_factors::{FormFactorRecord, PatchRecord, write_form_factors};
+pub use answers::form_factors::write_form_factors;
 pub use answers::grid::{GridAnswer, GridEnclosures, grid_report};
 pub use answers::measure::{measure_report, plan_notes};
 pub use answers::radiosity::radiosity_report;
 pub use answers::refinement::{refinements_figure, refinements_report};
 pub use answers::sampled::sample_report;
+pub use answers::split::split_report;
 pub use answers::studies::gradient::{directions_report, limits_report, profiles_report};
 #[cfg(feature = "proptest")]
 pub use answers::studies::plain::fuzz_report;

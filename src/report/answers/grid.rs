@@ -1,10 +1,11 @@
 //! The mutual information of a grid on a box, and of the best one.
 
-use super::sampled::SampledRecord;
+use super::sampled::sampled_rows;
 use crate::discretize::{BestGrid, BoxGrid, GridInformation, Spacing};
 use crate::information::LineSample;
 use crate::numeric::interval::DecimalBounds;
 use crate::numeric::{Grade, Interval};
+use crate::question::SampledInformation;
 use crate::report::{Report, ReportError, Table, certain_digits, enclosed_digits, scientific};
 
 /// What is said about a grid.
@@ -60,7 +61,7 @@ struct Record<'a> {
     starts_at_maximum: Option<usize>,
     starts_lost: Option<usize>,
     other_maxima: Option<&'a [f64]>,
-    sampled: Option<SampledRecord>,
+    sampled: Option<SampledInformation>,
     #[serde(skip_serializing_if = "Option::is_none")]
     enclosures: Option<Enclosures>,
 }
@@ -124,7 +125,7 @@ pub fn grid_report(answer: &GridAnswer<'_>) -> Result<Report, ReportError> {
         starts_lost: best.map(|best| best.search.lost),
         other_maxima: best.map(|best| best.search.others.as_slice()),
         sampled: answer.sampled.as_ref().map(|(sample, seed, bias)| {
-            SampledRecord::new(sample, *seed, Some([information.mutual_information, *bias]))
+            SampledInformation::new(sample, *seed, Some([information.mutual_information, *bias]))
         }),
         enclosures: answer.enclosed.as_ref().and_then(Enclosures::new),
     };
@@ -166,7 +167,7 @@ pub fn grid_report(answer: &GridAnswer<'_>) -> Result<Report, ReportError> {
     if let Some(best) = best {
         rows.extend(evidence(best));
     }
-    rows.extend(record.sampled.iter().flat_map(SampledRecord::rows));
+    rows.extend(record.sampled.iter().flat_map(sampled_rows));
     let notes = answer.enclosed.iter().flat_map(|enclosed| {
         let lines = (1..).zip(enclosed.half);
         let lines = lines.map(|(k, line)| (format!("line {k}"), enclosed_digits(line)));

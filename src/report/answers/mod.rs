@@ -10,4 +10,5 @@ pub(crate) mod measure;
 pub(crate) mod radiosity;
 pub(crate) mod refinement;
 pub(crate) mod sampled;
+pub(crate) mod split;
 pub(crate) mod studies;

@@ -9,9 +9,9 @@ use infoscene::geometry::SplitAxis;
 use infoscene::information::{
     LineKind, LineSample, chord_information, continuous_information, pair_losses,
 };
+use infoscene::question::{FormFactorRecord, PatchRecord};
 use infoscene::report::{
-    FormFactorRecord, Format, PatchRecord, Report, ReportError, Table, json_text,
-    write_form_factors, write_npy_row,
+    Format, Report, ReportError, Table, json_text, write_form_factors, write_npy_row,
 };
 use infoscene::scene::{NamedPatch, Obstacle, Occlusion, Scene, SceneError};
 use serde::Serialize;
@@ -304,7 +304,7 @@ fn form_factors_that_are_not_finite_are_named_in_every_format() {
     let plan = scene.exchange_areas().unwrap().summary().plan.clone();
     let patch = |index, area| PatchRecord {
         index,
-        name: "wall",
+        name: "wall".to_owned(),
         area,
     };
     let record = |value| FormFactorRecord {
