@@ -4,7 +4,6 @@ use super::{Answer, Outcome};
 use clap::builder::RangedI64ValueParser;
 use indicatif::style::TemplateError;
 use indicatif::{ProgressBar, ProgressStyle};
-use infoscene::numeric::interval::DecimalBounds;
 use infoscene::question::Unreached;
 use infoscene::report::{Format, Report};
 use std::fs;
@@ -289,15 +288,7 @@ pub(super) fn progress_bar(length: u64, unit: &str) -> Result<ProgressBar, Templ
     Ok(ProgressBar::new(length).with_style(ProgressStyle::with_template(&template)?))
 }
 
-/// More decimals than any precision leaves certain.
-pub(super) const MOST_DECIMALS: u32 = 100_000;
-
 /// Bits that an enclosure may be asked for.
 pub(super) fn precision() -> RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(53..=4096)
-}
-
-/// "between a and b", in decimals.
-pub(super) fn between(bounds: &DecimalBounds) -> String {
-    format!("between {} and {}", bounds.lower, bounds.upper)
 }

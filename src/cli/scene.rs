@@ -8,14 +8,16 @@ use infoscene::scene::files::NonPlanarFaces;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct SceneArgument {
-    /// A scene file (Wavefront .obj or View3D .vs3), or a built-in scene: two-squares, three-squares, cube:N, box:X,Y,Z, tetrahedron,
-    /// octahedron, dodecahedron, icosahedron or cornell-box.
+    /// A scene file (Wavefront .obj or View3D .vs3), or a built-in scene: two-squares,
+    /// three-squares, cube:N, box:X,Y,Z, tetrahedron, octahedron, dodecahedron, icosahedron or
+    /// cornell-box.
     scene: String,
     /// Split faces that are not planar into triangles.
     #[arg(long)]
     triangulate: bool,
     /// Quarter every patch so many times: triangles and quadrilaterals into four alike.
-    #[arg(long, value_name = "TIMES", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=8))]
+    #[arg(long, value_name = "TIMES", default_value_t = 0,
+        value_parser = clap::value_parser!(u32).range(0..=8))]
     subdivide: u32,
     /// Leave out that patches and obstructions hide others.
     #[arg(long)]

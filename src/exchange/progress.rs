@@ -22,8 +22,8 @@ use std::fmt;
 /// # Ok::<(), infoscene::scene::SceneError>(())
 /// ```
 pub trait Progress: Sync {
-    /// So many units of work begin, named in the plural: `pairs`, `cases`. Who does not care for
-    /// the total need not listen.
+    /// So many units of work begin, named in the plural: `pairs`, `cases`. A listener that needs no
+    /// total leaves it out.
     fn begin(&self, _units: u64, _name: &str) {}
 
     /// So many more units of work are finished: pairs, cases. It is called from any thread.

@@ -1,6 +1,7 @@
 //! The form factors of a scene: all, those of a row or a column, or one; and the whole matrix.
 //!
-//! **Memory** All pairs are held up to [`FormFactors::MOST_HELD`] rows; beyond that a row at a time.
+//! **Memory** All pairs are held up to [`FormFactors::MOST_HELD`] rows; beyond that one row at a
+//! time.
 
 use super::QuestionError;
 use super::scene::{SceneSource, pairs};

@@ -14,6 +14,7 @@ mod form_factor;
 mod geometry;
 mod information;
 mod numeric;
+mod question;
 mod reference;
 mod scene;
 mod study;
