@@ -31,7 +31,7 @@ pub enum QuestionError {
         largest: usize,
     },
     /// An enclosure was asked for of several cuts.
-    #[error("one cut is enclosed, and {parts} parts need another number of cuts")]
+    #[error("an enclosure is of one cut, into two parts, and here are {parts}")]
     SeveralCutsEnclosed {
         /// The number of parts.
         parts: u32,
