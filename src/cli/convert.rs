@@ -1,9 +1,10 @@
 //! `infoscene convert SCENE OUT`.
 
-use super::output::{check_place, write_file};
+use super::output::{check_place, say, write_file};
 use super::scene::SceneArgument;
 use super::{Answer, Outcome};
-use infoscene::scene::files::{write_obj, write_view3d};
+use infoscene::question::{self, SceneFormat};
+use std::error::Error;
 use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
@@ -17,29 +18,44 @@ pub(super) struct Convert {
 
 impl Convert {
     pub(super) fn answer(&self) -> Answer {
+        let question = question::Convert {
+            scene: self.scene.source(),
+            format: self.format()?,
+        };
+        let written = question.ask()?;
+        say(&written.notes);
+        // neither of the two if one cannot be
+        check_place(&self.out)?;
+        if let Some(materials) = &written.materials {
+            write_file(&self.materials(), materials.as_bytes())?;
+        }
+        write_file(&self.out, written.text.as_bytes())?;
+        Ok(Outcome::Done)
+    }
+
+    /// The file of materials.
+    fn materials(&self) -> PathBuf {
+        self.out.with_extension("mtl")
+    }
+
+    /// The format that the name of the file says.
+    fn format(&self) -> Result<SceneFormat, Box<dyn Error>> {
         let extension = self.out.extension().unwrap_or_default();
-        let is_view3d = extension.eq_ignore_ascii_case("vs3");
-        if !is_view3d && !extension.eq_ignore_ascii_case("obj") {
+        if extension.eq_ignore_ascii_case("vs3") {
+            return Ok(SceneFormat::View3d);
+        }
+        if !extension.eq_ignore_ascii_case("obj") {
             let out = self.out.display();
             let message = format!(
                 "{out}: a scene is written as .obj or .vs3, so let its name end in one of them"
             );
             return Err(message.into());
         }
-        let scene = self.scene.read()?;
-        scene.check_overlap()?;
-        if is_view3d {
-            write_file(&self.out, write_view3d(&scene)?.as_bytes())?;
-            return Ok(Outcome::Done);
-        }
-        let materials = self.out.with_extension("mtl");
+        let materials = self.materials();
         let name = materials.file_name().and_then(|name| name.to_str());
         let name = name.ok_or("the name of the file to write is not UTF-8: choose another one")?;
-        let written = write_obj(&scene, name)?;
-        // neither of the two if one cannot be
-        check_place(&self.out)?;
-        write_file(&materials, written.mtl.as_bytes())?;
-        write_file(&self.out, written.obj.as_bytes())?;
-        Ok(Outcome::Done)
+        Ok(SceneFormat::Obj {
+            materials: name.to_owned(),
+        })
     }
 }

@@ -1,25 +1,22 @@
-//! Which chain of a scene is meant, and the light that it takes.
+//! The arguments that describe a chain of a scene and its light.
 
-use super::patch_values::{Materials, PatchValue, values};
-use infoscene::exchange::ExchangeAreas;
-use infoscene::scene::{Material, Scene};
-use infoscene::transport::{RadiositySolution, RadiositySystem};
-use std::error::Error;
+use infoscene::question::{Light, MaterialChanges, PatchValue, SceneChain};
 
 #[derive(Debug, clap::Args)]
-pub(super) struct Light {
+pub(super) struct LightArguments {
     /// The chain that is meant.
-    #[arg(long, value_enum, default_value_t = Chain::Visibility)]
-    chain: Chain,
+    #[arg(long, value_enum, default_value_t = ChainName::Visibility)]
+    chain: ChainName,
     #[command(flatten)]
-    materials: Materials,
-    /// Direct importances, for the importance chain: PATCH=VALUE,…, or PATCH alone for 1; PATCH is an index, a name, or all.
+    materials: MaterialArguments,
+    /// Direct importances, for the importance chain: PATCH=VALUE,…, or PATCH alone for 1; PATCH is
+    /// an index, a name, or all.
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     importance: Vec<PatchValue>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Chain {
+enum ChainName {
     /// Weights are areas, transitions form factors.
     Visibility,
     /// Weighted with the radiosities: weights are generalised areas (§3.4).
@@ -28,37 +25,48 @@ enum Chain {
     Importance,
 }
 
-/// Light was described for a chain without any.
-#[derive(Debug, thiserror::Error)]
-#[error("the visibility chain has no light: add --chain radiosity or --chain importance")]
-struct NoLightMeant;
-
-impl Light {
-    /// Is it the visibility chain, which takes no light?
-    ///
-    /// # Errors
-    /// If light is described nevertheless.
-    pub(super) fn is_visibility(&self) -> Result<bool, Box<dyn Error>> {
-        let is_visibility = self.chain == Chain::Visibility;
-        if is_visibility && !(self.materials.is_empty() && self.importance.is_empty()) {
-            return Err(NoLightMeant.into());
+impl From<ChainName> for SceneChain {
+    fn from(name: ChainName) -> Self {
+        match name {
+            ChainName::Visibility => Self::Visibility,
+            ChainName::Radiosity => Self::Radiosity,
+            ChainName::Importance => Self::Importance,
         }
-        Ok(is_visibility)
+    }
+}
+
+impl LightArguments {
+    /// Is it the visibility chain, and no light described?
+    pub(super) fn is_absent(&self) -> bool {
+        self.light() == Light::default()
     }
 
-    /// The radiosities, or the reflected importances.
-    pub(super) fn brightness(
-        &self,
-        scene: &Scene,
-        exchange: &ExchangeAreas,
-    ) -> Result<RadiositySolution, Box<dyn Error>> {
-        let materials = self.materials.of(scene)?;
-        let room = RadiositySystem::of(exchange, &materials)?;
-        if self.chain == Chain::Importance {
-            let direct = values(&self.importance, scene)?;
-            return Ok(room.importance(&direct)?.reflected);
+    /// The chain that is meant, and its light.
+    pub(super) fn light(&self) -> Light {
+        Light {
+            chain: self.chain.into(),
+            materials: self.materials.changes(),
+            importance: self.importance.clone(),
         }
-        let emittances: Vec<f64> = materials.iter().map(Material::emittance).collect();
-        Ok(room.radiosity(&emittances)?)
+    }
+}
+
+/// Materials given beside the scene's own.
+#[derive(Debug, clap::Args)]
+pub(super) struct MaterialArguments {
+    /// Reflectances in place of the scene's: PATCH=VALUE,…; PATCH is an index, a name, or all.
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    reflectance: Vec<PatchValue>,
+    /// Emittances in place of the scene's: PATCH=VALUE,…, or PATCH alone for 1.
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    emittance: Vec<PatchValue>,
+}
+
+impl MaterialArguments {
+    pub(super) fn changes(&self) -> MaterialChanges {
+        MaterialChanges {
+            reflectance: self.reflectance.clone(),
+            emittance: self.emittance.clone(),
+        }
     }
 }

@@ -8,7 +8,7 @@ use infoscene::claims::ClaimError;
 use infoscene::discretize::DiscretizeError;
 use infoscene::exchange::ExchangeError;
 use infoscene::geometry::GeometryError;
-use infoscene::question::QuestionError;
+use infoscene::question::{PatchValueError, QuestionError};
 use infoscene::scene::SceneError;
 use infoscene::scene::files::{Fault, OpenError};
 use infoscene::study::StudyError;
@@ -44,7 +44,16 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
     if let Some(ClaimError::UnknownClaim { .. }) = error.downcast_ref() {
         return Some("; `infoscene reproduce` shows all ids");
     }
-    None
+    match error.downcast_ref()? {
+        QuestionError::OpenScene(_) => Some("; --open adds the state outside"),
+        QuestionError::NoLightMeant => Some(": add --chain radiosity or --chain importance"),
+        QuestionError::OccludedLines => Some(": leave out --unoccluded"),
+        QuestionError::TooManyPairs { .. } => {
+            Some(": choose with --from or --to, --matrix writes all")
+        }
+        QuestionError::SeveralCutsEnclosed { .. } => Some("; leave out --parts"),
+        _ => None,
+    }
 }
 
 /// The cause of an error. One that only passes on another's message has it inside.
@@ -96,6 +105,7 @@ fn cause<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'stati
         Some(QuestionError::Discretize(inner)) => return Some(inner),
         Some(QuestionError::Claim(inner)) => return Some(inner),
         Some(QuestionError::Study(inner)) => return Some(inner),
+        Some(QuestionError::PatchValue(PatchValueError::Scene(inner))) => return Some(inner),
         _ => {}
     }
     error.source()

@@ -14,11 +14,11 @@ mod light;
 mod measure;
 mod mends;
 mod output;
-mod patch_values;
+mod progress;
 mod radiosity;
 mod reproduce;
+mod sample;
 mod scene;
-mod scene_pairs;
 mod split;
 mod study;
 
@@ -53,6 +53,8 @@ enum Question {
     FormFactor(form_factor::FormFactor),
     /// Measure the information of a scene: entropies and mutual information.
     Measure(measure::Measure),
+    /// Estimate the information of a scene from random lines.
+    Sample(sample::Sample),
     /// Solve for the radiosities of a scene, and the importances.
     Radiosity(radiosity::Radiosity),
     /// Write a scene in another format.
@@ -114,6 +116,7 @@ fn answer(question: Question) -> Answer {
         Question::Grid(question) => question.answer(),
         Question::FormFactor(question) => question.answer(),
         Question::Measure(question) => question.answer(),
+        Question::Sample(question) => question.answer(),
         Question::Radiosity(question) => question.answer(),
         Question::Convert(question) => question.answer(),
         #[cfg(feature = "proptest")]

@@ -4,7 +4,7 @@ use super::{Answer, Outcome};
 use clap::builder::RangedI64ValueParser;
 use indicatif::style::TemplateError;
 use indicatif::{ProgressBar, ProgressStyle};
-use infoscene::numeric::interval::DecimalBounds;
+use infoscene::question::Unreached;
 use infoscene::report::{Format, Report};
 use std::fs;
 use std::io::{self, Write};
@@ -266,21 +266,29 @@ fn folder_of(path: &Path) -> io::Result<&Path> {
     Ok(folder)
 }
 
+/// Prints remarks on an answer to standard error.
+pub(super) fn say(notes: &[String]) {
+    for note in notes {
+        eprintln!("infoscene: {note}");
+    }
+}
+
+/// The exit status of an answer; a tolerance that it misses is named on standard error.
+pub(super) fn finished(unreached: Option<&Unreached>) -> Outcome {
+    let Some(unreached) = unreached else {
+        return Outcome::Done;
+    };
+    eprintln!("infoscene: {unreached}");
+    Outcome::Differs
+}
+
 /// A progress bar, drawn on a terminal only.
 pub(super) fn progress_bar(length: u64, unit: &str) -> Result<ProgressBar, TemplateError> {
     let template = format!("{{wide_bar}} {{pos}}/{{len}} {unit}, {{eta}} left");
     Ok(ProgressBar::new(length).with_style(ProgressStyle::with_template(&template)?))
 }
 
-/// More decimals than any precision leaves certain.
-pub(super) const MOST_DECIMALS: u32 = 100_000;
-
 /// Bits that an enclosure may be asked for.
 pub(super) fn precision() -> RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(53..=4096)
-}
-
-/// "between a and b", in decimals.
-pub(super) fn between(bounds: &DecimalBounds) -> String {
-    format!("between {} and {}", bounds.lower, bounds.upper)
 }

@@ -1,18 +1,23 @@
-//! SCENE: the argument that all questions about a scene share.
+//! SCENE: the arguments that questions about a scene share.
 
-use infoscene::scene::files::{NonPlanarFaces, OpenError, open};
-use infoscene::scene::{Occlusion, Scene};
+use infoscene::exchange::Congruence;
+use infoscene::form_factor::DEFAULT_TOLERANCE;
+use infoscene::question::SceneSource;
+use infoscene::scene::Occlusion;
+use infoscene::scene::files::NonPlanarFaces;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct SceneArgument {
-    /// A scene file (Wavefront .obj or View3D .vs3), or a built-in scene: two-squares, three-squares, cube:N, box:X,Y,Z, tetrahedron,
-    /// octahedron, dodecahedron, icosahedron or cornell-box.
+    /// A scene file (Wavefront .obj or View3D .vs3), or a built-in scene: two-squares,
+    /// three-squares, cube:N, box:X,Y,Z, tetrahedron, octahedron, dodecahedron, icosahedron or
+    /// cornell-box.
     scene: String,
     /// Split faces that are not planar into triangles.
     #[arg(long)]
     triangulate: bool,
     /// Quarter every patch so many times: triangles and quadrilaterals into four alike.
-    #[arg(long, value_name = "TIMES", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=8))]
+    #[arg(long, value_name = "TIMES", default_value_t = 0,
+        value_parser = clap::value_parser!(u32).range(0..=8))]
     subdivide: u32,
     /// Leave out that patches and obstructions hide others.
     #[arg(long)]
@@ -20,29 +25,57 @@ pub(super) struct SceneArgument {
 }
 
 impl SceneArgument {
-    /// The scene, whatever lies or stands in it; what its reader has to say goes to standard error.
-    pub(super) fn read(&self) -> Result<Scene, OpenError> {
-        let faces = if self.triangulate {
-            NonPlanarFaces::Triangulate
-        } else {
-            NonPlanarFaces::Refuse
-        };
-        let loaded = open(&self.scene, faces)?;
-        for note in &loaded.notes {
-            eprintln!("infoscene: {note}");
+    /// The scene that is meant.
+    pub(super) fn source(&self) -> SceneSource {
+        SceneSource {
+            faces: if self.triangulate {
+                NonPlanarFaces::Triangulate
+            } else {
+                NonPlanarFaces::Refuse
+            },
+            subdivide: self.subdivide,
+            occlusion: if self.unoccluded {
+                Occlusion::Ignore
+            } else {
+                Occlusion::Refuse
+            },
+            ..SceneSource::from(self.scene.as_str())
         }
-        if self.subdivide == 0 {
-            return Ok(loaded.scene);
-        }
-        Ok(loaded.scene.subdivided(self.subdivide)?.0)
+    }
+}
+
+/// The arguments that questions about the pairs of a scene share.
+#[derive(Debug, clap::Args)]
+pub(super) struct ScenePairsArguments {
+    #[command(flatten)]
+    scene: SceneArgument,
+    /// The relative error asked for of every form factor.
+    #[arg(long, value_name = "REL", default_value_t = DEFAULT_TOLERANCE, value_parser = relative)]
+    pub(super) tolerance: f64,
+    /// Compute congruent pairs, too.
+    #[arg(long, hide = true)]
+    every_pair: bool,
+}
+
+fn relative(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(number) if number > 0.0 && number < 1.0 => Ok(number),
+        _ => Err("it must be a number between 0 and 1".to_owned()),
+    }
+}
+
+impl ScenePairsArguments {
+    /// The scene that is meant.
+    pub(super) fn source(&self) -> SceneSource {
+        self.scene.source()
     }
 
-    /// What is asked for where something may stand between two patches.
-    pub(super) const fn occlusion(&self) -> Occlusion {
-        if self.unoccluded {
-            Occlusion::Ignore
+    /// The treatment of congruent pairs.
+    pub(super) const fn congruence(&self) -> Congruence {
+        if self.every_pair {
+            Congruence::Ignored
         } else {
-            Occlusion::Refuse
+            Congruence::Shared
         }
     }
 }

@@ -23,7 +23,11 @@ use std::fmt;
 /// # Ok::<(), infoscene::exchange::ExchangeError>(())
 /// ```
 pub trait Progress: Sync {
-    /// Reports that so many more units of work (pairs, cases) are finished; any thread may call it.
+    /// Reports that so many units of work begin, named in the plural: `pairs`, `cases`. A listener
+    /// that needs no total leaves it out.
+    fn begin(&self, _units: u64, _name: &str) {}
+
+    /// Reports that so many more units of work are finished; any thread may call it.
     fn advance(&self, finished: usize);
 }
 

@@ -1,16 +1,50 @@
 //! The refusals of questions.
 
+use super::patch_values::PatchValueError;
 use crate::chain::ChainError;
 use crate::claims::ClaimError;
 use crate::discretize::DiscretizeError;
 use crate::exchange::ExchangeError;
 use crate::scene::SceneError;
+use crate::scene::files::{NotExpressible, OpenError};
 use crate::transport::TransportError;
 
 /// A question cannot be answered.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum QuestionError {
+    /// The scene is open, and no state was asked for that takes what escapes.
+    #[error(transparent)]
+    OpenScene(ExchangeError),
+    /// Light was described for the visibility chain.
+    #[error("the visibility chain has no light")]
+    NoLightMeant,
+    /// Lines at random were to pass through what is in the way.
+    #[error("lines at random end at what they first meet")]
+    OccludedLines,
+    /// All pairs were asked for, and there are too many to list.
+    #[error("{patches} patches have too many pairs to list, {largest} are possible")]
+    TooManyPairs {
+        /// The number of patches.
+        patches: usize,
+        /// The largest number whose pairs are listed.
+        largest: usize,
+    },
+    /// An enclosure was asked for of several cuts.
+    #[error("an enclosure is of one cut, into two parts, and here are {parts}")]
+    SeveralCutsEnclosed {
+        /// The number of parts.
+        parts: u32,
+    },
+    /// A format has no words for the scene.
+    #[error(transparent)]
+    NotExpressible(#[from] NotExpressible),
+    /// A value for some patches was refused.
+    #[error(transparent)]
+    PatchValue(#[from] PatchValueError),
+    /// The scene could not be opened.
+    #[error(transparent)]
+    Open(#[from] OpenError),
     /// The scene was refused.
     #[error(transparent)]
     Scene(#[from] SceneError),

@@ -7,29 +7,53 @@
 //!
 //! **Not here**: formats, arguments, files that answers are written to.
 
+mod convert;
 mod curve;
 mod cut;
 mod decimals;
 mod error;
+mod form_factors;
 #[cfg(all(feature = "proptest", feature = "report"))]
 mod fuzz;
 mod grid;
+mod light;
+mod measure;
+mod patch_values;
+mod radiosity;
 mod reproduce;
+mod sample;
 mod sampled_information;
+mod scene;
+mod split;
 #[cfg(feature = "report")]
 mod study;
 #[cfg(feature = "report")]
 mod study_rows;
+mod unreached;
 
+pub use convert::{Convert, ConvertAnswer, SceneFormat};
 pub use curve::{Curve, CurveAnswer, CurvePoint};
 pub use cut::{Cut, CutAnswer, CutEnclosures, Cuts, CutsAnswer, IrradianceExponent};
 pub use error::QuestionError;
+pub use form_factors::{
+    FormFactorMatrix, FormFactorRecord, FormFactors, FormFactorsAnswer, PatchRecord,
+};
 #[cfg(all(feature = "proptest", feature = "report"))]
 pub use fuzz::{Fuzz, FuzzAnswer};
 pub use grid::{Grid, GridAnswer, GridEnclosures, GridLines, GridSample};
+pub use light::{Light, SceneChain};
+pub use measure::{
+    Contribution, FacePairRecord, Measure, MeasureAnswer, PairLossRecord, RowSumRecord,
+};
+pub use patch_values::{MaterialChanges, PatchValue, PatchValueError};
+pub use radiosity::{PatchLight, Power, Radiosity, RadiosityAnswer};
 pub use reproduce::{JudgedClaim, Reproduce, ReproduceAnswer};
+pub use sample::{Sample, SampleAnswer};
 pub use sampled_information::SampledInformation;
+pub use scene::{SceneOrigin, SceneSource};
+pub use split::{Split, SplitAnswer, SplitEnclosures};
 #[cfg(feature = "report")]
 pub use study::{Study, StudyAnswer, StudySubject};
 #[cfg(feature = "report")]
 pub use study_rows::{DirectionRecord, LimitRecord, ProfileRecord};
+pub use unreached::Unreached;

@@ -16,7 +16,7 @@ pub use answers::claims::{curve_figure, curve_report, reproduction_report};
 pub use answers::claims_page::{claims_page, first_verdicts};
 pub use answers::cuts::{cut_report, cuts_figure, cuts_report};
 pub use answers::findings::findings_page;
-pub use answers::form_factors::{FormFactorRecord, PatchRecord, write_form_factors};
+pub use answers::form_factors::write_form_factors;
 #[cfg(feature = "proptest")]
 pub use answers::fuzz::fuzz_report;
 pub use answers::grid::grid_report;
@@ -24,6 +24,7 @@ pub use answers::measure::measure_report;
 pub(crate) use answers::measure::plan_notes;
 pub use answers::radiosity::radiosity_report;
 pub use answers::sampled::sample_report;
+pub use answers::split::split_report;
 pub use answers::studies::{study_figure, study_report};
 pub use error::ReportError;
 pub use render::document::{Format, Report, json_text};

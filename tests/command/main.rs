@@ -5,6 +5,7 @@
     reason = "a test may panic, and compares what is exact"
 )]
 
+mod answers;
 #[cfg(feature = "proptest")]
 mod fuzzing;
 mod gradient_cuts;

@@ -1,7 +1,7 @@
-//! Form factors as records, written as they are made into text: there may be very many of them.
+//! Form factors in any format, written as they are made: there may be very many of them.
 
 use crate::exchange::PlanSummary;
-use crate::form_factor::Answer;
+use crate::question::{FormFactorRecord, PatchRecord};
 use crate::report::render::finite;
 use crate::report::{Format, ReportError, Table, certain_digits, plan_notes, scientific};
 use serde::ser::{Error as _, SerializeSeq};
@@ -12,50 +12,9 @@ use std::io::Write;
 /// Pairs that a table shows; records carry all.
 const MOST_ROWS: usize = 1000;
 
-/// A form factor as a record: the keys are relied on by scripts.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct FormFactorRecord {
-    /// The patch that sends.
-    pub from: usize,
-    /// The patch that receives.
-    pub to: usize,
-    /// `F`, from 0 to 1.
-    pub value: f64,
-    /// A bound on its absolute error.
-    pub error: f64,
-    /// How it was found.
-    pub route: &'static str,
-}
-
-impl FormFactorRecord {
-    /// The form factor from a patch of this area, with the bound on its rounding and the quotient's.
-    #[must_use]
-    pub fn new([from, to]: [usize; 2], [area, bound]: [f64; 2], answer: &Answer) -> Self {
-        let value = answer.exchange.value / area;
-        Self {
-            from,
-            to,
-            value,
-            error: answer.exchange.error / area + bound / area * value,
-            route: answer.route.name(),
-        }
-    }
-}
-
-/// A patch, or several that are summed, as a record.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct PatchRecord<'p> {
-    /// Its number, from 0.
-    pub index: usize,
-    /// Its name, or that of the first.
-    pub name: &'p str,
-    /// Its area, without what lies in it.
-    pub area: f64,
-}
-
 #[derive(Serialize)]
 struct Document<'p, R> {
-    patches: &'p [PatchRecord<'p>],
+    patches: &'p [PatchRecord],
     form_factors: R,
     plan: &'p PlanSummary,
 }
@@ -91,7 +50,7 @@ impl<I: Iterator<Item = Result<FormFactorRecord, ReportError>>> Serialize for Re
 /// before it is no answer. [`ReportError::Write`], [`ReportError::Csv`] or [`ReportError::Json`] if
 /// the text cannot be written.
 pub fn write_form_factors(
-    patches: &[PatchRecord<'_>],
+    patches: &[PatchRecord],
     records: impl Iterator<Item = FormFactorRecord>,
     plan: &PlanSummary,
     format: Format,
@@ -140,7 +99,7 @@ pub fn write_form_factors(
 }
 
 fn table(
-    patches: &[PatchRecord<'_>],
+    patches: &[PatchRecord],
     mut records: impl Iterator<Item = Result<FormFactorRecord, ReportError>>,
     plan: &PlanSummary,
 ) -> Result<Table, ReportError> {

@@ -16,4 +16,5 @@ pub(crate) mod grid;
 pub(crate) mod measure;
 pub(crate) mod radiosity;
 pub(crate) mod sampled;
+pub(crate) mod split;
 pub(crate) mod studies;

@@ -1,25 +1,7 @@
-//! The information of a scene, sampled.
+//! The table of a scene's information from random lines.
 
-use crate::information::LineSample;
-use crate::numeric::Grade;
-use crate::question::SampledInformation;
+use crate::question::{SampleAnswer, SampledInformation};
 use crate::report::{Report, ReportError, Table, certain_digits, scientific};
-use crate::scene::Scene;
-
-/// The answer as a record: the keys are relied on by scripts.
-#[derive(Debug, serde::Serialize)]
-struct Record {
-    patches: usize,
-    total_area: f64,
-    /// Always none: that of the pairs, which are not computed.
-    mutual_information: Option<f64>,
-    continuous_mutual_information: Option<f64>,
-    continuous_standard_error: Option<f64>,
-    continuous_error_grade: Option<Grade>,
-    lines: u32,
-    seed: u64,
-    sampled: SampledInformation,
-}
 
 /// Rows of a table with the estimates from random lines.
 pub(crate) fn sampled_rows(sampled: &SampledInformation) -> Vec<(&'static str, String)> {
@@ -72,51 +54,32 @@ pub(crate) fn sampled_rows(sampled: &SampledInformation) -> Vec<(&'static str, S
     rows
 }
 
-/// What random lines from this seed say about a scene; beside it the exact mutual information and the expected bias of the plug-in
-/// estimate, where they are known, and the continuous mutual information, if it is asked for.
+/// Renders the estimates of a scene's information from random lines.
 ///
 /// # Errors
 /// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
-pub fn sample_report(
-    scene: &Scene,
-    sample: &LineSample,
-    exact: Option<[f64; 2]>,
-    continuous: bool,
-    seed: u64,
-) -> Result<Report, ReportError> {
-    let chords = continuous.then_some(sample.chords);
-    let record = Record {
-        patches: scene.group_count(),
-        total_area: scene.total_area(),
-        mutual_information: None,
-        continuous_mutual_information: chords.map(|chords| chords.mutual_information),
-        continuous_standard_error: chords.map(|chords| chords.standard_error),
-        continuous_error_grade: chords.map(|_| Grade::Sample),
-        lines: sample.lines,
-        seed,
-        sampled: SampledInformation::new(sample, seed, exact),
-    };
+pub fn sample_report(answer: &SampleAnswer) -> Result<Report, ReportError> {
+    let rows = lines_of(answer).into_iter();
     let table = Table {
         columns: vec!["quantity", "value"],
-        rows: lines_of(&record)
-            .into_iter()
+        rows: rows
             .map(|(quantity, value)| vec![quantity.to_owned(), value])
             .collect(),
-        notes: vec![("sampled".to_owned(), note(&record.sampled))],
+        notes: vec![("sampled".to_owned(), note(&answer.sampled))],
         ..Table::default()
     };
-    Report::one(table, &record)
+    Report::one(table, answer)
 }
 
-fn lines_of(record: &Record) -> Vec<(&'static str, String)> {
-    let mut rows = vec![("patches", record.patches.to_string())];
-    rows.extend(sampled_rows(&record.sampled));
-    if let Some(exact) = record.sampled.exact_mutual_information {
+fn lines_of(answer: &SampleAnswer) -> Vec<(&'static str, String)> {
+    let mut rows = vec![("patches", answer.patches.to_string())];
+    rows.extend(sampled_rows(&answer.sampled));
+    if let Some(exact) = answer.sampled.exact_mutual_information {
         rows.push(("exact, bits", format!("{exact:.9}")));
     }
-    let continuous = record
+    let continuous = answer
         .continuous_mutual_information
-        .zip(record.continuous_standard_error);
+        .zip(answer.continuous_standard_error);
     if let Some((value, error)) = continuous {
         let digits = certain_digits(value, error);
         rows.push(("continuous mutual information, bits", format!("({digits})")));
@@ -126,13 +89,14 @@ fn lines_of(record: &Record) -> Vec<(&'static str, String)> {
 }
 
 fn note(sampled: &SampledInformation) -> String {
-    let bias = "the plug-in estimate lies above the exact value by some (pairs)/(2 N ln 2), all estimates by part of what pairs not met yet \
-                would add";
+    let bias = "the plug-in estimate lies above the exact value by some (pairs)/(2 N ln 2), all \
+                estimates by part of what pairs not met yet would add";
     if sampled.confidence_interval.is_some() {
         bias.to_owned()
     } else {
         format!(
-            "{bias}: take more lines, until the {} bit taken off for these are below the standard error",
+            "{bias}: take more lines, until the {} bit taken off for these are below the standard \
+             error",
             scientific(sampled.taken_for_unseen)
         )
     }

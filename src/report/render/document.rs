@@ -69,6 +69,33 @@ impl Report {
         })
     }
 
+    /// An answer that is one record, of which a list of records under `key` is most. The list comes
+    /// first in JSON, and makes the lines of comma-separated values.
+    ///
+    /// # Errors
+    /// As [`one`](Self::one); [`ReportError::Json`] if there is no list of records under `key`.
+    pub fn list_in(
+        table: Table,
+        key: &'static str,
+        record: &impl serde::Serialize,
+    ) -> Result<Self, ReportError> {
+        let mut summary = flat(record, finite::check(record))?;
+        let records = match summary.shift_remove(key) {
+            Some(Value::Array(list)) => list.into_iter().map(as_map).collect::<Result<_, _>>()?,
+            _ => {
+                let message = format!("a record must have a list under {key:?}");
+                return Err(ReportError::Json(serde::ser::Error::custom(message)));
+            }
+        };
+        Ok(Self {
+            table,
+            records,
+            list_key: Some(key),
+            title: None,
+            summary,
+        })
+    }
+
     /// Adds a name under `key`, before the list of records in JSON.
     #[must_use]
     pub const fn entitled(mut self, key: &'static str, name: &'static str) -> Self {
@@ -163,7 +190,11 @@ fn flat(
     checked: Result<(), ReportError>,
 ) -> Result<Map<String, Value>, ReportError> {
     checked?;
-    match serde_json::to_value(record)? {
+    as_map(serde_json::to_value(record)?)
+}
+
+fn as_map(value: Value) -> Result<Map<String, Value>, ReportError> {
+    match value {
         Value::Object(map) => Ok(map),
         other => {
             let message = format!("a record must be a map, not {other}");

@@ -3,4 +3,5 @@
 mod cut;
 mod grid;
 mod reproduce;
+mod scenes;
 mod studies;

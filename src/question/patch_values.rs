@@ -1,24 +1,54 @@
 //! Numbers for some patches of a scene: `floor=0.5,3=1`.
 
-use infoscene::scene::{Material, MaterialError, Scene, SceneError};
+use crate::scene::{Material, MaterialError, Scene, SceneError};
 use std::str::FromStr;
 
-/// `PATCH=VALUE`, or `PATCH` alone for 1; PATCH is an index, a name, or `all`.
+/// A number for some patches: `PATCH=VALUE`, or `PATCH` alone for 1.
+///
+/// # Examples
+/// ```
+/// use infoscene::question::PatchValue;
+/// let lamp: PatchValue = "lamp=2.5".parse()?;
+/// assert_eq!((lamp.patch.as_str(), lamp.value), ("lamp", 2.5));
+/// # Ok::<(), infoscene::question::PatchValueError>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct PatchValue {
-    patch: String,
-    value: f64,
+pub struct PatchValue {
+    /// The patches: the index of a row, a name, which may be that of several, or `all`.
+    pub patch: String,
+    /// The number.
+    pub value: f64,
 }
 
 /// A patch or its value was refused.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub(super) enum PatchValueError {
-    #[error("{0:?} is not a number: write PATCH=VALUE")]
-    NotANumber(String),
-    #[error("there is no patch {0:?}: name one, give its index from 0 to {1}, or say all")]
-    NoSuchPatch(String, usize),
-    #[error("patch {0} ({1}): {2}")]
-    Material(usize, String, MaterialError),
+#[non_exhaustive]
+pub enum PatchValueError {
+    /// The text after the equals sign is not a number.
+    #[error("{text:?} is not a number: write PATCH=VALUE")]
+    NotANumber {
+        /// The text.
+        text: String,
+    },
+    /// No row has this index or this name.
+    #[error("there is no patch {patch:?}: name one, give its index from 0 to {last}, or say all")]
+    NoSuchPatch {
+        /// The index or name.
+        patch: String,
+        /// The largest index.
+        last: usize,
+    },
+    /// A reflectance or an emittance is out of range.
+    #[error("patch {row} ({name}): {source}")]
+    Material {
+        /// The row, from 0.
+        row: usize,
+        /// Its name.
+        name: String,
+        /// The reason.
+        source: MaterialError,
+    },
+    /// The scene has no material for a row.
     #[error(transparent)]
     Scene(#[from] SceneError),
 }
@@ -31,7 +61,9 @@ impl FromStr for PatchValue {
             None => (text, 1.0),
             Some((patch, value)) => {
                 let number = value.trim().parse();
-                let number = number.map_err(|_| PatchValueError::NotANumber(value.to_owned()))?;
+                let number = number.map_err(|_| PatchValueError::NotANumber {
+                    text: value.to_owned(),
+                })?;
                 (patch, number)
             }
         };
@@ -56,8 +88,10 @@ impl PatchValue {
             }
         };
         if meant.is_empty() {
-            let last = names.len() - 1;
-            return Err(PatchValueError::NoSuchPatch(self.patch.clone(), last));
+            return Err(PatchValueError::NoSuchPatch {
+                patch: self.patch.clone(),
+                last: names.len() - 1,
+            });
         }
         Ok(meant)
     }
@@ -75,25 +109,28 @@ pub(super) fn values(given: &[PatchValue], scene: &Scene) -> Result<Vec<f64>, Pa
     Ok(values)
 }
 
-/// Materials given beside the scene's own.
-#[derive(Debug, clap::Args)]
-pub(super) struct Materials {
-    /// Reflectances in place of the scene's: PATCH=VALUE,…; PATCH is an index, a name, or all.
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    reflectance: Vec<PatchValue>,
-    /// Emittances in place of the scene's: PATCH=VALUE,…, or PATCH alone for 1.
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    emittance: Vec<PatchValue>,
+/// Reflectances and emittances in place of the scene's own.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct MaterialChanges {
+    /// Reflectances; of several for one patch the last counts.
+    pub reflectance: Vec<PatchValue>,
+    /// Emittances, likewise.
+    pub emittance: Vec<PatchValue>,
 }
 
-impl Materials {
+impl MaterialChanges {
     /// Is none given?
-    pub(super) const fn is_empty(&self) -> bool {
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
         self.reflectance.is_empty() && self.emittance.is_empty()
     }
 
     /// The materials of the scene's rows, with these in place of its own.
-    pub(super) fn of(&self, scene: &Scene) -> Result<Vec<Material>, PatchValueError> {
+    ///
+    /// # Errors
+    /// [`PatchValueError::NoSuchPatch`], [`PatchValueError::Material`]; [`PatchValueError::Scene`]
+    /// if patches that are summed differ in their materials.
+    pub fn of(&self, scene: &Scene) -> Result<Vec<Material>, PatchValueError> {
         let names = scene.group_names();
         let own = (0..names.len()).map(|row| scene.group_material(row));
         let mut numbers = Vec::with_capacity(names.len());
@@ -111,8 +148,10 @@ impl Materials {
         let materials = numbers.into_iter().zip(names).enumerate();
         materials
             .map(|(row, ([reflectance, emittance], name))| {
-                Material::try_new(reflectance, emittance)
-                    .map_err(|error| PatchValueError::Material(row, name.to_owned(), error))
+                Material::try_new(reflectance, emittance).map_err(|source| {
+                    let name = name.to_owned();
+                    PatchValueError::Material { row, name, source }
+                })
             })
             .collect()
     }

@@ -1,0 +1,299 @@
+//! The form factors of a scene: all, those of a row or a column, or one; and the whole matrix.
+//!
+//! **Memory** All pairs are held up to [`FormFactors::MOST_HELD`] rows; beyond that one row at a
+//! time.
+
+use super::QuestionError;
+use super::scene::{SceneSource, pairs};
+use super::unreached::Unreached;
+use crate::exchange::{
+    Congruence, Entry, ExchangeAreas, ExchangeError, PassSummary, PlanSummary, Progress, ScenePairs,
+};
+use crate::form_factor::{Answer, DEFAULT_TOLERANCE};
+use crate::scene::{Occlusion, Scene};
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
+
+/// The question for the form factors of a scene.
+///
+/// # Examples
+/// ```
+/// use infoscene::exchange::Unheard;
+/// use infoscene::question::FormFactors;
+/// let squares = FormFactors {
+///     scene: "two-squares".into(),
+///     from: Some(0),
+///     to: Some(1),
+///     ..FormFactors::default()
+/// };
+/// // Howell, C-14: unit squares with a common edge
+/// let answer = squares.ask(&Unheard)?;
+/// let one = answer.records().next().map_or(f64::NAN, |record| record.value);
+/// assert!((one - 0.200_043_776_075_4).abs() < 1e-13);
+/// # Ok::<(), infoscene::question::QuestionError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct FormFactors {
+    /// The scene.
+    pub scene: SceneSource,
+    /// The relative error asked for of every form factor.
+    pub tolerance: f64,
+    /// The treatment of congruent pairs.
+    pub congruence: Congruence,
+    /// The row that sends; all if there is none.
+    pub from: Option<usize>,
+    /// The row that receives; all if there is none.
+    pub to: Option<usize>,
+    /// Is the whole matrix asked for, too?
+    pub matrix: bool,
+}
+
+impl Default for FormFactors {
+    /// All pairs, to the default tolerance.
+    fn default() -> Self {
+        Self {
+            scene: SceneSource::default(),
+            tolerance: DEFAULT_TOLERANCE,
+            congruence: Congruence::Shared,
+            from: None,
+            to: None,
+            matrix: false,
+        }
+    }
+}
+
+/// A form factor as a record: the keys are relied on by scripts.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct FormFactorRecord {
+    /// The patch that sends.
+    pub from: usize,
+    /// The patch that receives.
+    pub to: usize,
+    /// `F`, from 0 to 1.
+    pub value: f64,
+    /// A bound on its absolute error.
+    pub error: f64,
+    /// The name of the route by which it was found.
+    pub route: &'static str,
+}
+
+impl FormFactorRecord {
+    /// The form factor from a patch of this area, with the bound on its rounding and the quotient's.
+    fn new([from, to]: [usize; 2], [area, bound]: [f64; 2], answer: &Answer) -> Self {
+        let value = answer.exchange.value / area;
+        Self {
+            from,
+            to,
+            value,
+            error: answer.exchange.error / area + bound / area * value,
+            route: answer.route.name(),
+        }
+    }
+}
+
+/// A patch, or several that are summed, as a record.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct PatchRecord {
+    /// Its number, from 0.
+    pub index: usize,
+    /// Its name, or that of the first.
+    pub name: String,
+    /// Its area, without what lies in it.
+    pub area: f64,
+}
+
+/// The form factors of a scene. The records are made as they are read: there may be very many.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct FormFactorsAnswer<'p> {
+    /// The rows.
+    pub patches: Vec<PatchRecord>,
+    /// The pairs that were left out, shared and computed.
+    pub plan: PlanSummary,
+    /// The pairs that miss the tolerance, if some do; those of the matrix's pass come with it.
+    pub unreached: Option<Unreached>,
+    /// Remarks of the scene's reader.
+    pub notes: Vec<String>,
+    pairs: ScenePairs<'p>,
+    /// All pairs, if they are held.
+    held: Option<ExchangeAreas>,
+    /// The pairs of a row or a column, if only these are asked for.
+    part: Option<Vec<Entry>>,
+    has_matrix: bool,
+}
+
+impl FormFactors {
+    /// The number of rows up to which all pairs are held: 2.3 GB.
+    pub const MOST_HELD: usize = 16_384;
+
+    /// Computes the form factors.
+    ///
+    /// # Errors
+    /// [`QuestionError::TooManyPairs`] if all pairs are asked for of more than
+    /// [`MOST_HELD`](Self::MOST_HELD) rows; the errors of the scene and of its pairs.
+    pub fn ask<'p>(
+        &self,
+        progress: &'p dyn Progress,
+    ) -> Result<FormFactorsAnswer<'p>, QuestionError> {
+        let loaded = self.scene.open()?;
+        let scene = loaded.scene;
+        let rows = scene.group_count();
+        let is_part = self.from.is_some() || self.to.is_some();
+        if !is_part && rows > Self::MOST_HELD {
+            return Err(QuestionError::TooManyPairs {
+                patches: rows,
+                largest: Self::MOST_HELD,
+            });
+        }
+        let pairs = self.pairs(&scene, progress)?;
+        let held = if rows <= Self::MOST_HELD && (!is_part || self.matrix) {
+            Some(pairs.exchange_areas()?)
+        } else {
+            None
+        };
+        let part = if is_part {
+            Some(pairs.entries(self.from, self.to)?)
+        } else {
+            None
+        };
+        let names = scene.group_names();
+        // the pass over more pairs has seen the worst of them
+        let passes = [
+            held.as_ref().map(ExchangeAreas::summary),
+            part.as_ref().map(|(_, summary)| summary),
+        ];
+        let widest = passes.into_iter().flatten();
+        let widest = widest.max_by_key(|summary| summary.plan.pairs);
+        let unreached =
+            widest.and_then(|summary| Unreached::pairs(&names, summary, pairs.tolerance()));
+        let listed = passes.into_iter().flatten().next_back();
+        let plan = listed.map(|summary| summary.plan.clone());
+        let patches = names.into_iter().zip(pairs.areas()).enumerate();
+        let patches = patches.map(|(index, (name, area))| PatchRecord {
+            index,
+            name: name.to_owned(),
+            area: *area,
+        });
+        Ok(FormFactorsAnswer {
+            patches: patches.collect(),
+            plan: plan.unwrap_or_default(),
+            unreached,
+            notes: loaded.notes,
+            held,
+            part: part.map(|(entries, _)| entries),
+            has_matrix: self.matrix,
+            pairs,
+        })
+    }
+
+    /// The pairs of the scene; if only those of some rows are asked for, something may stand
+    /// between the others.
+    fn pairs<'p>(
+        &self,
+        scene: &Scene,
+        progress: &'p dyn Progress,
+    ) -> Result<ScenePairs<'p>, ExchangeError> {
+        if self.scene.occlusion == Occlusion::Refuse {
+            // the matrix wants all rows
+            let asked = |row: Option<usize>| row.filter(|_| !self.matrix);
+            scene.check_rows_unblocked(asked(self.from), asked(self.to))?;
+        }
+        let asked = (self.tolerance, self.congruence);
+        pairs(scene, Occlusion::Ignore, asked, progress)
+    }
+}
+
+impl FormFactorsAnswer<'_> {
+    /// The form factors that were asked for, each made as it is read.
+    pub fn records(&self) -> impl Iterator<Item = FormFactorRecord> + '_ {
+        let areas = self.pairs.areas().iter().zip(self.pairs.area_bounds());
+        let areas: Vec<[f64; 2]> = areas.map(|(area, bound)| [*area, *bound]).collect();
+        let part = self.part.iter().flatten();
+        let part = part.map({
+            let areas = areas.clone();
+            move |Entry { from, to, answer }| {
+                FormFactorRecord::new([*from, *to], areas[*from], answer)
+            }
+        });
+        let all = 0..self.patches.len();
+        let held = self.held.iter().filter(|_| self.part.is_none());
+        let held = held.flat_map(move |held| {
+            let (areas, others) = (areas.clone(), all.clone());
+            all.clone().flat_map(move |from| {
+                let area = areas[from];
+                others
+                    .clone()
+                    .filter(move |to| *to != from || held.sees_itself(from))
+                    .map(move |to| FormFactorRecord::new([from, to], area, &held.get(from, to)))
+            })
+        });
+        part.chain(held)
+    }
+
+    /// The whole matrix, if it was asked for.
+    #[must_use]
+    pub fn matrix(&self) -> Option<FormFactorMatrix<'_>> {
+        self.has_matrix.then_some(FormFactorMatrix(self))
+    }
+}
+
+impl Serialize for FormFactorsAnswer<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        struct Records<'a>(&'a FormFactorsAnswer<'a>);
+        impl Serialize for Records<'_> {
+            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                serializer.collect_seq(self.0.records())
+            }
+        }
+        let mut record = serializer.serialize_struct("FormFactorsAnswer", 3)?;
+        record.serialize_field("patches", &self.patches)?;
+        record.serialize_field("form_factors", &Records(self))?;
+        record.serialize_field("plan", &self.plan)?;
+        record.end()
+    }
+}
+
+/// The matrix of a scene's form factors, a row at a time.
+#[derive(Debug)]
+pub struct FormFactorMatrix<'a>(&'a FormFactorsAnswer<'a>);
+
+impl FormFactorMatrix<'_> {
+    /// The number of rows, and of columns.
+    #[must_use]
+    pub const fn rows(&self) -> usize {
+        self.0.patches.len()
+    }
+
+    /// Shows all rows in order; if all pairs are not held, they are computed on the way.
+    ///
+    /// **Returns** the pairs that miss the tolerance, if some do.
+    ///
+    /// # Errors
+    /// [`ExchangeError::Pair`] if two patches are refused, or what `visit` returns.
+    pub fn for_each_row<E: From<ExchangeError>>(
+        &self,
+        mut visit: impl FnMut(usize, &[f64]) -> Result<(), E>,
+    ) -> Result<Option<Unreached>, E> {
+        let FormFactorsAnswer { pairs, held, .. } = self.0;
+        let n = self.rows();
+        let mut row = vec![0.0; n];
+        if let Some(held) = held {
+            for (from, area) in pairs.areas().iter().enumerate() {
+                for (to, entry) in row.iter_mut().enumerate() {
+                    *entry = held.get(from, to).exchange.value / area;
+                }
+                visit(from, &row)?;
+            }
+            return Ok(self.0.unreached.clone());
+        }
+        let summary: PassSummary = pairs.for_each_row(|from, answers| {
+            let area = pairs.areas()[from];
+            for (entry, answer) in row.iter_mut().zip(answers) {
+                *entry = answer.exchange.value / area;
+            }
+            visit(from, &row)
+        })?;
+        let names: Vec<&str> = self.0.patches.iter().map(|row| row.name.as_str()).collect();
+        Ok(Unreached::pairs(&names, &summary, pairs.tolerance()))
+    }
+}

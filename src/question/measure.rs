@@ -1,0 +1,309 @@
+//! The information of a scene: entropies, mutual information, and what is lost of the continuous
+//! one.
+
+use super::QuestionError;
+use super::light::Light;
+use super::scene::SceneSource;
+use super::unreached::Unreached;
+use crate::chain::ChainError;
+use crate::exchange::{Congruence, ExchangeError, PlanSummary, Progress};
+use crate::form_factor::DEFAULT_TOLERANCE;
+use crate::information::{
+    ContinuousInformation, FacePair, OpenScene, PairLoss, SceneInformation, brightness_information,
+    continuous_information, pair_losses, scene_information,
+};
+use crate::numeric::Grade;
+use crate::scene::{NamedPatch, Occlusion, Scene};
+
+/// The question for the information of a scene.
+///
+/// # Examples
+/// ```
+/// use infoscene::exchange::Unheard;
+/// use infoscene::question::Measure;
+/// let cube = Measure { scene: "cube:1".into(), ..Measure::default() };
+/// // one patch per face, from a 50-digit evaluation
+/// let measured = cube.ask(&Unheard)?;
+/// assert!((measured.mutual_information - 0.263_034_544_099_12).abs() < 1e-14);
+/// # Ok::<(), infoscene::question::QuestionError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measure {
+    /// The scene.
+    pub scene: SceneSource,
+    /// The relative error asked for of every form factor.
+    pub tolerance: f64,
+    /// The treatment of congruent pairs.
+    pub congruence: Congruence,
+    /// The chain that is meant, and its light.
+    pub light: Light,
+    /// The treatment of power that meets no patch; light needs no state for it.
+    pub open_scene: OpenScene,
+    /// Is the continuous mutual information asked for, too? The room must be closed and convex
+    /// inside.
+    pub continuous: bool,
+    /// Are the losses of the pairs of patches asked for, too?
+    pub pairs: bool,
+}
+
+impl Default for Measure {
+    /// The visibility chain of a closed scene, to the default tolerance.
+    fn default() -> Self {
+        Self {
+            scene: SceneSource::default(),
+            tolerance: DEFAULT_TOLERANCE,
+            congruence: Congruence::Shared,
+            light: Light::default(),
+            open_scene: OpenScene::Refuse,
+            continuous: false,
+            pairs: false,
+        }
+    }
+}
+
+/// The information of a scene, as a record whose keys are relied on by scripts.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+#[non_exhaustive]
+pub struct MeasureAnswer {
+    /// The number of rows: patches, of which those that are summed count as one.
+    pub patches: usize,
+    /// The sum of their areas.
+    pub total_area: f64,
+    /// Do all rows of form factors sum to one?
+    pub closed: bool,
+    /// Positional entropy, eq. (1), in bits.
+    pub positional_entropy: f64,
+    /// Entropy rate, eq. (2), in bits.
+    pub entropy_rate: f64,
+    /// Mutual information, eq. (3), in bits.
+    pub mutual_information: f64,
+    /// Continuous mutual information, eq. (4), in bits, if it was asked for.
+    pub continuous_mutual_information: Option<f64>,
+    /// Its error.
+    pub continuous_error: Option<f64>,
+    /// The grade of its error.
+    pub continuous_error_grade: Option<Grade>,
+    /// The terms of pairs of faces in it, both directions together.
+    pub continuous_contributions: Option<Vec<FacePairRecord>>,
+    /// The terms of pairs of patches in (3) and (4), and their differences.
+    pub pair_losses: Option<Vec<PairLossRecord>>,
+    /// The error of the mutual information.
+    pub mutual_information_error: f64,
+    /// The grade of its error.
+    pub error_grade: Grade,
+    /// The row of form factors whose sum is farthest from one.
+    pub closure: RowSumRecord,
+    /// The terms of eq. (3), by row.
+    pub contributions: Vec<Contribution>,
+    /// The term of the state `outside`, if there is one.
+    pub outside_contribution: Option<f64>,
+    /// The pairs that were left out, shared and computed.
+    pub plan: PlanSummary,
+    /// The number of faces of the room, if the continuous mutual information was asked for.
+    #[serde(skip)]
+    pub faces: Option<usize>,
+    /// The pairs that miss the tolerance, if some do.
+    #[serde(skip)]
+    pub unreached: Option<Unreached>,
+    /// Remarks of the scene's reader.
+    #[serde(skip)]
+    pub notes: Vec<String>,
+}
+
+/// Two faces of a convex room, each named by its first patch.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct FacePairRecord {
+    /// The names of the first patches.
+    pub faces: [String; 2],
+    /// Their indices.
+    pub patches: [usize; 2],
+    /// The probability of a transition between the two.
+    pub probability: f64,
+    /// The term of the pair in (4), in bits; may be negative.
+    pub mutual_information: f64,
+}
+
+/// Two patches, both directions together.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct PairLossRecord {
+    /// Their indices.
+    pub patches: [usize; 2],
+    /// The probability of a transition between the two.
+    pub probability: f64,
+    /// The term of the pair in (3), in bits; may be negative.
+    pub mutual_information: f64,
+    /// The term of the pair in (4), in bits; may be negative.
+    pub continuous_mutual_information: f64,
+    /// The difference of the two, ≥ 0 but for the error.
+    pub loss: f64,
+    /// The estimated absolute error of each of the three.
+    pub error: f64,
+}
+
+impl From<&PairLoss> for PairLossRecord {
+    fn from(pair: &PairLoss) -> Self {
+        Self {
+            patches: [pair.first, pair.second],
+            probability: pair.probability,
+            mutual_information: pair.mutual_information,
+            continuous_mutual_information: pair.continuous_mutual_information,
+            loss: pair.loss,
+            error: pair.error,
+        }
+    }
+}
+
+/// The sum of a row of form factors.
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct RowSumRecord {
+    /// The row, from 0.
+    pub patch: usize,
+    /// Its name.
+    pub name: String,
+    /// The sum.
+    pub row_sum: f64,
+    /// A bound on its error.
+    pub error: f64,
+}
+
+/// The term of a row in eq. (3).
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
+pub struct Contribution {
+    /// The row, from 0.
+    pub patch: usize,
+    /// Its name.
+    pub name: String,
+    /// Its stationary probability.
+    pub weight: f64,
+    /// The term, in bits.
+    pub mutual_information: f64,
+    /// The sum of its form factors.
+    pub row_sum: f64,
+}
+
+impl Measure {
+    /// Measures the scene.
+    ///
+    /// # Errors
+    /// [`QuestionError::OpenScene`] if the scene is open and no state was asked for what escapes;
+    /// [`QuestionError::NoLightMeant`]; the errors of the scene, of its pairs and of its light.
+    pub fn ask(&self, progress: &dyn Progress) -> Result<MeasureAnswer, QuestionError> {
+        let loaded = self.scene.open()?;
+        let scene = loaded.scene;
+        let asked = (self.tolerance, self.congruence);
+        let pairs = self.scene.pairs(&scene, asked, progress)?;
+        let measured = if self.light.is_visibility()? {
+            scene_information(&pairs, self.open_scene).map_err(refused)?
+        } else {
+            let exchange = pairs.exchange_areas()?;
+            brightness_information(&exchange, &self.light.brightness(&scene, &exchange)?)?
+        };
+        let names = scene.group_names();
+        let unreached = Unreached::pairs(&names, &measured.summary, pairs.tolerance());
+        let mut answer = MeasureAnswer::new(&names, measured);
+        answer.unreached = unreached;
+        answer.notes = loaded.notes;
+        if self.continuous || self.pairs {
+            self.compare(&scene, &mut answer, progress)?;
+        }
+        Ok(answer)
+    }
+
+    /// Adds the continuous mutual information, and what pairs lose against it.
+    fn compare(
+        &self,
+        scene: &Scene,
+        answer: &mut MeasureAnswer,
+        progress: &dyn Progress,
+    ) -> Result<(), QuestionError> {
+        // without obstructions nothing is in the way in a room that is convex inside
+        let bare = (self.scene.occlusion == Occlusion::Ignore).then(|| scene.clone());
+        let bare = bare.map(|scene| scene.with_obstructions(Vec::new()));
+        let room = bare.as_ref().unwrap_or(scene);
+        if self.continuous {
+            answer.add_continuous(scene, &continuous_information(room)?);
+        }
+        if self.pairs {
+            let patches = scene.patches().len() as u64;
+            progress.begin(patches * (patches - 1) / 2, "pairs");
+            let losses = pair_losses(room, progress)?;
+            answer.pair_losses = Some(losses.iter().map(PairLossRecord::from).collect());
+        }
+        Ok(())
+    }
+}
+
+/// An open scene could have been taken.
+fn refused(error: ChainError) -> QuestionError {
+    match error {
+        ChainError::Exchange(error @ ExchangeError::OpenScene { .. }) => {
+            QuestionError::OpenScene(error)
+        }
+        other => other.into(),
+    }
+}
+
+impl MeasureAnswer {
+    /// The discrete measures of a scene whose rows have these names.
+    fn new(names: &[&str], measured: SceneInformation) -> Self {
+        let closure = &measured.closure;
+        let worst = closure.worst();
+        let rows = measured.contributions.iter().zip(closure.rows());
+        let contributions = rows.map(|(information, row)| Contribution {
+            patch: row.row,
+            name: names[row.row].to_owned(),
+            weight: measured.weights[row.row],
+            mutual_information: *information,
+            row_sum: row.sum,
+        });
+        Self {
+            patches: names.len(),
+            total_area: measured.total_area,
+            closed: closure.is_closed(),
+            positional_entropy: measured.positional_entropy,
+            entropy_rate: measured.entropy_rate,
+            mutual_information: measured.mutual_information.value,
+            continuous_mutual_information: None,
+            continuous_error: None,
+            continuous_error_grade: None,
+            continuous_contributions: None,
+            pair_losses: None,
+            mutual_information_error: measured.mutual_information.error,
+            error_grade: measured.mutual_information.grade,
+            closure: RowSumRecord {
+                patch: worst.row,
+                name: names[worst.row].to_owned(),
+                row_sum: worst.sum,
+                error: worst.error,
+            },
+            contributions: contributions.collect(),
+            outside_contribution: measured.outside_contribution,
+            plan: measured.summary.plan,
+            faces: None,
+            unreached: None,
+            notes: Vec::new(),
+        }
+    }
+
+    fn add_continuous(&mut self, scene: &Scene, found: &ContinuousInformation) {
+        let names: Vec<&str> = scene.patches().iter().map(NamedPatch::name).collect();
+        let first = |face: usize| {
+            let mut faces = found.face_of.iter();
+            faces.position(|of| *of == face).unwrap_or(0)
+        };
+        let record = |pair: &FacePair| {
+            let patches = [first(pair.first), first(pair.second)];
+            FacePairRecord {
+                faces: patches.map(|patch| names[patch].to_owned()),
+                patches,
+                probability: pair.probability,
+                mutual_information: pair.mutual_information,
+            }
+        };
+        self.continuous_mutual_information = Some(found.mutual_information.value);
+        self.continuous_error = Some(found.mutual_information.error);
+        self.continuous_error_grade = Some(found.mutual_information.grade);
+        self.continuous_contributions = Some(found.pairs.iter().map(record).collect());
+        self.faces = Some(found.faces);
+    }
+}

@@ -1,0 +1,114 @@
+//! The scene that a question is about.
+
+use crate::exchange::{Congruence, ExchangeError, Progress, ScenePairs};
+use crate::scene::files::{LoadedScene, NonPlanarFaces, OpenError, open};
+use crate::scene::{Occlusion, Scene};
+
+/// A scene that a question is about, and how it is prepared.
+///
+/// # Examples
+/// ```
+/// use infoscene::question::SceneSource;
+/// let cube = SceneSource { subdivide: 1, ..SceneSource::from("cube:1") };
+/// // six faces, each cut into four
+/// assert_eq!(cube.open()?.scene.patches().len(), 24);
+/// # Ok::<(), infoscene::scene::SceneError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct SceneSource {
+    /// Where the scene comes from.
+    pub origin: SceneOrigin,
+    /// The treatment of faces of a file that are not planar.
+    pub faces: NonPlanarFaces,
+    /// The number of times that every patch is quartered.
+    pub subdivide: u32,
+    /// The policy for scenes in which something may stand between two patches.
+    pub occlusion: Occlusion,
+}
+
+/// The place that a scene comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SceneOrigin {
+    /// The name of a built-in scene, or the path of a file.
+    Named(String),
+    /// A scene that was made in the program.
+    Made(Box<Scene>),
+}
+
+impl SceneSource {
+    fn new(origin: SceneOrigin) -> Self {
+        Self {
+            origin,
+            faces: NonPlanarFaces::default(),
+            subdivide: 0,
+            occlusion: Occlusion::default(),
+        }
+    }
+
+    /// The scene, whatever lies or stands in it, and what its reader has to say.
+    ///
+    /// # Errors
+    /// [`OpenError::Scene`] if the name is neither a built-in scene nor a path, or if a patch cannot
+    /// be quartered; [`OpenError::File`] if the file is at fault.
+    pub fn open(&self) -> Result<LoadedScene, OpenError> {
+        let mut loaded = match &self.origin {
+            SceneOrigin::Named(name) => open(name, self.faces)?,
+            SceneOrigin::Made(scene) => LoadedScene {
+                scene: Scene::clone(scene),
+                notes: Vec::new(),
+            },
+        };
+        if self.subdivide > 0 {
+            (loaded.scene, _) = loaded.scene.subdivided(self.subdivide)?;
+        }
+        Ok(loaded)
+    }
+
+    /// The pairs of a scene under the policy of this source; their passes tell a listener.
+    pub(super) fn pairs<'p>(
+        &self,
+        scene: &Scene,
+        asked: (f64, Congruence),
+        progress: &'p dyn Progress,
+    ) -> Result<ScenePairs<'p>, ExchangeError> {
+        pairs(scene, self.occlusion, asked, progress)
+    }
+}
+
+/// The pairs of a scene; their passes tell a listener.
+pub(super) fn pairs<'p>(
+    scene: &Scene,
+    occlusion: Occlusion,
+    (tolerance, congruence): (f64, Congruence),
+    progress: &'p dyn Progress,
+) -> Result<ScenePairs<'p>, ExchangeError> {
+    let rows = scene.group_count() as u64;
+    progress.begin(rows * (rows - 1) / 2, "pairs");
+    let pairs = ScenePairs::try_new(scene, tolerance, congruence, occlusion)?;
+    Ok(pairs.with_progress(progress))
+}
+
+impl Default for SceneSource {
+    /// The empty name, which no scene has.
+    fn default() -> Self {
+        Self::from("")
+    }
+}
+
+impl From<&str> for SceneSource {
+    fn from(name: &str) -> Self {
+        Self::from(name.to_owned())
+    }
+}
+
+impl From<String> for SceneSource {
+    fn from(name: String) -> Self {
+        Self::new(SceneOrigin::Named(name))
+    }
+}
+
+impl From<Scene> for SceneSource {
+    fn from(scene: Scene) -> Self {
+        Self::new(SceneOrigin::Made(Box::new(scene)))
+    }
+}

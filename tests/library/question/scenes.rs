@@ -1,0 +1,172 @@
+//! Questions about scenes: a scene may come from the program, and refusals are those of the library.
+
+use infoscene::exchange::{ExchangeError, Unheard};
+use infoscene::information::OpenScene;
+use infoscene::question::{
+    FormFactors, Light, MaterialChanges, Measure, QuestionError, Radiosity, Sample, SceneSource,
+    Split,
+};
+use infoscene::scene::files::{NonPlanarFaces, Source, read_obj};
+use infoscene::scene::{Occlusion, Scene, SceneError};
+
+/// Three parallel squares that face each other in turn: the second hides the third from the first.
+const BLOCKED: &str = "
+    v 0 0 0 \n v 1 0 0 \n v 1 1 0 \n v 0 1 0
+    v 0 0 1 \n v 1 0 1 \n v 1 1 1 \n v 0 1 1
+    v 0 0 2 \n v 1 0 2 \n v 1 1 2 \n v 0 1 2
+    f 1 2 3 4 \n f 5 8 7 6 \n f 9 12 11 10
+";
+
+fn blocked() -> Scene {
+    let source = Source::new("blocked.obj", BLOCKED);
+    let no_materials = |_: &str| Ok(Source::new("none.mtl", ""));
+    let loaded = read_obj(&source, &no_materials, NonPlanarFaces::Refuse);
+    loaded.unwrap().scene
+}
+
+fn is_blocked(error: &QuestionError) -> bool {
+    let scene = match error {
+        QuestionError::Scene(scene) | QuestionError::Exchange(ExchangeError::Scene(scene)) => scene,
+        _ => return false,
+    };
+    matches!(scene, SceneError::MayBeBlocked { .. })
+}
+
+#[test]
+fn a_blocked_scene_is_refused_unless_occlusion_is_ignored() {
+    let mut measure = Measure {
+        scene: blocked().into(),
+        open_scene: OpenScene::AddOutsideState,
+        ..Measure::default()
+    };
+    assert!(is_blocked(&measure.ask(&Unheard).unwrap_err()));
+    measure.scene.occlusion = Occlusion::Ignore;
+    assert_eq!(measure.ask(&Unheard).unwrap().patches, 3);
+    let form_factors = FormFactors {
+        scene: blocked().into(),
+        ..FormFactors::default()
+    };
+    assert!(is_blocked(&form_factors.ask(&Unheard).unwrap_err()));
+    // between the first two nothing stands
+    let first = FormFactors {
+        from: Some(0),
+        to: Some(1),
+        ..form_factors
+    };
+    assert_eq!(first.ask(&Unheard).unwrap().records().count(), 1);
+    let radiosity = Radiosity {
+        scene: blocked().into(),
+        ..Radiosity::default()
+    };
+    assert!(is_blocked(&radiosity.ask(&Unheard).unwrap_err()));
+}
+
+#[test]
+fn a_scene_made_in_the_program_is_answered_as_its_name_is() {
+    let made = || SceneSource::from(Scene::built_in("cube:2").unwrap());
+    let named = || SceneSource::from("cube:2");
+    let measured = [made(), named()].map(|scene| {
+        let question = Measure {
+            scene,
+            continuous: true,
+            ..Measure::default()
+        };
+        question.ask(&Unheard).unwrap()
+    });
+    assert_eq!(measured[0], measured[1]);
+    let cut = [made(), named()].map(|scene| {
+        let question = Split {
+            scene,
+            ..Split::default()
+        };
+        question.ask(&Unheard).unwrap()
+    });
+    assert_eq!(cut[0], cut[1]);
+}
+
+#[test]
+fn light_is_refused_for_the_chain_that_has_none() {
+    let lamp = Light {
+        materials: MaterialChanges {
+            emittance: vec!["0".parse().unwrap()],
+            ..MaterialChanges::default()
+        },
+        ..Light::default()
+    };
+    let measure = Measure {
+        scene: "cube:1".into(),
+        light: lamp,
+        ..Measure::default()
+    };
+    let refused = measure.ask(&Unheard).unwrap_err();
+    assert!(matches!(refused, QuestionError::NoLightMeant));
+}
+
+#[test]
+fn an_open_scene_is_refused_by_row_and_taken_with_a_state_outside() {
+    let mut measure = Measure {
+        scene: "two-squares".into(),
+        ..Measure::default()
+    };
+    let refused = measure.ask(&Unheard).unwrap_err();
+    let QuestionError::OpenScene(ExchangeError::OpenScene { row, sum, .. }) = refused else {
+        panic!("{refused}");
+    };
+    // Howell, C-14: unit squares with a common edge
+    assert_eq!(row, 0);
+    assert!((sum - 0.200_043_776_075_4).abs() < 1e-12);
+    measure.open_scene = OpenScene::AddOutsideState;
+    assert!(
+        measure
+            .ask(&Unheard)
+            .unwrap()
+            .outside_contribution
+            .is_some()
+    );
+}
+
+#[test]
+fn a_matrix_has_the_form_factors_of_the_records_and_comes_only_if_asked_for() {
+    let mut question = FormFactors {
+        scene: "cube:2".into(),
+        from: Some(0),
+        ..FormFactors::default()
+    };
+    assert!(question.ask(&Unheard).unwrap().matrix().is_none());
+    question.matrix = true;
+    let answer = question.ask(&Unheard).unwrap();
+    let mut first = Vec::new();
+    let matrix = answer.matrix().unwrap();
+    let unreached = matrix.for_each_row(|from, row| {
+        if from == 0 {
+            first = row.to_vec();
+        }
+        Ok::<(), ExchangeError>(())
+    });
+    assert_eq!(unreached.unwrap(), None);
+    for record in answer.records() {
+        assert_eq!(record.value, first[record.to]);
+    }
+    // a closed room: the row sums to one
+    assert!((first.iter().sum::<f64>() - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn exact_values_stand_beside_a_sample_only_if_asked_for() {
+    let mut sample = Sample {
+        scene: "cube:1".into(),
+        lines: 1000,
+        ..Sample::default()
+    };
+    let without = sample.ask(&Unheard).unwrap().sampled;
+    assert_eq!(without.exact_mutual_information, None);
+    sample.exact = true;
+    let exact = sample.ask(&Unheard).unwrap().sampled;
+    // one patch per face, from a 50-digit evaluation
+    let information = exact.exact_mutual_information.unwrap();
+    assert!((information - 0.263_034_544_099_12).abs() < 1e-14);
+    assert_eq!(exact.corrected, without.corrected);
+    sample.scene.occlusion = Occlusion::Ignore;
+    let refused = sample.ask(&Unheard).unwrap_err();
+    assert!(matches!(refused, QuestionError::OccludedLines));
+}
