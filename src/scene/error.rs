@@ -43,9 +43,9 @@ pub enum SceneError {
     /// The file of a built-in scene cannot be read.
     #[error("the built-in scene {name} cannot be read: {reason}")]
     BuiltIn {
-        /// Its name.
+        /// The name of the scene.
         name: &'static str,
-        /// What its reader says.
+        /// The refusal of its reader.
         reason: String,
     },
     /// A patch lies, in the end, in itself.

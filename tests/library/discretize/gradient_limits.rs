@@ -35,7 +35,7 @@ fn scaled_cuts_do_not_approach_another_limit() {
     }
 }
 
-/// pτ depends on m/p alone: 2 (n + 1) and 2 m have the same −(n + 1) ln l.
+/// The product pτ depends on m/p alone: 2 (n + 1) and 2 m have the same −(n + 1) ln l.
 #[test]
 fn position_depends_on_the_ratio_of_the_exponents() {
     let scaled = |n: f64, m: f64| {

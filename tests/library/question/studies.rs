@@ -28,7 +28,7 @@ fn the_record_of_a_study_is_its_json() {
     }
 }
 
-/// By symmetry the mean-square cut of a bump in the middle has a twin, and a rising profile has
+/// The mean-square cut of a bump in the middle has a twin by symmetry, and a rising profile has
 /// one best cut only.
 #[test]
 fn only_cuts_of_symmetric_profiles_have_twins() {
