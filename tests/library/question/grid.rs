@@ -19,7 +19,10 @@ fn the_grid_of_figure_4_is_found() {
     let error = answer.mutual_information - 1.000_704_996_381_222;
     assert!(error.abs() <= answer.error + f64::EPSILON, "{error:e}");
     let error = answer.regular_mutual_information - 0.994_346_184_970_692_6;
-    assert!(error.abs() <= answer.regular_error + f64::EPSILON, "{error:e}");
+    assert!(
+        error.abs() <= answer.regular_error + f64::EPSILON,
+        "{error:e}"
+    );
     let line = answer.lines[0] - 0.302_574_117_550_565_5;
     assert!(Some(line.abs()) <= answer.line_error, "{line:e}");
 }

@@ -25,7 +25,10 @@ fn an_enclosed_claim_has_every_certified_digit() {
     assert!(lower.len() > 50, "{lower}");
     assert_eq!(&lower[..50], &upper[..50]);
     // the reference is rounded in its last digit
-    assert!(lower.starts_with(&FIGURE_2[..FIGURE_2.len() - 2]), "{lower}");
+    assert!(
+        lower.starts_with(&FIGURE_2[..FIGURE_2.len() - 2]),
+        "{lower}"
+    );
 }
 
 /// The JSON of a report is the record of its answer, every key and digit of it.
@@ -81,5 +84,8 @@ fn a_claim_without_a_curve_names_those_with_one() {
         panic!("{error}");
     };
     assert_eq!(id, "theorem-1");
-    assert!(with_curve.contains(&"fig2-curve".to_owned()), "{with_curve:?}");
+    assert!(
+        with_curve.contains(&"fig2-curve".to_owned()),
+        "{with_curve:?}"
+    );
 }
