@@ -47,7 +47,7 @@ impl Fuzz {
         };
         self.output.check()?;
         let bar = progress_bar(self.cases.into(), "cases")?;
-        let answer = question.ask(&|cases| bar.inc(cases as u64))?;
+        let answer = question.ask(&|cases: usize| bar.inc(cases as u64))?;
         bar.finish_and_clear();
         let report = fuzz_report(&answer)?;
         if answer.counterexamples.is_empty() {

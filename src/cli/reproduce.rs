@@ -32,7 +32,7 @@ impl Reproduce {
         let claims = question.selection()?;
         self.output.check()?;
         let bar = progress_bar(claims.len() as u64, "claims")?;
-        let answer = question.ask(&|finished| bar.inc(finished as u64))?;
+        let answer = question.ask(&|finished: usize| bar.inc(finished as u64))?;
         bar.finish_and_clear();
         self.output.write(&reproduction_report(&answer)?)?;
         Ok(if answer.is_as_recorded() {
