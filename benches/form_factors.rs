@@ -1,8 +1,4 @@
 //! Rectangle closed forms, in multiples of the textbook's sixteen terms timed beside them.
-#![expect(
-    missing_docs,
-    reason = "criterion's macros write undocumented functions"
-)]
 #![expect(clippy::unwrap_used, reason = "a bench may panic")]
 
 mod textbook;

@@ -2,10 +2,6 @@
 //!
 //! The copies live here only: the same operations in the same order on plain doubles. Equal
 //! results, bit by bit, are checked before anything is timed.
-#![expect(
-    missing_docs,
-    reason = "criterion's macros write undocumented functions"
-)]
 #![expect(clippy::unwrap_used, reason = "a bench may panic")]
 
 use criterion::{Criterion, criterion_group, criterion_main};

@@ -1,8 +1,4 @@
 //! Mutual information, gains, best cuts and the whole reproduction.
-#![expect(
-    missing_docs,
-    reason = "criterion's macros write undocumented functions"
-)]
 #![expect(clippy::unwrap_used, reason = "a bench may panic")]
 
 use criterion::{Criterion, criterion_group, criterion_main};

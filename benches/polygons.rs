@@ -3,10 +3,6 @@
 //! Each family is checked first: a pair taken the other way round agrees within the bounds, and the
 //! bounds meet the tolerance. Criterion's means are over whole families, escalated pairs included;
 //! the medians over the pairs are printed before.
-#![expect(
-    missing_docs,
-    reason = "criterion's macros write undocumented functions"
-)]
 #![expect(clippy::unwrap_used, reason = "a bench may panic")]
 
 mod textbook;

@@ -1,8 +1,4 @@
 //! Radiosities of 5,046 patches: the whole solution with its bounds, and what it is made of.
-#![expect(
-    missing_docs,
-    reason = "criterion's macros write undocumented functions"
-)]
 #![expect(clippy::unwrap_used, reason = "a bench may panic")]
 
 use criterion::{Criterion, criterion_group, criterion_main};

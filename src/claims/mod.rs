@@ -48,5 +48,6 @@ pub use finding::{Finding, Quantity};
 pub use inputs::Inputs;
 pub use judge::{Judgement, judge, judge_all, judge_control};
 pub use registry::registry;
+#[cfg(feature = "report")]
 pub(crate) use sections::figure_5::samples_for;
 pub use verdict::Verdict;

@@ -32,6 +32,7 @@ impl LocalLine {
     ///
     /// **Arguments** two numbers for the point, two for the direction.
     pub(crate) fn leaving([a, b, c]: [DVec3; 3], normal: DVec3, [s, t, u, v]: [f64; 4]) -> Self {
+        debug_assert!((0.0..=1.0).contains(&s) && (0.0..=1.0).contains(&t));
         let root = s.sqrt();
         let origin = a + root * (1.0 - t) * (b - a) + root * t * (c - a);
         let (across, up) = normal.any_orthonormal_pair();
@@ -64,6 +65,7 @@ impl Slope {
     /// The direction that is distributed by cosine if both numbers are uniform from 0 to 1.
     #[inline]
     pub(crate) fn by_cosine([u, v]: [f64; 2]) -> Self {
+        debug_assert!((0.0..=1.0).contains(&u), "{u}");
         let (y, x) = (TAU * v).sin_cos();
         Self {
             around: DVec2::new(x, y),

@@ -19,6 +19,8 @@ use std::f64::consts::TAU;
 /// # Source
 /// Santaló, *Integral Geometry and Geometric Probability*, 1976, ch. 12.
 pub(crate) fn line_through_sphere(radius: f64, [z, turn, square, around]: [f64; 4]) -> [DVec3; 2] {
+    debug_assert!(radius >= 0.0, "{radius}");
+    debug_assert!((0.0..=1.0).contains(&z) && (0.0..=1.0).contains(&square));
     let z = 2.0 * z - 1.0;
     let (sine, cosine) = (TAU * turn).sin_cos();
     let flat = (1.0 - z * z).sqrt();

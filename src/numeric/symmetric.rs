@@ -128,6 +128,7 @@ const fn start(i: usize) -> usize {
     reason = "between 0 and the order"
 )]
 fn block_start(order: usize, block: usize, count: usize) -> usize {
+    debug_assert!(block <= count, "block {block} of {count}");
     if block == count {
         return order;
     }

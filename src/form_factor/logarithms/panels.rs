@@ -17,6 +17,7 @@ pub(super) fn over_panels(
     integrand: impl Fn(f64) -> f64,
     gauss: &GaussLegendre,
 ) -> f64 {
+    debug_assert!(length >= 0.0, "{length}");
     let shortest = shortest.max(f64::EPSILON * length);
     let mut sum = CompensatedSum::default();
     let mut open = vec![[0.0, length]];

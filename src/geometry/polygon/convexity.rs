@@ -9,6 +9,7 @@ use glam::DVec3;
 /// too.
 #[inline(always)]
 pub(crate) fn is_convex(corners: &[DVec3], normal: DVec3, slack: f64) -> bool {
+    debug_assert!(slack >= 0.0, "{slack}");
     let n = corners.len();
     (0..n).all(|i| {
         let [a, b, c] = [i, i + 1, i + 2].map(|k| corners[k % n]);

@@ -79,6 +79,7 @@ impl NodeNumber for DoubleDouble {
 /// method from Tricomi's estimate.
 #[must_use]
 pub(crate) fn legendre_node<T: NodeNumber>(n: usize, i: usize) -> [T; 2] {
+    debug_assert!(i < n, "node {i} of {n}");
     let one = T::from(1.0);
     let estimate = -(std::f64::consts::PI * (real(i) + 0.75) / (real(n) + 0.5)).cos();
     let mut x = T::from(estimate);
