@@ -21,8 +21,8 @@
 //! patches of size h, because the pairs along an edge lose what the others do not. For 6,144
 //! patches of the cube 0.074 bit are still missing. Per length of edge the gap depends on the angle
 //! and the shape of the patches only: 1.24 bits, to 1 %, for all boxes of squares
-//! (`infoscene study refinement`). The loss of a single pair ([`pair_losses`](super::pair_losses))
-//! bounds what any subdivision of its patches can gain.
+//! (`infoscene study refinement`). The loss of a single pair
+//! ([`pair_losses`](super::pair_losses())) bounds what any subdivision of its patches can gain.
 //!
 //! **Not covered**: rooms that are open or not convex inside;
 //! [`chord_information`](super::chord_information) samples closed ones.

@@ -8,7 +8,7 @@
 //! | information of a chain | [`mutual_information`], [`entropy_rate`], [`positional_entropy`] |
 //! | of a scene, with an error | [`scene_information`] |
 //! | of a scene under a brightness | [`brightness_information`] |
-//! | of a scene, in the continuous limit | [`continuous_information`], [`pair_losses`] |
+//! | of a scene, in the continuous limit | [`continuous_information`], [`pair_losses()`] |
 //! | gain of a refinement | [`refinement_gain`] |
 //! | estimates from random lines | [`LineSample`], [`PairCounts`], [`chord_information`] |
 //! | their expected bias | [`expected_bias`], [`scene_information_and_bias`] |

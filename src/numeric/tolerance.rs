@@ -101,8 +101,8 @@ pub const TOUCHING: f64 = 64.0 * f64::EPSILON;
 /// of its mean plane, and the depth of two bodies changes by at most 2 δ.
 pub const DEPTH_PER_DEVIATION: f64 = 8.0;
 
-/// Relative error bound of radiosities for the exchange areas as given, stiff scenes included: (b) a
-/// few ε, measured by `stiff_scenes_keep_their_digits`.
+/// Relative error bound of radiosities for the exchange areas as given, stiff scenes included: (b)
+/// a few ε, measured by `stiff_scenes_keep_their_digits`.
 pub const RADIOSITY: f64 = 1e-14;
 
 /// Part of a face that may be left open by the patches that cover it: (a) corners read from twelve

@@ -1,8 +1,9 @@
 //! The exact value of an exchange area, to judge computed ones by.
 //!
 //! Aligned rectangles whose coordinates are exact in a common frame: the closed form's enclosure
-//! with 256 bits. All other polygons: the slow [reference], with significands of 256 bits and an
-//! error *estimate* of 1e-18, no bound. Both are of the corners as they are in `f64`.
+//! with 256 bits. All other polygons: the slow [reference](mod@super::exchange), with significands
+//! of 256 bits and an error *estimate* of 1e-18, no bound. Both are of the corners as they are in
+//! `f64`.
 
 use super::exchange as reference;
 use crate::form_factor::{FormFactorError, Polygon, RectanglePair, Route};

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! An edge apart from all of the other polygon's takes one Gauss rule for all of them. Of the other
-//! pairs of edges each has a rule of its own, [graded panels](self::panels) or a
-//! [closed form](self::coplanar). Cancellation limits the route: the terms are of the size of
+//! pairs of edges each has a rule of its own, [graded panels](mod@self::panels) or a
+//! [closed form](mod@self::coplanar). Cancellation limits the route: the terms are of the size of
 //! perimeter × perimeter, and the sum falls like 1/distance².
 //!
 //! In units of u = ε/2, beside the [potential's](self::potential) own error:

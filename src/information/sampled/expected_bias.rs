@@ -12,7 +12,7 @@
 //! each state is an end of `Bin(N, 2w_i)` chords, and the sum over the probabilities `2w_i` is to
 //! be subtracted.
 //!
-//! Where `μ = Np` is small, E[φ] is summed over the binomial distribution outwards from its mode,
+//! Where `μ = Np` is small, `E[φ]` is summed over the binomial distribution outwards from its mode,
 //! until the terms no longer change the sum. Where it is large,
 //!
 //! ```text

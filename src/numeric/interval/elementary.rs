@@ -35,7 +35,7 @@ fn nearest(value: f64, entries: RangeInclusive<i32>) -> i32 {
 }
 
 /// Functions of one end, as enclosures to within a few units in the last place; the guard bits come
-/// from [`Interval::with_guard`].
+/// from `Interval::with_guard`.
 impl<E: Endpoint> Interval<E> {
     pub(super) fn guarded(end: &E) -> E {
         let bits = (end.bits() + GUARD_BITS).next_multiple_of(WORD);
