@@ -2,7 +2,8 @@
 //! `INFOSCENE_REFRESH=1 cargo test --test library claims`.
 
 use super::{JUDGEMENTS, judgements};
-use infoscene::question::ReproduceAnswer;
+use infoscene::exchange::Unheard;
+use infoscene::question::{Curve, ReproduceAnswer};
 use infoscene::report::{
     Format, claims_page, curve_figure, findings_page, first_verdicts, reproduction_report,
 };
@@ -61,10 +62,10 @@ fn the_page_of_claims_is_current_and_complete() {
 /// The figure of the front page, as `infoscene curve fig2-curve --figure` draws it.
 #[test]
 fn the_figure_of_the_readme_is_current() {
-    let shown = JUDGEMENTS.iter().find(|j| j.claim.id == "fig2-curve");
-    let shown = shown.unwrap();
-    let axes = shown.claim.curve_axes.as_ref().unwrap();
-    let figure = curve_figure(axes, &shown.finding.as_ref().unwrap().curve);
+    let curve = Curve {
+        claim: "fig2-curve".to_owned(),
+    };
+    let figure = curve_figure(&curve.ask(&Unheard).unwrap());
     assert_current("data/report/fig2-curve.svg", &figure.to_svg().unwrap());
 }
 

@@ -8,10 +8,6 @@ use infoscene::geometry::SplitAxis;
 use infoscene::information::{
     LineKind, LineSample, chord_information, continuous_information, pair_losses,
 };
-use infoscene::question::{FormFactorRecord, PatchRecord};
-use infoscene::report::{
-    Format, Report, ReportError, Table, json_text, write_form_factors, write_npy_row,
-};
 use infoscene::scene::{NamedPatch, Obstacle, Occlusion, Scene, SceneError};
 
 fn of_exchange(error: ExchangeError) -> SceneError {

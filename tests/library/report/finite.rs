@@ -1,8 +1,8 @@
 //! The promise that no answer carries NaN or infinity.
 
+use infoscene::question::{FormFactorRecord, PatchRecord};
 use infoscene::report::{
-    FormFactorRecord, Format, PatchRecord, Report, ReportError, Table, json_text,
-    write_form_factors, write_npy_row,
+    Format, Report, ReportError, Table, json_text, write_form_factors, write_npy_row,
 };
 use infoscene::scene::Scene;
 use serde::Serialize;
@@ -110,7 +110,7 @@ fn form_factors_that_are_not_finite_are_named_in_every_format() {
     let plan = scene.exchange_areas().unwrap().summary().plan.clone();
     let patch = |index, area| PatchRecord {
         index,
-        name: "wall",
+        name: "wall".to_owned(),
         area,
     };
     let record = |value| FormFactorRecord {
@@ -152,25 +152,17 @@ fn a_matrix_with_nan_is_refused() {
 #[cfg(feature = "proptest")]
 #[test]
 fn a_campaign_without_a_case_has_no_smallest_gain() {
+    use infoscene::question::FuzzAnswer;
     use infoscene::report::fuzz_report;
-    use infoscene::study::gain::fuzz::{Campaign, Findings};
-    let campaign = Campaign {
-        cases: 1,
-        seed: 1,
-        states: 2,
-        sabotage: None,
-    };
-    let report = fuzz_report(campaign, &Findings::default(), 1.0).unwrap();
+    use infoscene::study::gain::fuzz::Findings;
+    let report = fuzz_report(&FuzzAnswer::new(1, Findings::default(), 1.0)).unwrap();
     let text = report.render(Format::Json).unwrap();
     let answer: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert!(answer["minimum_gain"].is_null(), "{text}");
-    let endless = fuzz_report(
-        campaign,
-        &Findings {
-            cases: 1,
-            ..Findings::default()
-        },
-        0.0,
-    );
+    let one = Findings {
+        cases: 1,
+        ..Findings::default()
+    };
+    let endless = fuzz_report(&FuzzAnswer::new(1, one, 0.0));
     assert_eq!(refused_key(endless), "cases_per_second");
 }
