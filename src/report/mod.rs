@@ -1,6 +1,7 @@
 //! Tables for people and records for scripts.
 //!
-//! A [`Report`] carries both: a table with the digits that are certain, and records with every digit.
+//! A [`Report`] carries both: a table with the digits that are certain, and records with every
+//! digit.
 //! It is rendered as terminal table, Markdown, LaTeX, CSV or JSON. A [`Figure`] is lines, drawn in
 //! SVG. The pages of `data/report` are templates filled with computed numbers. A record with a
 //! number that is NaN or infinite is refused in every format, and the number is named
