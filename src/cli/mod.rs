@@ -1,7 +1,8 @@
 //! The command line: one file per subcommand, argument parsing and exit status only.
 //!
-//! Data goes to standard output or `--output`, messages to standard error. Exit status: 0 done; 1 a claim's
-//! verdict differs from the recorded one, fuzzing found a counterexample, or a tolerance was not reached; 2 wrong usage or bad input, and nothing is written.
+//! Data goes to standard output or `--output`, messages to standard error. Exit status: 0 done; 1 a
+//! claim's verdict differs from the recorded one, fuzzing found a counterexample, or a tolerance
+//! was not reached; 2 wrong usage or bad input, and nothing is written.
 
 mod convert;
 mod curve;
@@ -26,7 +27,8 @@ use clap::{CommandFactory, Parser, Subcommand};
 use std::error::Error;
 use std::process::ExitCode;
 
-/// The results of "Information Theory Tools for Scene Discretization" (Feixas, del Acebo, Bekaert, Sbert, 1999), computed.
+/// The results of "Information Theory Tools for Scene Discretization" (Feixas, del Acebo, Bekaert,
+/// Sbert, 1999), computed.
 #[derive(Debug, Parser)]
 #[command(name = "infoscene", version, about, max_term_width = 100)]
 struct Arguments {
@@ -47,7 +49,8 @@ enum Question {
     Split(split::Split),
     /// Find the cuts of patches whose radiosity grows as a power (§4.2).
     Cut(cut::Cut),
-    /// Divide the faces of a box by a grid: its mutual information, and the best lines (figs. 4 and 5).
+    /// Divide the faces of a box by a grid: its mutual information, and the best lines (figs. 4 and
+    /// 5).
     Grid(grid::Grid),
     /// Compute the form factors of a scene.
     FormFactor(form_factor::FormFactor),
@@ -78,7 +81,8 @@ enum Question {
 enum Outcome {
     /// All is as expected.
     Done,
-    /// A verdict differs from the one on record, a counterexample was found, or a tolerance was not reached.
+    /// A verdict differs from the one on record, a counterexample was found, or a tolerance was not
+    /// reached.
     Differs,
 }
 

@@ -70,7 +70,8 @@ impl Output {
         }
     }
 
-    /// Writes an answer that is made while it is written, the whole of it or nothing where it goes to a file.
+    /// Writes an answer that is made while it is written, the whole of it or nothing where it goes
+    /// to a file.
     pub(super) fn write_with(
         &self,
         write: impl FnOnce(Format, &mut dyn Write) -> Result<(), Box<dyn std::error::Error>>,
@@ -170,8 +171,8 @@ pub(super) fn replace_with(
     }
 }
 
-/// Writes beside the file and moves into place, so that no half-written file is ever seen. Links are
-/// followed, an existing file keeps its mode, and a device or a pipe is written to as it is.
+/// Writes beside the file and moves into place, so that no half-written file is ever seen. Links
+/// are followed, an existing file keeps its mode, and a device or a pipe is written to as it is.
 fn replace_by(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     folder_of(path)?;
     let old = fs::metadata(path).ok();

@@ -78,7 +78,8 @@ pub struct FormFactorRecord {
 }
 
 impl FormFactorRecord {
-    /// The form factor from a patch of this area, with the bound on its rounding and the quotient's.
+    /// The form factor from a patch of this area, with the bound on its rounding and the
+    /// quotient's.
     fn new([from, to]: [usize; 2], [area, bound]: [f64; 2], answer: &Answer) -> Self {
         let value = answer.exchange.value / area;
         Self {

@@ -1,4 +1,5 @@
-//! Questions about scenes: a scene may come from the program, and refusals are those of the library.
+//! Questions about scenes: a scene may come from the program, and refusals are those of the
+//! library.
 
 use infoscene::exchange::{ExchangeError, Unheard};
 use infoscene::information::OpenScene;
