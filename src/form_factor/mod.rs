@@ -42,8 +42,8 @@
 //! let (floor, wall) = (corner(DVec3::X, DVec3::Y)?, corner(DVec3::Y, DVec3::Z)?);
 //! let answer = floor.exchange_area(&wall, DEFAULT_TOLERANCE)?;
 //! let exact = (1.0 - 1.0 / 3f64.sqrt()) / 2.0 * floor.area();
-//! assert!((answer.exchange.value - exact).abs() <= answer.exchange.error_bound);
-//! assert!(answer.exchange.error_bound <= 1e-12 * exact);
+//! assert!((answer.exchange.value - exact).abs() <= answer.exchange.error);
+//! assert!(answer.exchange.error <= 1e-12 * exact);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

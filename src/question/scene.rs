@@ -12,7 +12,7 @@ use crate::scene::{Occlusion, Scene};
 /// let cube = SceneSource { subdivide: 1, ..SceneSource::from("cube:1") };
 /// // six faces, each cut into four
 /// assert_eq!(cube.open()?.scene.patches().len(), 24);
-/// # Ok::<(), infoscene::scene::SceneError>(())
+/// # Ok::<(), infoscene::scene::files::OpenError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneSource {
