@@ -395,3 +395,34 @@ fn cited_tests_exist() {
     }
     assert!(cited >= 8, "only {cited} citations are seen");
 }
+
+/// A recipe names files and folders that exist; `NAME` and `N` stand for the reader's own.
+#[test]
+fn recipes_name_files_that_exist() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut named = 0;
+    for page in ["CONTRIBUTING.md", "README.md"] {
+        let text = fs::read_to_string(root.join(page)).unwrap();
+        let quoted = text.split('`').skip(1).step_by(2);
+        for path in quoted.filter(|quoted| is_path(quoted)) {
+            named += 1;
+            let fixed: PathBuf = Path::new(path)
+                .components()
+                .take_while(|part| {
+                    let part = part.as_os_str().to_str().unwrap();
+                    !part.contains("NAME") && !part.contains("-N.")
+                })
+                .collect();
+            let places = [root.join(&fixed), root.join("src").join(&fixed)];
+            let exists = places.iter().any(|place| place.exists());
+            assert!(exists, "{page} names {path}");
+        }
+    }
+    assert!(named > 30, "only {named} paths are seen");
+}
+
+/// Whether quoted text is a path of this repository: words joined by slashes, and nothing else.
+fn is_path(quoted: &str) -> bool {
+    let is_word = |c: char| c.is_ascii_alphanumeric() || "_.-/".contains(c);
+    quoted.contains('/') && quoted.chars().all(is_word) && !quoted.starts_with('/')
+}

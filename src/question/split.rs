@@ -101,9 +101,6 @@ pub struct SplitEnclosures {
     pub certificate: String,
 }
 
-/// More decimals than any precision leaves certain.
-const MOST_DECIMALS: u32 = 100_000;
-
 /// The brightness of each patch, and Σw.
 type Lit = (Vec<f64>, f64);
 
@@ -206,7 +203,7 @@ impl Split {
 
 fn enclosures(split: &PatchSplit, bits: u32) -> Result<Option<SplitEnclosures>, DiscretizeError> {
     let best = split.certified_best(bits)?;
-    let bounds = |enclosure: &Interval| enclosure.to_decimal(MOST_DECIMALS);
+    let bounds = |enclosure: &Interval| enclosure.every_decimal();
     let both = bounds(&best.position).zip(bounds(&best.value));
     Ok(both.map(|(position, gain)| SplitEnclosures {
         position,

@@ -14,7 +14,8 @@ use crate::form_factor::{Exchange, ExchangeArea, FormFactorError};
 use crate::geometry::{
     AlignedRectangle, Extent, GeometryError, Offsets, Placement, Rectangle, Span, SplitAxis,
 };
-use crate::numeric::{Scalar, vectorised};
+use crate::numeric::{Scalar, two_sum, vectorised};
+use std::f64::consts::PI;
 
 /// Two rectangles with edges along three common axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,17 +72,69 @@ impl RectanglePair {
 
     /// The exchange area, with a bound on its error.
     ///
+    /// Sides are meant from their lower ends over their lengths. The closed form takes the upper
+    /// ends as rounded, and the bound covers that: where a side ends beside the other rectangle's,
+    /// its rounding is much of the little distance between them.
+    ///
     /// # Errors
     /// [`FormFactorError::OutOfRange`] if the value leaves the range of `f64`;
     /// [`FormFactorError::NotResolved`] if rounding leaves no correct digit.
     pub fn exchange_area(&self) -> Result<ExchangeArea, FormFactorError> {
-        vectorised(
+        let exchange = vectorised(
             #[inline(always)]
             || self.closed_form(),
-        )
+        )?;
+        let value = exchange.value;
+        let error = exchange.error + self.rounding_of_ends() * (self.unit * self.unit);
+        if value > error || exchange == ExchangeArea::NOTHING {
+            Ok(ExchangeArea { value, error })
+        } else {
+            Err(FormFactorError::NotResolved { value, error })
+        }
     }
 
-    /// [`exchange_area`](Self::exchange_area), to be called where vector code is made.
+    /// A bound on the change of the exchange area by the rounding of upper ends, in units of the
+    /// frame.
+    ///
+    /// ```text
+    ///   an end that is off by δ adds or takes a strip of width δ, which exchanges with the other
+    ///   rectangle, of area A at a distance r, at most  strip · min(1, A/(π r²))
+    /// ```
+    fn rounding_of_ends(&self) -> f64 {
+        let [x, y] = &self.first;
+        let (sides, square) = match &self.second {
+            Second::Dark => return 0.0,
+            Second::Parallel { spans, distance } => {
+                let gaps = [gap(x, &spans[0]), gap(y, &spans[1]), *distance];
+                ([&spans[0], &spans[1]], square_of(gaps))
+            }
+            Second::Perpendicular {
+                across,
+                plane,
+                plate,
+                ..
+            } => {
+                let beside = gap(&self.first[other(*across) as usize], plate.width());
+                let along = &self.first[*across as usize];
+                let depth = (along.lower() - plane).max(plane - along.upper());
+                let gaps = [beside, depth.max(0.0), plate.depth().lower().max(0.0)];
+                ([plate.width(), plate.depth()], square_of(gaps))
+            }
+        };
+        let strip = |[one, two]: [&Span; 2]| off(one) * two.length() + off(two) * one.length();
+        let displaced = [x, y, sides[0], sides[1]].map(off).iter().sum::<f64>();
+        let distance = (square.sqrt() - displaced).max(0.0);
+        let seen = |[one, two]: [&Span; 2]| {
+            let share = one.length() * two.length() / (PI * distance * distance);
+            // at distance 0 it is infinite or not a number
+            if share < 1.0 { share } else { 1.0 }
+        };
+        // twice for the rounding of these lines
+        2.0 * (strip([x, y]) * seen(sides) + strip(sides) * seen([x, y]))
+    }
+
+    /// [`exchange_area`](Self::exchange_area) of the ends as given, to be called where vector code
+    /// is made.
     #[inline(always)]
     pub(crate) fn closed_form(&self) -> Result<ExchangeArea, FormFactorError> {
         match self.exchange()? {
@@ -349,6 +402,23 @@ impl TryFrom<&Placement> for Second<f64> {
             _ => Ok(Self::Dark),
         }
     }
+}
+
+/// The distance by which an upper end is off its lower end and length.
+fn off(span: &Span) -> f64 {
+    let (sum, lost) = two_sum(*span.lower(), *span.length());
+    ((sum - span.upper()) + lost).abs()
+}
+
+/// The distance between two spans of one axis; 0 where they overlap.
+fn gap(one: &Span, other: &Span) -> f64 {
+    (one.lower() - other.upper())
+        .max(other.lower() - one.upper())
+        .max(0.0)
+}
+
+fn square_of(gaps: [f64; 3]) -> f64 {
+    gaps.iter().map(|gap| gap * gap).sum()
 }
 
 /// Refuses a position that is certainly not in `[0, 1]`.

@@ -6,8 +6,8 @@ use crate::numeric::Scalar;
 /// The interval from `lower` to `upper`, `lower < upper`, with its length kept apart.
 ///
 /// Far from the origin `upper − lower` would lose digits of a short length that is known exactly.
-/// The ends are then rounded, and a length below ε of the ends is lost in them: error bounds count
-/// the ends as given.
+/// The ends are then rounded, and a length below ε of the ends is lost in them: closed forms take
+/// the ends as given, and bounds that are for lengths as given add the difference.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span<S = f64> {
     lower: S,
