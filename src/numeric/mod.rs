@@ -6,10 +6,10 @@
 //!
 //! | question | where |
 //! |---|---|
-//! | number types | [`Scalar`], [`Interval`], [`Dual`], [`DoubleDouble`], [`Scaled`] |
+//! | number types | [`Scalar`], [`Interval`], [`Dual`], [`DoubleDouble`] |
 //! | a value with its error | [`Bounded`], and the [`Grade`] of the error |
 //! | elementary functions, entropy kernels (`0·log 0 = 0`) | [`functions`], [`x_log2_x`] |
-//! | compensated and exact sums | [`CompensatedSum`], [`Expansion`] |
+//! | compensated and exact sums | [`compensated_sum`], [`Expansion`] |
 //! | roots and maxima in `f64` | [`root`], [`maximum`], [`maximum_of_many`] |
 //! | roots and maxima with proof | [`certified_roots`], [`certified_maximum`] |
 //! | stationary points with proof | [`certified_stationary_point`] |

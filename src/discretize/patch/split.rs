@@ -41,7 +41,6 @@ pub struct PatchSplit {
 
 /// The shapes of a split, which decide how its parts are evaluated.
 #[derive(Debug, Clone, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "there is one for each split")]
 enum Shapes {
     /// Rectangles with edges along common axes.
     Rectangles(RectangleSplit),

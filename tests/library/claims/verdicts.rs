@@ -1,6 +1,6 @@
 //! Every verdict is computed, is the recorded one, and turns when its input is perturbed.
 
-use super::JUDGEMENTS;
+use super::{CONTEXT, JUDGEMENTS};
 use infoscene::claims::{
     Case, Claim, Computation, Context, Finding, Inputs, Printed, Task, Verdict, judge_control,
     registry,
@@ -30,10 +30,9 @@ fn every_verdict_is_the_recorded_one() {
 /// The control of each claim breaks its premise, or takes another printed number.
 #[test]
 fn every_verdict_turns_under_its_control() {
-    let context = Context::default();
     for plain in JUDGEMENTS.iter() {
         if let Task::Compute { .. } = plain.claim.task {
-            let control = judge_control(&plain.claim, &context).unwrap();
+            let control = judge_control(&plain.claim, &CONTEXT).unwrap();
             assert_ne!(
                 plain.verdict, control.verdict,
                 "{}: {:?}",
