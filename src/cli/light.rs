@@ -36,7 +36,7 @@ impl From<ChainName> for SceneChain {
 }
 
 impl LightArguments {
-    /// Is it the visibility chain, and no light described?
+    /// Whether it is the visibility chain, and no light is described.
     pub(super) fn is_absent(&self) -> bool {
         self.light() == Light::default()
     }

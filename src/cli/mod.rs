@@ -76,7 +76,7 @@ enum Question {
     Man,
 }
 
-/// What an answered question means for the exit status.
+/// The exit status of an answered question.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Outcome {
     /// All is as expected.

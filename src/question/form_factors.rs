@@ -44,7 +44,7 @@ pub struct FormFactors {
     pub from: Option<usize>,
     /// The row that receives; all if there is none.
     pub to: Option<usize>,
-    /// Is the whole matrix asked for, too?
+    /// Whether the whole matrix is asked for, too.
     pub matrix: bool,
 }
 
@@ -95,11 +95,11 @@ impl FormFactorRecord {
 /// A patch, or several that are summed, as a record.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PatchRecord {
-    /// Its number, from 0.
+    /// The number of the row, from 0.
     pub index: usize,
-    /// Its name, or that of the first.
+    /// The name of the patch, or of the first.
     pub name: String,
-    /// Its area, without what lies in it.
+    /// The area, less that of the parts in it.
     pub area: f64,
 }
 

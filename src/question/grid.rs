@@ -86,13 +86,13 @@ pub struct GridAnswer {
     pub lines: Vec<f64>,
     /// Mutual information.
     pub mutual_information: f64,
-    /// Its error.
+    /// The error of the mutual information.
     pub error: f64,
     /// The grade of that error.
     pub error_grade: Grade,
     /// Mutual information of the regular grid of as many cells.
     pub regular_mutual_information: f64,
-    /// Its error, a bound.
+    /// The bound on its error.
     #[serde(skip)]
     pub regular_error: f64,
     /// The number of patches.
@@ -109,7 +109,7 @@ pub struct GridAnswer {
     pub slope: Option<f64>,
     /// The largest curvature; none if no line is free.
     pub curvature: Option<f64>,
-    /// Its error, an estimate.
+    /// The estimate of its error.
     pub curvature_error: Option<f64>,
     /// The number of starts of the search.
     pub starts: Option<usize>,

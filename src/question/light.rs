@@ -30,7 +30,7 @@ pub struct Light {
 }
 
 impl Light {
-    /// Is it the visibility chain, which takes no light?
+    /// Whether it is the visibility chain, which takes no light.
     ///
     /// # Errors
     /// [`QuestionError::NoLightMeant`] if light is described nevertheless.

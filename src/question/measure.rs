@@ -39,10 +39,10 @@ pub struct Measure {
     pub light: Light,
     /// The treatment of power that meets no patch; light needs no state for it.
     pub open_scene: OpenScene,
-    /// Is the continuous mutual information asked for, too? The room must be closed and convex
-    /// inside.
+    /// Whether the continuous mutual information is asked for, too: the room must be closed and
+    /// convex inside.
     pub continuous: bool,
-    /// Are the losses of the pairs of patches asked for, too?
+    /// Whether the losses of the pairs of patches are asked for, too.
     pub pairs: bool,
 }
 
@@ -79,7 +79,7 @@ pub struct MeasureAnswer {
     pub mutual_information: f64,
     /// Continuous mutual information, eq. (4), in bits, if it was asked for.
     pub continuous_mutual_information: Option<f64>,
-    /// Its error.
+    /// The error of the continuous mutual information.
     pub continuous_error: Option<f64>,
     /// The grade of its error.
     pub continuous_error_grade: Option<Grade>,
@@ -158,7 +158,7 @@ impl From<&PairLoss> for PairLossRecord {
 pub struct RowSumRecord {
     /// The row, from 0.
     pub patch: usize,
-    /// Its name.
+    /// The name of the row.
     pub name: String,
     /// The sum.
     pub row_sum: f64,
@@ -171,9 +171,9 @@ pub struct RowSumRecord {
 pub struct Contribution {
     /// The row, from 0.
     pub patch: usize,
-    /// Its name.
+    /// The name of the row.
     pub name: String,
-    /// Its stationary probability.
+    /// The stationary probability.
     pub weight: f64,
     /// The term, in bits.
     pub mutual_information: f64,

@@ -43,7 +43,7 @@ pub enum PatchValueError {
     Material {
         /// The row, from 0.
         row: usize,
-        /// Its name.
+        /// The name of the patch.
         name: String,
         /// The reason.
         source: MaterialError,
@@ -119,7 +119,7 @@ pub struct MaterialChanges {
 }
 
 impl MaterialChanges {
-    /// Is none given?
+    /// Whether none is given.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.reflectance.is_empty() && self.emittance.is_empty()

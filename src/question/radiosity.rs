@@ -88,13 +88,13 @@ pub struct RadiosityAnswer {
 pub struct PatchLight {
     /// The row, from 0.
     pub index: usize,
-    /// Its name.
+    /// The name of the row.
     pub name: String,
-    /// Its radiosity, in the unit of the emittances.
+    /// The radiosity, in the unit of the emittances.
     pub radiosity: f64,
-    /// Its irradiance.
+    /// The irradiance, in the same unit.
     pub irradiance: f64,
-    /// Its importance, if it was asked for.
+    /// The importance, if it was asked for.
     pub importance: Option<f64>,
     /// A bound on the error that the form factors' errors bring to the radiosity; none where no
     /// bound is known.

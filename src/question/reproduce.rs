@@ -54,7 +54,7 @@ pub struct ReproduceAnswer {
 pub struct JudgedClaim {
     /// Short name, unique.
     pub id: String,
-    /// Its place in the paper.
+    /// The place in the paper.
     pub place: String,
     /// The statement, in our own words.
     pub quantity: String,
@@ -67,7 +67,7 @@ pub struct JudgedClaim {
     pub decimals: Option<u32>,
     /// The number computed.
     pub computed: Option<f64>,
-    /// Its stated error, or the residual that rounding may leave.
+    /// The stated error, or the residual that rounding may leave.
     pub error: Option<f64>,
     /// An enclosure of the number, if there is one; its ends follow in decimals.
     #[serde(skip)]

@@ -31,7 +31,7 @@ pub struct Sample {
     pub kind: LineKind,
     /// The seed: one seed always draws the same lines.
     pub seed: u64,
-    /// Is the continuous mutual information asked for, too?
+    /// Whether the continuous mutual information is asked for, too.
     pub continuous: bool,
     /// Are the exact mutual information and the expected bias asked for, too? They are found where
     /// nothing is in the way and the scene has at most [`MOST_EXACT_ROWS`](Self::MOST_EXACT_ROWS)
@@ -71,7 +71,7 @@ pub struct SampleAnswer {
     pub mutual_information: Option<f64>,
     /// The continuous mutual information by the chords, in bits, if it was asked for.
     pub continuous_mutual_information: Option<f64>,
-    /// Its standard error.
+    /// The standard error of the continuous mutual information.
     pub continuous_standard_error: Option<f64>,
     /// The grade of its error.
     pub continuous_error_grade: Option<Grade>,

@@ -16,7 +16,7 @@ use crate::scene::{Occlusion, Scene};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneSource {
-    /// Where the scene comes from.
+    /// The origin of the scene.
     pub origin: SceneOrigin,
     /// The treatment of faces of a file that are not planar.
     pub faces: NonPlanarFaces,

@@ -5,7 +5,7 @@ use crate::report::{Report, ReportError, Table, scientific};
 use crate::study::form_factors::accuracy::AccuracyRow;
 use crate::study::form_factors::extreme_pairs::{CHOSEN, StabilityRow};
 
-/// What naive forms and the routes keep in stiff and extreme cases: a line per case.
+/// The digits that naive forms and the routes keep in stiff and extreme cases: a line per case.
 ///
 /// # Errors
 /// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
