@@ -12,7 +12,7 @@ use infoscene::report::sample_report;
 pub(super) struct Sample {
     #[command(flatten)]
     scene: ScenePairsArguments,
-    /// How many lines.
+    /// Number of lines.
     #[arg(long, value_name = "N", default_value_t = 1_000_000,
         value_parser = clap::value_parser!(u32).range(2..))]
     lines: u32,

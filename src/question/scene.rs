@@ -48,8 +48,8 @@ impl SceneSource {
     /// The scene, whatever lies or stands in it, and what its reader has to say.
     ///
     /// # Errors
-    /// [`OpenError::Scene`] if the name is neither a built-in scene nor a path, or if a patch cannot
-    /// be quartered; [`OpenError::File`] if the file is at fault.
+    /// [`OpenError::Scene`] if the name is neither a built-in scene nor a path, or if a patch
+    /// cannot be quartered; [`OpenError::File`] if the file is at fault.
     pub fn open(&self) -> Result<LoadedScene, OpenError> {
         let mut loaded = match &self.origin {
             SceneOrigin::Named(name) => open(name, self.faces)?,

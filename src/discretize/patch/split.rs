@@ -68,7 +68,7 @@ impl PatchSplit {
     /// `against`; a scene in which something may stand between these is refused.
     ///
     /// # Errors
-    /// Those of [`with_occlusion`](Self::with_occlusion).
+    /// The errors of [`with_occlusion`](Self::with_occlusion).
     pub fn try_new(
         scene: &Scene,
         patch: usize,

@@ -23,7 +23,7 @@ pub(crate) fn check(record: &(impl Serialize + ?Sized)) -> Result<(), ReportErro
 /// Refuses such a number in an entry of a list.
 ///
 /// # Errors
-/// Those of [`check`]; the key begins with the list's and the entry's place.
+/// The errors of [`check`]; the key begins with the list's and the entry's place.
 pub(crate) fn check_entry(
     list: &str,
     index: usize,

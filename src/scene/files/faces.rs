@@ -15,7 +15,7 @@ use glam::{DVec2, DVec3};
 /// The patches of a face: itself if it is planar, else, if asked for, its triangles.
 ///
 /// # Errors
-/// Those of [`Patch::try_new`], of the face or of a triangle.
+/// The errors of [`Patch::try_new`], of the face or of a triangle.
 pub(crate) fn patches_of_face(
     corners: Vec<DVec3>,
     faces: super::NonPlanarFaces,
