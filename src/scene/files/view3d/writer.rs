@@ -51,6 +51,7 @@ fn corners(
         format: "View3D",
         what,
         mend,
+        is_split_away: false,
     };
     if patch.material().emittance() > 0.0 {
         let what = format!("patch {index} ({}) emits light", patch.name());
@@ -63,7 +64,10 @@ fn corners(
             patch.name(),
             given.len()
         );
-        return Err(not(what, "cut it into triangles or quadrilaterals"));
+        return Err(NotExpressible {
+            is_split_away: true,
+            ..not(what, "split it into triangles")
+        });
     }
     let mut numbers = [0; 4];
     for (number, corner) in numbers.iter_mut().zip(given) {
