@@ -46,9 +46,6 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
                 .then_some("\n--triangulate splits faces that are not planar into triangles"),
         };
     }
-    if let Some(QuestionError::NotExpressible(refusal)) = error.downcast_ref() {
-        return refusal.is_split_away.then_some("; --triangulate does");
-    }
     if let Some(DiscretizeError::NotEnclosed) = error.downcast_ref() {
         return Some("; leave out --precision");
     }

@@ -12,8 +12,7 @@ pub(super) struct SceneArgument {
     /// three-squares, cube:N, box:X,Y,Z, tetrahedron, octahedron, dodecahedron, icosahedron or
     /// cornell-box.
     scene: String,
-    /// Split faces into triangles that are not planar, or have too many corners for the format to
-    /// write.
+    /// Split faces that are not planar into triangles.
     #[arg(long)]
     triangulate: bool,
     /// Quarter every patch so many times: triangles and quadrilaterals into four alike.

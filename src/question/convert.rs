@@ -2,8 +2,7 @@
 
 use super::QuestionError;
 use super::scene::SceneSource;
-use crate::scene::Scene;
-use crate::scene::files::{LoadedScene, NonPlanarFaces, write_obj, write_view3d};
+use crate::scene::files::{write_obj, write_view3d};
 
 /// The question for the text of a scene file.
 ///
@@ -55,19 +54,11 @@ impl Convert {
     /// [`QuestionError::Scene`] if patches overlap; [`QuestionError::NotExpressible`] if the format
     /// has no words for the scene.
     pub fn ask(&self) -> Result<ConvertAnswer, QuestionError> {
-        let LoadedScene { scene, mut notes } = self.scene.open()?;
+        let loaded = self.scene.open()?;
+        let scene = loaded.scene;
         scene.check_overlap()?;
-        let scene = self.split(scene)?;
         let (text, materials) = match &self.format {
-            SceneFormat::View3d => {
-                let left_out = scene.empty_rows().len();
-                if left_out > 0 {
-                    notes.push(format!(
-                        "patches without area are left out, as View3D has none: {left_out}"
-                    ));
-                }
-                (write_view3d(&scene)?, None)
-            }
+            SceneFormat::View3d => (write_view3d(&scene)?, None),
             SceneFormat::Obj { materials } => {
                 let written = write_obj(&scene, materials)?;
                 (written.obj, Some(written.mtl))
@@ -76,16 +67,7 @@ impl Convert {
         Ok(ConvertAnswer {
             text,
             materials,
-            notes,
+            notes: loaded.notes,
         })
-    }
-
-    /// The scene in patches that the format has room for, if it may be split.
-    fn split(&self, scene: Scene) -> Result<Scene, QuestionError> {
-        let may_be_split = self.scene.faces == NonPlanarFaces::Triangulate;
-        match self.format {
-            SceneFormat::View3d if may_be_split => Ok(scene.with_corners_up_to(4)?),
-            _ => Ok(scene),
-        }
     }
 }

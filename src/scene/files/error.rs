@@ -291,8 +291,6 @@ pub struct NotExpressible {
     pub what: String,
     /// The remedy.
     pub mend: &'static str,
-    /// Whether patches in triangles are the remedy.
-    pub is_split_away: bool,
 }
 
 /// The remedy of a shape, as far as the geometry does not name it itself.

@@ -1,9 +1,8 @@
 //! A scene as Wavefront OBJ and MTL.
 
 use crate::scene::files::error::{NotExpressible, excerpt};
-use crate::scene::{Material, Scene};
+use crate::scene::{Material, NamedPatch, Scene};
 use glam::DVec3;
-use std::borrow::Cow;
 use std::collections::HashMap;
 use std::fmt::Write;
 
@@ -20,7 +19,7 @@ pub struct ObjText {
 ///
 /// Shapes and materials read back exactly. Names do if they are a text and the number of the patch
 /// among those of that text, as the reader makes them; else the reader puts such a number after
-/// them. `\` in a name becomes `_`.
+/// them. `#` and `\` in a name become `_`.
 ///
 /// # Errors
 /// [`NotExpressible`] if polygons only obstruct, a patch lies in another one, or patches are
@@ -30,7 +29,6 @@ pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible
         format: "Wavefront OBJ",
         what: what.to_owned(),
         mend: "write View3D .vs3",
-        is_split_away: false,
     };
     let count = scene.patches().len();
     if library.is_empty() || library.trim() != library || library.contains(['#', '\\', '\n']) {
@@ -38,7 +36,6 @@ pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible
             format: "Wavefront OBJ",
             what: format!("its materials are in \"{}\"", excerpt(library)),
             mend: "choose a name without # and \\, and without spaces around it",
-            is_split_away: false,
         });
     }
     if !scene.obstructions().is_empty() {
@@ -47,7 +44,7 @@ pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible
     if let Some(part) = (0..count).find(|index| scene.base_of(*index).is_some()) {
         return Err(not(&format!("patch {part} lies in another one")));
     }
-    if scene.first_summed().is_some() {
+    if scene.group_count() < count {
         return Err(not("patches are summed into one row"));
     }
     let (mut obj, mut mtl) = (format!("mtllib {library}\n"), String::new());
@@ -55,14 +52,18 @@ pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible
     let mut materials: Vec<Material> = Vec::new();
     let mut named: HashMap<String, usize> = HashMap::new();
     let mut current = (String::new(), None);
-    for (name, material, corners) in faces(scene) {
-        let group = group_of(name, &mut named);
-        let known = materials.iter().position(|known| *known == material);
-        let material = known.unwrap_or_else(|| {
-            materials.push(material);
+    for patch in scene.patches() {
+        let group = group_of(patch, &mut named);
+        let material = materials
+            .iter()
+            .position(|known| *known == patch.material());
+        let material = material.unwrap_or_else(|| {
+            materials.push(patch.material());
             materials.len() - 1
         });
-        let corners: Vec<usize> = corners
+        let corners: Vec<usize> = patch
+            .shape()
+            .corners()
             .iter()
             .map(|corner| {
                 vertices.number_or(*corner, |_| {
@@ -94,27 +95,9 @@ pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible
     Ok(ObjText { obj, mtl })
 }
 
-/// The name, material and corners of each row; a row without a patch is a face that repeats a
-/// corner.
-fn faces(scene: &Scene) -> Vec<(&str, Material, Cow<'_, [DVec3]>)> {
-    let mut patches = scene.patches().iter();
-    let point = scene.patches()[0].shape().corners()[0];
-    let mut empty = scene.empty_rows().iter().peekable();
-    let rows = (0..scene.group_count()).filter_map(|row| {
-        if let Some(empty) = empty.next_if(|empty| empty.row == row) {
-            let corners = Cow::Owned(vec![point; 3]);
-            return Some((empty.name.as_str(), empty.material, corners));
-        }
-        let patch = patches.next()?;
-        let corners = Cow::Borrowed(patch.shape().corners());
-        Some((patch.name(), patch.material(), corners))
-    });
-    rows.collect()
-}
-
 /// The name without the number that the reader will put after it.
-fn group_of(name: &str, named: &mut HashMap<String, usize>) -> String {
-    let name = name.replace('\\', "_");
+fn group_of(patch: &NamedPatch, named: &mut HashMap<String, usize>) -> String {
+    let name = patch.name().replace(['#', '\\'], "_");
     let words: Vec<&str> = name.split_whitespace().collect();
     let without_number = words.split_last().and_then(|(last, group)| {
         let group = group.join(" ");

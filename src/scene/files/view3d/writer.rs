@@ -51,7 +51,6 @@ fn corners(
         format: "View3D",
         what,
         mend,
-        is_split_away: false,
     };
     if patch.material().emittance() > 0.0 {
         let what = format!("patch {index} ({}) emits light", patch.name());
@@ -64,10 +63,7 @@ fn corners(
             patch.name(),
             given.len()
         );
-        return Err(NotExpressible {
-            is_split_away: true,
-            ..not(what, "split it into triangles")
-        });
+        return Err(not(what, "cut it into triangles or quadrilaterals"));
     }
     let mut numbers = [0; 4];
     for (number, corner) in numbers.iter_mut().zip(given) {
