@@ -27,6 +27,9 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
     if let Some(SceneError::MayBeBlocked { .. }) = error.downcast_ref() {
         return Some("; --unoccluded computes as if nothing were in the way");
     }
+    if let Some(ExchangeError::TurnedAway) = error.downcast_ref() {
+        return Some("; --reverse does");
+    }
     if let Some(Fault::Geometry { source }) = error.downcast_ref() {
         let is_bent = matches!(source, GeometryError::NotPlanar { .. });
         return is_bent.then_some("; --triangulate does");

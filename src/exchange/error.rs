@@ -32,6 +32,9 @@ pub enum ExchangeError {
         /// The deviation that would count as closed.
         tolerance: f64,
     },
+    /// Every patch faces away from all others.
+    #[error("all patches face away from each other: reverse the corners of every face")]
+    TurnedAway,
     /// The form factors of a patch sum to more than one.
     #[error(
         "row {row} of the form factors (patch {name}) sums to {sum}, 1 + {tolerance:e} at most is \

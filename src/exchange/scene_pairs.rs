@@ -13,9 +13,9 @@
 //!
 //! **Not covered**: computing with occlusion; an occluded scene is refused ([`Occlusion`]).
 
-use super::ExchangeError;
 use super::plan::{Congruence, Plan};
 use super::progress::{Listener, Progress, Unheard};
+use super::{ExchangeError, Selection, Tolerance};
 use crate::exchange::plan::base_offsets::BaseOffsets;
 use crate::exchange::plan::counts::{PassCounts, PassSummary};
 use crate::exchange::plan::facing::{Facing, FacingPlanes};
@@ -41,7 +41,9 @@ pub struct ScenePairs<'p> {
     /// The areas of the rows.
     areas: Vec<f64>,
     area_bounds: Vec<f64>,
-    tolerance: f64,
+    tolerance: Tolerance,
+    /// Whether all patches face away from each other.
+    is_turned_away: bool,
     /// The value of each class of congruent pairs; none where they are not equal within the
     /// tolerance.
     shared: Vec<Option<Answer>>,
@@ -50,8 +52,8 @@ pub struct ScenePairs<'p> {
 impl<'p> ScenePairs<'p> {
     /// Checks the scene, makes the plan, and computes what congruent pairs share.
     ///
-    /// **Arguments** `tolerance`: the relative error asked for, > 0; `occlusion`: the policy for
-    /// scenes in which something may stand between two patches.
+    /// **Arguments** `tolerance`: the error accepted of every form factor, a number means a relative
+    /// one; `occlusion`: the policy for scenes in which something may stand between two patches.
     ///
     /// # Errors
     /// [`ExchangeError::Scene`] if patches overlap, or if something may stand between two of them
@@ -70,7 +72,7 @@ impl<'p> ScenePairs<'p> {
     /// ```
     pub fn try_new(
         scene: &Scene,
-        tolerance: f64,
+        tolerance: impl Into<Tolerance>,
         congruence: Congruence,
         occlusion: Occlusion,
     ) -> Result<Self, ExchangeError> {
@@ -78,15 +80,65 @@ impl<'p> ScenePairs<'p> {
         Self::unchecked(scene, tolerance, congruence)
     }
 
+    /// The pairs of a scene of which only some will be asked for: what does not concern these is
+    /// neither checked nor prepared, and no pair takes the value of a congruent one.
+    ///
+    /// The work grows with the number of patches, not with that of their pairs, where both ends are
+    /// listed.
+    ///
+    /// # Errors
+    /// [`ExchangeError::Scene`] if there is no such row, if a patch of the rows overlaps another
+    /// one, or if something may stand between two of the rows and occlusion is not ignored.
+    ///
+    /// # Examples
+    /// ```
+    /// use infoscene::exchange::{ScenePairs, Selection, Tolerance};
+    /// use infoscene::scene::{Occlusion, Scene};
+    /// let cube = Scene::built_in("cube:1")?;
+    /// let pair = Selection { from: Some(vec![0]), to: Some(vec![1]) };
+    /// let pairs = ScenePairs::of_selection(&cube, Tolerance::default(), &pair, Occlusion::Refuse)?;
+    /// let (entries, _) = pairs.entries(&pair)?;
+    /// // opposite faces of a cube
+    /// assert!((entries[0].answer.exchange.value - 0.199_824_895_698_387).abs() < 1e-15);
+    /// # Ok::<(), infoscene::exchange::ExchangeError>(())
+    /// ```
+    pub fn of_selection(
+        scene: &Scene,
+        tolerance: impl Into<Tolerance>,
+        selection: &Selection,
+        occlusion: Occlusion,
+    ) -> Result<Self, ExchangeError> {
+        selection.check(scene.group_count())?;
+        let Some(ends) = selection.ends() else {
+            return Self::try_new(scene, tolerance, Congruence::Ignored, occlusion);
+        };
+        occlusion.check_rows(scene, ends, selection.other_ends())?;
+        Self::prepared(scene, tolerance.into(), Congruence::Ignored, Some(ends))
+    }
+
     /// The pairs of a scene that was checked before, or that nothing in it can overlap or hide.
     pub(crate) fn unchecked(
         scene: &Scene,
-        tolerance: f64,
+        tolerance: impl Into<Tolerance>,
         congruence: Congruence,
+    ) -> Result<Self, ExchangeError> {
+        Self::prepared(scene, tolerance.into(), congruence, None)
+    }
+
+    /// The pairs that have one of some rows in them, or all.
+    fn prepared(
+        scene: &Scene,
+        tolerance: Tolerance,
+        congruence: Congruence,
+        rows: Option<&[usize]>,
     ) -> Result<Self, ExchangeError> {
         let terms = RowTerms::of(scene);
         let shapes = terms.shapes(scene);
-        let facings = FacingPlanes::of(scene, terms.patches(), terms.roots());
+        let asked: Option<Vec<usize>> = rows.map(|rows| {
+            let terms = rows.iter().flat_map(|row| terms.of_row(*row));
+            terms.map(|term| term.polygon).collect()
+        });
+        let facings = FacingPlanes::of(scene, terms.patches(), terms.roots(), asked.as_deref());
         let plan = Plan::of(&shapes, facings, congruence);
         let [areas, area_bounds] = areas(&terms, &shapes);
         let mut pairs = Self {
@@ -103,19 +155,17 @@ impl<'p> ScenePairs<'p> {
             areas,
             area_bounds,
             tolerance,
+            is_turned_away: scene.is_turned_away(),
             shared: Vec::new(),
         };
         let spread = pairs.plan.spread();
-        // half of the tolerance is for the differences between congruent pairs
-        let asked = if spread > 0.0 {
-            0.5 * tolerance
-        } else {
-            tolerance
-        };
         let representatives = pairs.plan.representatives();
         pairs.shared = try_parallel_map(representatives.len(), &|class| {
             let [first, second] = representatives[class];
-            let mut answer = pairs.evaluate(first, second, asked)?;
+            let tolerance = pairs.relative_tolerance(first, second);
+            // half of it is for the differences between congruent pairs
+            let part = if spread > 0.0 { 0.5 } else { 1.0 };
+            let mut answer = pairs.evaluate(first, second, part * tolerance)?;
             let [one, other] = [first, second].map(|index| shapes[index].shape());
             let apart = allowance(spread, one, other);
             let exchange = &mut answer.exchange;
@@ -172,9 +222,9 @@ impl ScenePairs<'_> {
         &self.area_bounds
     }
 
-    /// The relative error asked for.
+    /// The error that is accepted of form factors.
     #[must_use]
-    pub const fn tolerance(&self) -> f64 {
+    pub const fn tolerance(&self) -> Tolerance {
         self.tolerance
     }
 
@@ -233,10 +283,19 @@ impl ScenePairs<'_> {
         let shared = shared.and_then(|place| self.shared[place]);
         let answer = match shared {
             Some(answer) => answer,
-            None => self.evaluate(first, second, self.tolerance)?,
+            None => {
+                let tolerance = self.relative_tolerance(first, second);
+                self.evaluate(first, second, tolerance)?
+            }
         };
         counts.polygons(answer.route, shared.is_none());
         Ok(answer)
+    }
+
+    /// The relative error to which two polygons are evaluated.
+    fn relative_tolerance(&self, first: usize, second: usize) -> f64 {
+        let [one, other] = [first, second].map(|polygon| &self.polygons[polygon]);
+        self.tolerance.relative_of(one, other)
     }
 
     /// Computes the exchange area of two polygons: one value per pair, between 0 and the smaller
@@ -284,7 +343,9 @@ impl ScenePairs<'_> {
         classes: usize,
         counts: PassCounts,
     ) -> PassSummary {
-        counts.summary(pairs, self.plan.facings().count(), left_out, classes)
+        let mut summary = counts.summary(pairs, self.plan.facings().count(), left_out, classes);
+        summary.is_turned_away = self.is_turned_away;
+        summary
     }
 }
 

@@ -3,14 +3,15 @@
 //! **Memory** All pairs are held up to [`FormFactors::MOST_HELD`] rows; beyond that one row at a
 //! time.
 
-use super::QuestionError;
-use super::scene::{SceneSource, pairs};
+use super::scene::SceneSource;
 use super::unreached::Unreached;
+use super::{PatchName, QuestionError};
 use crate::exchange::{
-    Congruence, Entry, ExchangeAreas, ExchangeError, PassSummary, PlanSummary, Progress, ScenePairs,
+    Congruence, Entry, ExchangeAreas, ExchangeError, PassSummary, PlanSummary, Progress,
+    ScenePairs, Selection, Tolerance,
 };
-use crate::form_factor::{Answer, DEFAULT_TOLERANCE};
-use crate::scene::{Occlusion, Scene};
+use crate::form_factor::Answer;
+use crate::scene::Scene;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 
@@ -22,8 +23,8 @@ use serde::{Serialize, Serializer};
 /// use infoscene::question::FormFactors;
 /// let squares = FormFactors {
 ///     scene: "two-squares".into(),
-///     from: Some(0),
-///     to: Some(1),
+///     from: Some("floor".into()),
+///     to: Some("wall".into()),
 ///     ..FormFactors::default()
 /// };
 /// // Howell, C-14: unit squares with a common edge
@@ -36,14 +37,14 @@ use serde::{Serialize, Serializer};
 pub struct FormFactors {
     /// The scene.
     pub scene: SceneSource,
-    /// The relative error asked for of every form factor.
-    pub tolerance: f64,
+    /// The error that is accepted of every form factor.
+    pub tolerance: Tolerance,
     /// The treatment of congruent pairs.
     pub congruence: Congruence,
-    /// The row that sends; all if there is none.
-    pub from: Option<usize>,
-    /// The row that receives; all if there is none.
-    pub to: Option<usize>,
+    /// The rows that send; all if there is no name.
+    pub from: Option<PatchName>,
+    /// The rows that receive; all if there is no name.
+    pub to: Option<PatchName>,
     /// Whether the whole matrix is asked for, too.
     pub matrix: bool,
 }
@@ -53,7 +54,7 @@ impl Default for FormFactors {
     fn default() -> Self {
         Self {
             scene: SceneSource::default(),
-            tolerance: DEFAULT_TOLERANCE,
+            tolerance: Tolerance::default(),
             congruence: Congruence::Shared,
             from: None,
             to: None,
@@ -139,21 +140,22 @@ impl FormFactors {
         let loaded = self.scene.open()?;
         let scene = loaded.scene;
         let rows = scene.group_count();
-        let is_part = self.from.is_some() || self.to.is_some();
+        let selection = self.selection(&scene)?;
+        let is_part = !selection.is_all();
         if !is_part && rows > Self::MOST_HELD {
             return Err(QuestionError::TooManyPairs {
                 patches: rows,
                 largest: Self::MOST_HELD,
             });
         }
-        let pairs = self.pairs(&scene, progress)?;
+        let pairs = self.pairs(&scene, &selection, progress)?;
         let held = if rows <= Self::MOST_HELD && (!is_part || self.matrix) {
             Some(pairs.exchange_areas()?)
         } else {
             None
         };
         let part = if is_part {
-            Some(pairs.entries(self.from, self.to)?)
+            Some(pairs.entries(&selection)?)
         } else {
             None
         };
@@ -187,20 +189,33 @@ impl FormFactors {
         })
     }
 
-    /// The pairs of the scene; if only those of some rows are asked for, something may stand
-    /// between the others.
+    /// The pairs that are asked for.
+    fn selection(&self, scene: &Scene) -> Result<Selection, QuestionError> {
+        let rows = |name: &Option<PatchName>| match name {
+            Some(name) => name.rows(scene).map(Some),
+            None => Ok(None),
+        };
+        Ok(Selection {
+            from: rows(&self.from)?,
+            to: rows(&self.to)?,
+        })
+    }
+
+    /// The pairs of the scene; what does not concern a part of them matters only to the matrix.
     fn pairs<'p>(
         &self,
         scene: &Scene,
+        selection: &Selection,
         progress: &'p dyn Progress,
     ) -> Result<ScenePairs<'p>, ExchangeError> {
-        if self.scene.occlusion == Occlusion::Refuse {
-            // the matrix wants all rows
-            let asked = |row: Option<usize>| row.filter(|_| !self.matrix);
-            scene.check_rows_unblocked(asked(self.from), asked(self.to))?;
+        if selection.is_all() || self.matrix {
+            let asked = (self.tolerance, self.congruence);
+            return self.scene.pairs(scene, asked, progress);
         }
-        let asked = (self.tolerance, self.congruence);
-        pairs(scene, Occlusion::Ignore, asked, progress)
+        let occlusion = self.scene.occlusion;
+        let pairs = ScenePairs::of_selection(scene, self.tolerance, selection, occlusion)?;
+        progress.begin(selection.pairs(pairs.rows()).count() as u64, "pairs");
+        Ok(pairs.with_progress(progress))
     }
 }
 

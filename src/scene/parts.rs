@@ -28,7 +28,7 @@
 use super::{Material, NamedPatch, Scene, SceneError};
 use crate::geometry::{NotContained, check_contained};
 use crate::scene::visibility::surfaces::Prepared;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::hash::Hash;
 
 impl Scene {
@@ -138,6 +138,13 @@ impl Scene {
         groups.filter_map(move |(patch, row)| (*row == group).then_some(patch))
     }
 
+    /// The patches of some rows, row by row.
+    pub(crate) fn patches_of_groups(&self, groups: &[usize]) -> impl Iterator<Item = usize> {
+        groups
+            .iter()
+            .flat_map(|group| self.patches_of_group(*group))
+    }
+
     /// The area of each row, without what lies in it and is of another row.
     #[must_use]
     pub fn row_areas(&self) -> Vec<f64> {
@@ -162,6 +169,27 @@ impl Scene {
             }
         }
         names
+    }
+
+    /// The rows that have this name, or a patch that is a piece of something that has it, in order.
+    #[must_use]
+    pub fn groups_named(&self, name: &str) -> Vec<usize> {
+        let mut rows: Vec<usize> = Vec::new();
+        for (patch, group) in self.patches.iter().zip(&self.groups) {
+            if patch.name == name || patch.wholes.iter().any(|whole| whole == name) {
+                rows.push(*group);
+            }
+        }
+        rows.sort_unstable();
+        rows.dedup();
+        rows
+    }
+
+    /// The names of patches and of what they are pieces of, each once, in alphabetical order.
+    pub(crate) fn known_names(&self) -> BTreeSet<&str> {
+        let own = self.patches.iter().map(|patch| patch.name.as_str());
+        let wholes = self.patches.iter().flat_map(|patch| patch.wholes.iter());
+        own.chain(wholes.map(String::as_str)).collect()
     }
 
     /// The material that all patches of a row have; reflected power of different ones is not that
