@@ -25,6 +25,7 @@ use crate::exchange::rows::terms::RowTerms;
 use crate::form_factor::{Answer, Polygon};
 use crate::numeric::{compensated_sum, try_parallel_map};
 use crate::scene::{NamedPatch, Occlusion, Scene};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// A scene whose pairs are ready to be evaluated, and who listens to the progress of passes.
@@ -35,7 +36,7 @@ pub struct ScenePairs<'p> {
     plane_sets: PlaneSets,
     base_offsets: BaseOffsets,
     listener: Listener<'p>,
-    polygons: Vec<Polygon>,
+    polygons: Polygons,
     /// The names of the rows.
     names: Arc<[String]>,
     /// The areas of the rows.
@@ -113,7 +114,12 @@ impl<'p> ScenePairs<'p> {
             return Self::try_new(scene, tolerance, Congruence::Ignored, occlusion);
         };
         occlusion.check_rows(scene, ends, selection.other_ends())?;
-        Self::prepared(scene, tolerance.into(), Congruence::Ignored, Some(ends))
+        Self::prepared(
+            scene,
+            tolerance.into(),
+            Congruence::Ignored,
+            Some(selection),
+        )
     }
 
     /// The pairs of a scene that was checked before, or that nothing in it can overlap or hide.
@@ -125,20 +131,23 @@ impl<'p> ScenePairs<'p> {
         Self::prepared(scene, tolerance.into(), congruence, None)
     }
 
-    /// The pairs that have one of some rows in them, or all.
+    /// The pairs of a selection, or all.
     fn prepared(
         scene: &Scene,
         tolerance: Tolerance,
         congruence: Congruence,
-        rows: Option<&[usize]>,
+        selection: Option<&Selection>,
     ) -> Result<Self, ExchangeError> {
         let terms = RowTerms::of(scene);
         let shapes = terms.shapes(scene);
-        let asked: Option<Vec<usize>> = rows.map(|rows| {
-            let terms = rows.iter().flat_map(|row| terms.of_row(*row));
-            terms.map(|term| term.polygon).collect()
-        });
+        let ends = selection.and_then(Selection::ends);
+        let asked = ends.map(|rows| terms.polygons_of(rows));
         let facings = FacingPlanes::of(scene, terms.patches(), terms.roots(), asked.as_deref());
+        let others = selection.and_then(Selection::other_ends);
+        let needed = asked.zip(others).map(|(mut asked, others)| {
+            asked.extend(terms.polygons_of(others));
+            asked
+        });
         let plan = Plan::of(&shapes, facings, congruence);
         let [areas, area_bounds] = areas(&terms, &shapes);
         let mut pairs = Self {
@@ -148,10 +157,7 @@ impl<'p> ScenePairs<'p> {
             names: scene.group_names().into_iter().map(str::to_owned).collect(),
             plan,
             terms,
-            polygons: shapes
-                .iter()
-                .map(|patch| Polygon::new(patch.shape()))
-                .collect(),
+            polygons: Polygons::of(&shapes, needed),
             areas,
             area_bounds,
             tolerance,
@@ -162,7 +168,7 @@ impl<'p> ScenePairs<'p> {
         let representatives = pairs.plan.representatives();
         pairs.shared = try_parallel_map(representatives.len(), &|class| {
             let [first, second] = representatives[class];
-            let tolerance = pairs.relative_tolerance(first, second);
+            let tolerance = pairs.relative_tolerance(first, second)?;
             // half of it is for the differences between congruent pairs
             let part = if spread > 0.0 { 0.5 } else { 1.0 };
             let mut answer = pairs.evaluate(first, second, part * tolerance)?;
@@ -284,7 +290,7 @@ impl ScenePairs<'_> {
         let answer = match shared {
             Some(answer) => answer,
             None => {
-                let tolerance = self.relative_tolerance(first, second);
+                let tolerance = self.relative_tolerance(first, second)?;
                 self.evaluate(first, second, tolerance)?
             }
         };
@@ -292,10 +298,18 @@ impl ScenePairs<'_> {
         Ok(answer)
     }
 
+    /// Two polygons, if they are among those that were made ready.
+    fn both(&self, first: usize, second: usize) -> Result<[&Polygon; 2], ExchangeError> {
+        let both = self.polygons.get(first).zip(self.polygons.get(second));
+        let [first, second] = [first, second].map(|polygon| self.terms.patches()[polygon]);
+        both.map(<[&Polygon; 2]>::from)
+            .ok_or(ExchangeError::NotSelected { first, second })
+    }
+
     /// The relative error to which two polygons are evaluated.
-    fn relative_tolerance(&self, first: usize, second: usize) -> f64 {
-        let [one, other] = [first, second].map(|polygon| &self.polygons[polygon]);
-        self.tolerance.relative_of(one, other)
+    fn relative_tolerance(&self, first: usize, second: usize) -> Result<f64, ExchangeError> {
+        let [one, other] = self.both(first, second)?;
+        Ok(self.tolerance.relative_of(one, other))
     }
 
     /// Computes the exchange area of two polygons: one value per pair, between 0 and the smaller
@@ -307,15 +321,14 @@ impl ScenePairs<'_> {
         tolerance: f64,
     ) -> Result<Answer, ExchangeError> {
         let (first, second) = (first.min(second), first.max(second));
-        let answer = self.polygons[first].exchange_area(&self.polygons[second], tolerance);
+        let [one, other] = self.both(first, second)?;
+        let answer = one.exchange_area(other, tolerance);
         let mut answer = answer.map_err(|source| ExchangeError::Pair {
             first: self.terms.patches()[first],
             second: self.terms.patches()[second],
             source,
         })?;
-        let most = self.polygons[first]
-            .area()
-            .min(self.polygons[second].area());
+        let most = one.area().min(other.area());
         answer.exchange.value = answer.exchange.value.min(most);
         Ok(answer)
     }
@@ -328,7 +341,7 @@ impl ScenePairs<'_> {
 
     /// The summary of a pass over all pairs.
     pub(crate) fn summary(&self, counts: PassCounts) -> PassSummary {
-        let n = self.polygons.len();
+        let n = self.terms.patches().len();
         let left_out = self.plan.facings().pairs_left_out();
         let classes = self.shared.iter().flatten().count();
         self.summary_of(n * (n - 1) / 2, left_out, classes, counts)
@@ -346,6 +359,42 @@ impl ScenePairs<'_> {
         let mut summary = counts.summary(pairs, self.plan.facings().count(), left_out, classes);
         summary.is_turned_away = self.is_turned_away;
         summary
+    }
+}
+
+/// The polygons that pairs are evaluated of: all, or those that a selection needs.
+#[derive(Debug, Clone)]
+struct Polygons {
+    ready: Vec<Polygon>,
+    /// The place of each polygon among those that are ready, unless all are.
+    places: Option<HashMap<usize, usize>>,
+}
+
+impl Polygons {
+    fn of(shapes: &[NamedPatch], needed: Option<Vec<usize>>) -> Self {
+        let polygon = |patch: &NamedPatch| Polygon::new(patch.shape());
+        let Some(mut needed) = needed else {
+            let ready = shapes.iter().map(polygon).collect();
+            let places = None;
+            return Self { ready, places };
+        };
+        needed.sort_unstable();
+        needed.dedup();
+        Self {
+            ready: needed
+                .iter()
+                .map(|index| polygon(&shapes[*index]))
+                .collect(),
+            places: Some(needed.into_iter().zip(0..).collect()),
+        }
+    }
+
+    fn get(&self, polygon: usize) -> Option<&Polygon> {
+        let place = match &self.places {
+            None => polygon,
+            Some(places) => *places.get(&polygon)?,
+        };
+        self.ready.get(place)
     }
 }
 

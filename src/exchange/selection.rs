@@ -48,10 +48,20 @@ impl Selection {
         self.from.as_ref().and(self.to.as_deref())
     }
 
-    /// Tells whether both directions of a pair are selected.
-    pub(crate) fn has_both_ways(&self, [from, to]: [usize; 2]) -> bool {
-        let has = |list: &Option<Vec<usize>>, row| list.as_ref().is_none_or(|l| l.contains(&row));
-        has(&self.from, to) && has(&self.to, from)
+    /// Tells for each of so many rows whether it is at both ends: both directions of a pair are
+    /// selected if that is so of its two rows.
+    pub(crate) fn at_both_ends(&self, rows: usize) -> Vec<bool> {
+        let mut both = vec![true; rows];
+        for list in [&self.from, &self.to].into_iter().flatten() {
+            let mut listed = vec![false; rows];
+            for row in list {
+                listed[*row] = true;
+            }
+            for (both, listed) in both.iter_mut().zip(listed) {
+                *both &= listed;
+            }
+        }
+        both
     }
 
     /// Refuses rows that a scene of so many does not have.

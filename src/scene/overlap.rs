@@ -11,6 +11,7 @@
 //!
 //! **Not covered**: obstructions, which may lie on patches.
 
+use super::visibility::surfaces::Search;
 use super::{Scene, SceneError};
 use crate::geometry::{Outline, Plane};
 use glam::DVec3;
@@ -29,24 +30,33 @@ impl Scene {
     #[must_use]
     pub fn overlap(&self) -> Option<(usize, usize)> {
         let count = self.patches.len();
+        let surfaces = Search::Indexed(self.outlined());
         let of_patch = |first| {
-            self.overlapping(first, first + 1..count)
-                .map(|second| (first, second))
+            let second = self.overlapping(surfaces, first, first + 1..count)?;
+            Some((first, second))
         };
         (0..count).into_par_iter().find_map_first(of_patch)
     }
 
     /// The first of some patches that overlaps this one.
-    fn overlapping(&self, first: usize, others: Range<usize>) -> Option<usize> {
-        let (surfaces, noise) = (self.outlined(), self.planes().noise());
+    fn overlapping(
+        &self,
+        surfaces: Search<'_>,
+        first: usize,
+        others: Range<usize>,
+    ) -> Option<usize> {
+        let noise = self.planes().noise();
         let own = surfaces.outline(first);
         let [low, high] = *own.bounds();
         surfaces
             .near([low - noise, high + noise])
+            .into_iter()
             .filter(|second| others.contains(second) && *second != first)
             .filter(|second| !self.is_part(first, *second))
-            .filter(|second| lie_in_one_plane(own, surfaces.outline(*second), noise))
-            .filter(|second| own.overlaps(surfaces.outline(*second), noise))
+            .filter(|second| {
+                let other = surfaces.outline(*second);
+                lie_in_one_plane(&own, &other, noise) && own.overlaps(&other, noise)
+            })
             .min()
     }
 
@@ -73,7 +83,7 @@ impl Scene {
     /// # Errors
     /// [`SceneError::Overlap`].
     pub(crate) fn check_overlap_of(&self, patch: usize) -> Result<(), SceneError> {
-        let found = self.overlapping(patch, 0..self.patches.len());
+        let found = self.overlapping(Search::Scanned(self), patch, 0..self.patches.len());
         self.refuse_overlap(found.map(|other| (patch.min(other), patch.max(other))))
     }
 

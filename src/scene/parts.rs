@@ -28,7 +28,7 @@
 use super::{Material, NamedPatch, Scene, SceneError};
 use crate::geometry::{NotContained, check_contained};
 use crate::scene::visibility::surfaces::Prepared;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::hash::Hash;
 
 impl Scene {
@@ -138,11 +138,11 @@ impl Scene {
         groups.filter_map(move |(patch, row)| (*row == group).then_some(patch))
     }
 
-    /// The patches of some rows, row by row.
+    /// The patches of some rows, in order.
     pub(crate) fn patches_of_groups(&self, groups: &[usize]) -> impl Iterator<Item = usize> {
-        groups
-            .iter()
-            .flat_map(|group| self.patches_of_group(*group))
+        let groups: HashSet<usize> = groups.iter().copied().collect();
+        let patches = self.groups.iter().enumerate();
+        patches.filter_map(move |(patch, row)| groups.contains(row).then_some(patch))
     }
 
     /// The area of each row, without what lies in it and is of another row.

@@ -103,6 +103,9 @@ impl ScenePairs<'_> {
         selection.check(self.rows())?;
         let is_there =
             |[from, to]: &[usize; 2]| from != to || self.facing(*from, *from) == Facing::Visible;
+        let both = selection.at_both_ends(self.rows());
+        // of the two directions of a pair the upper one counts
+        let is_counted = |from: usize, to: usize| from <= to || !(both[from] && both[to]);
         let listed: Vec<[usize; 2]> = selection.pairs(self.rows()).filter(is_there).collect();
         let parts = try_parallel_map(listed.len().div_ceil(RUN), &|part| {
             let run = &listed[part * RUN..listed.len().min((part + 1) * RUN)];
@@ -112,7 +115,7 @@ impl ScenePairs<'_> {
                 .map(|[from, to]| {
                     let mut own = PassCounts::default();
                     let answer = self.counted_row_pair(*from, *to, &mut own)?;
-                    if self.is_counted(selection, [*from, *to]) {
+                    if is_counted(*from, *to) {
                         counts.merge(&own);
                     }
                     Ok(Entry {
@@ -130,28 +133,22 @@ impl ScenePairs<'_> {
             entries.extend(part);
             counts.merge(&more);
         }
-        let summary = self.summary_of_entries(selection, &entries, counts);
+        let counted = entries
+            .iter()
+            .filter(|entry| is_counted(entry.from, entry.to));
+        let summary = self.summary_of_entries(counted, counts);
         Ok((entries, summary))
     }
 
-    /// Tells whether an entry stands for its pair: of the two directions the upper one does.
-    fn is_counted(&self, selection: &Selection, [from, to]: [usize; 2]) -> bool {
-        from <= to || !selection.has_both_ways([from, to])
-    }
-
-    /// The summary of the pairs in a selection.
-    fn summary_of_entries(
+    /// The summary of some entries, no pair of which comes twice.
+    fn summary_of_entries<'e>(
         &self,
-        selection: &Selection,
-        entries: &[Entry],
+        entries: impl Iterator<Item = &'e Entry>,
         counts: PassCounts,
     ) -> PassSummary {
         let mut classes = BTreeSet::new();
         let (mut pairs, mut left_out) = (0, [0; 2]);
         for Entry { from, to, .. } in entries {
-            if !self.is_counted(selection, [*from, *to]) {
-                continue;
-            }
             for [one, other] in self.terms().pairs(*from, *to) {
                 if one.sign < 0.0 || other.sign < 0.0 {
                     continue;

@@ -27,6 +27,9 @@ pub enum Occlusion {
     Ignore,
 }
 
+/// Most pairs of rows for which every surface is looked at, rather than put in trees.
+const MOST_SCANNED: usize = 16;
+
 impl Occlusion {
     /// Checks all pairs of a scene's patches under this policy.
     ///
@@ -52,26 +55,28 @@ impl Occlusion {
         rows: &[usize],
         others: Option<&[usize]>,
     ) -> Result<(), SceneError> {
-        let Some(others) = others else {
-            scene.check_overlap()?;
-            return self.refuse(|| {
-                let blockers = Blockers::of(scene);
-                let mut patches = scene.patches_of_groups(rows);
-                patches.find_map(|patch| blockers.of_row(patch))
-            });
-        };
-        let ends = scene
-            .patches_of_groups(rows)
-            .chain(scene.patches_of_groups(others));
-        for patch in ends {
-            scene.check_overlap_of(patch)?;
+        let few = others.filter(|others| rows.len() * others.len() <= MOST_SCANNED);
+        match few {
+            None => scene.check_overlap()?,
+            Some(others) => {
+                let ends = [rows, others].into_iter();
+                for patch in ends.flat_map(|rows| scene.patches_of_groups(rows)) {
+                    scene.check_overlap_of(patch)?;
+                }
+            }
         }
         self.refuse(|| {
-            let blockers = Blockers::of(scene);
+            let blockers = match few {
+                None => Blockers::of(scene),
+                Some(_) => Blockers::for_few(scene),
+            };
             let mut patches = scene.patches_of_groups(rows);
-            patches.find_map(|patch| {
-                let mut seconds = scene.patches_of_groups(others);
-                seconds.find_map(|second| blockers.of_pair(patch, second))
+            patches.find_map(|patch| match others {
+                None => blockers.of_row(patch),
+                Some(others) => {
+                    let mut seconds = scene.patches_of_groups(others);
+                    seconds.find_map(|second| blockers.of_pair(patch, second))
+                }
             })
         })
     }
