@@ -81,11 +81,12 @@ impl<'p> ScenePairs<'p> {
         Self::unchecked(scene, tolerance, congruence)
     }
 
-    /// The pairs of a scene of which only some will be asked for: what does not concern these is
-    /// neither checked nor prepared, and no pair takes the value of a congruent one.
+    /// The pairs of a scene of which only some will be asked for: what does not concern these is not
+    /// checked.
     ///
-    /// The work grows with the number of patches, not with that of their pairs, where both ends are
-    /// listed.
+    /// **Arguments** `congruence`: where it is ignored, nothing is prepared but these pairs, and the
+    /// work grows with the number of patches if both ends are listed, not with that of all pairs.
+    /// Where values are shared, the plan is that of the whole scene, and so is every value.
     ///
     /// # Errors
     /// [`ExchangeError::Scene`] if there is no such row, if a patch of the rows overlaps another
@@ -93,11 +94,12 @@ impl<'p> ScenePairs<'p> {
     ///
     /// # Examples
     /// ```
-    /// use infoscene::exchange::{ScenePairs, Selection, Tolerance};
+    /// use infoscene::exchange::{Congruence, ScenePairs, Selection};
     /// use infoscene::scene::{Occlusion, Scene};
     /// let cube = Scene::built_in("cube:1")?;
     /// let pair = Selection { from: Some(vec![0]), to: Some(vec![1]) };
-    /// let pairs = ScenePairs::of_selection(&cube, Tolerance::default(), &pair, Occlusion::Refuse)?;
+    /// let (own, occlusion) = (Congruence::Ignored, Occlusion::Refuse);
+    /// let pairs = ScenePairs::of_selection(&cube, 1e-12, own, occlusion, &pair)?;
     /// let (entries, _) = pairs.entries(&pair)?;
     /// // opposite faces of a cube
     /// assert!((entries[0].answer.exchange.value - 0.199_824_895_698_387).abs() < 1e-15);
@@ -106,20 +108,17 @@ impl<'p> ScenePairs<'p> {
     pub fn of_selection(
         scene: &Scene,
         tolerance: impl Into<Tolerance>,
-        selection: &Selection,
+        congruence: Congruence,
         occlusion: Occlusion,
+        selection: &Selection,
     ) -> Result<Self, ExchangeError> {
         selection.check(scene.group_count())?;
         let Some(ends) = selection.ends() else {
-            return Self::try_new(scene, tolerance, Congruence::Ignored, occlusion);
+            return Self::try_new(scene, tolerance, congruence, occlusion);
         };
         occlusion.check_rows(scene, ends, selection.other_ends())?;
-        Self::prepared(
-            scene,
-            tolerance.into(),
-            Congruence::Ignored,
-            Some(selection),
-        )
+        let alone = (congruence == Congruence::Ignored).then_some(selection);
+        Self::prepared(scene, tolerance.into(), congruence, alone)
     }
 
     /// The pairs of a scene that was checked before, or that nothing in it can overlap or hide.
@@ -131,7 +130,7 @@ impl<'p> ScenePairs<'p> {
         Self::prepared(scene, tolerance.into(), congruence, None)
     }
 
-    /// The pairs of a selection, or all.
+    /// The pairs of a selection alone, or all.
     fn prepared(
         scene: &Scene,
         tolerance: Tolerance,

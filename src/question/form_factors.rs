@@ -7,7 +7,7 @@ use super::scene::SceneSource;
 use super::unreached::Unreached;
 use super::{PatchName, QuestionError};
 use crate::exchange::{
-    Congruence, Entry, ExchangeAreas, ExchangeError, PassSummary, PlanSummary, Progress,
+    Closure, Congruence, Entry, ExchangeAreas, ExchangeError, PassSummary, PlanSummary, Progress,
     ScenePairs, Selection, Tolerance,
 };
 use crate::form_factor::Answer;
@@ -102,6 +102,10 @@ pub struct PatchRecord {
     pub name: String,
     /// The area, less that of the parts in it.
     pub area: f64,
+    /// The sum of its form factors, if all of them were computed.
+    pub row_sum: Option<f64>,
+    /// A bound on the error of the sum.
+    pub row_sum_error: Option<f64>,
 }
 
 /// The form factors of a scene. The records are made as they are read: there may be very many.
@@ -127,6 +131,11 @@ pub struct FormFactorsAnswer<'p> {
 impl FormFactors {
     /// The number of rows up to which all pairs are held: 2.3 GB.
     pub const MOST_HELD: usize = 16_384;
+
+    /// The number of rows up to which a pair has the same value in every listing. In larger scenes
+    /// some pairs cost no plan of all: each is computed on its own, and may differ from that of the
+    /// whole listing by what their bounds allow.
+    pub const MOST_SHARED: usize = 2048;
 
     /// Computes the form factors.
     ///
@@ -171,11 +180,22 @@ impl FormFactors {
             widest.and_then(|summary| Unreached::pairs(&names, summary, pairs.tolerance()));
         let listed = passes.into_iter().flatten().next_back();
         let plan = listed.map(|summary| summary.plan.clone());
+        let sums = match (&held, &part) {
+            (Some(held), _) => Closure::of_held(held).rows().to_vec(),
+            (None, Some((entries, _))) => pairs.complete_sums(&selection, entries),
+            (None, None) => Vec::new(),
+        };
+        let mut sum_of = vec![None; rows];
+        for sum in sums {
+            sum_of[sum.row] = Some(sum);
+        }
         let patches = names.into_iter().zip(pairs.areas()).enumerate();
         let patches = patches.map(|(index, (name, area))| PatchRecord {
             index,
             name: name.to_owned(),
             area: *area,
+            row_sum: sum_of[index].map(|sum| sum.sum),
+            row_sum_error: sum_of[index].map(|sum| sum.error),
         });
         Ok(FormFactorsAnswer {
             patches: patches.collect(),
@@ -212,8 +232,13 @@ impl FormFactors {
             let asked = (self.tolerance, self.congruence);
             return self.scene.pairs(scene, asked, progress);
         }
-        let occlusion = self.scene.occlusion;
-        let pairs = ScenePairs::of_selection(scene, self.tolerance, selection, occlusion)?;
+        let congruence = if scene.group_count() <= Self::MOST_SHARED {
+            self.congruence
+        } else {
+            Congruence::Ignored
+        };
+        let (tolerance, occlusion) = (self.tolerance, self.scene.occlusion);
+        let pairs = ScenePairs::of_selection(scene, tolerance, congruence, occlusion, selection)?;
         progress.begin(selection.pairs(pairs.rows()).count() as u64, "pairs");
         Ok(pairs.with_progress(progress))
     }

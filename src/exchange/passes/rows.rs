@@ -4,10 +4,10 @@ use super::tiles::Block;
 use crate::exchange::plan::counts::{PassCounts, PassSummary};
 use crate::exchange::plan::facing::Facing;
 use crate::exchange::row_pair::nothing;
-use crate::exchange::{ExchangeError, ScenePairs, Selection};
+use crate::exchange::{ExchangeError, RowSum, ScenePairs, Selection};
 use crate::form_factor::Answer;
-use crate::numeric::try_parallel_map;
-use std::collections::BTreeSet;
+use crate::numeric::{CompensatedSum, try_parallel_map};
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 /// An ordered pair and its exchange area.
@@ -136,8 +136,39 @@ impl ScenePairs<'_> {
         let counted = entries
             .iter()
             .filter(|entry| is_counted(entry.from, entry.to));
-        let summary = self.summary_of_entries(counted, counts);
+        let summary = if selection.is_all() {
+            self.summary(counts)
+        } else {
+            self.summary_of_entries(counted, counts)
+        };
         Ok((entries, summary))
+    }
+
+    /// The sums of those rows whose entries are all in a selection.
+    ///
+    /// **Arguments** `entries`: those of the [`selection`](Self::entries).
+    #[must_use]
+    pub fn complete_sums(&self, selection: &Selection, entries: &[Entry]) -> Vec<RowSum> {
+        let is_from = selection.to.is_none();
+        if !is_from && selection.from.is_some() {
+            return Vec::new();
+        }
+        let mut sums: BTreeMap<usize, [CompensatedSum; 2]> = BTreeMap::new();
+        for Entry { from, to, answer } in entries {
+            // a row's exchange areas are those of its column
+            let [value, error] = sums.entry(if is_from { *from } else { *to }).or_default();
+            value.add(answer.exchange.value);
+            error.add(answer.exchange.error);
+        }
+        let of_row = |(row, [value, error]): (usize, [CompensatedSum; 2])| {
+            let [area, bound] = [self.areas()[row], self.area_bounds()[row]];
+            (area > 0.0).then(|| RowSum {
+                row,
+                sum: value.total() / area,
+                error: error.total() / area + bound / area,
+            })
+        };
+        sums.into_iter().filter_map(of_row).collect()
     }
 
     /// The summary of some entries, no pair of which comes twice.

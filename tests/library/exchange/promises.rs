@@ -175,7 +175,8 @@ fn what_is_not_hidden_is_admitted() {
     let rows = |from: Option<usize>, to: Option<usize>| {
         let [from, to] = [from, to].map(|row| row.map(|row| vec![row]));
         let selection = Selection { from, to };
-        ScenePairs::of_selection(&scene, 1e-12, &selection, Occlusion::Refuse)
+        let (own, occlusion) = (Congruence::Ignored, Occlusion::Refuse);
+        ScenePairs::of_selection(&scene, 1e-12, own, occlusion, &selection)
             .map(|pairs| pairs.rows())
             .map_err(of_exchange)
     };
