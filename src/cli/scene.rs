@@ -74,7 +74,7 @@ fn relative(text: &str) -> Result<f64, String> {
 
 fn absolute(text: &str) -> Result<f64, String> {
     match text.parse() {
-        Ok(number) if number >= 0.0 && number < 1.0 => Ok(number),
+        Ok(number) if (0.0..1.0).contains(&number) => Ok(number),
         _ => Err("it must be a number from 0 to 1".to_owned()),
     }
 }

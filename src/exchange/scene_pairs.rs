@@ -21,11 +21,11 @@ use crate::exchange::plan::counts::{PassCounts, PassSummary};
 use crate::exchange::plan::facing::{Facing, FacingPlanes};
 use crate::exchange::plan::perturbation::allowance;
 use crate::exchange::rows::plane_sets::PlaneSets;
+use crate::exchange::rows::polygons::Polygons;
 use crate::exchange::rows::terms::RowTerms;
 use crate::form_factor::{Answer, Polygon};
 use crate::numeric::{compensated_sum, try_parallel_map};
 use crate::scene::{NamedPatch, Occlusion, Scene};
-use std::collections::HashMap;
 use std::sync::Arc;
 
 /// A scene whose pairs are ready to be evaluated, and who listens to the progress of passes.
@@ -358,42 +358,6 @@ impl ScenePairs<'_> {
         let mut summary = counts.summary(pairs, self.plan.facings().count(), left_out, classes);
         summary.is_turned_away = self.is_turned_away;
         summary
-    }
-}
-
-/// The polygons that pairs are evaluated of: all, or those that a selection needs.
-#[derive(Debug, Clone)]
-struct Polygons {
-    ready: Vec<Polygon>,
-    /// The place of each polygon among those that are ready, unless all are.
-    places: Option<HashMap<usize, usize>>,
-}
-
-impl Polygons {
-    fn of(shapes: &[NamedPatch], needed: Option<Vec<usize>>) -> Self {
-        let polygon = |patch: &NamedPatch| Polygon::new(patch.shape());
-        let Some(mut needed) = needed else {
-            let ready = shapes.iter().map(polygon).collect();
-            let places = None;
-            return Self { ready, places };
-        };
-        needed.sort_unstable();
-        needed.dedup();
-        Self {
-            ready: needed
-                .iter()
-                .map(|index| polygon(&shapes[*index]))
-                .collect(),
-            places: Some(needed.into_iter().zip(0..).collect()),
-        }
-    }
-
-    fn get(&self, polygon: usize) -> Option<&Polygon> {
-        let place = match &self.places {
-            None => polygon,
-            Some(places) => *places.get(&polygon)?,
-        };
-        self.ready.get(place)
     }
 }
 
