@@ -105,7 +105,8 @@ proptest! {
                 counts[name] += 1;
                 let name = format!("{label} {}", counts[name] - 1);
                 let material = Material::try_new(reflectance, emittance).unwrap();
-                NamedPatch::new(name, shape).with_material(material)
+                let patch = NamedPatch::new(name, shape).with_material(material);
+                patch.with_wholes([label.to_owned()].into())
             });
         let scene = Scene::try_new(patches.collect()).unwrap();
         let back = read_back_obj(&scene);
