@@ -11,6 +11,6 @@ mod extremes;
 mod interval_ends;
 mod intervals;
 mod optimisers;
-mod parallel;
+mod parallel_maps;
 mod series;
 mod units;
