@@ -10,6 +10,7 @@
 
 mod built_in;
 mod convex_room;
+mod edges;
 mod error;
 pub mod files;
 mod fronts;
@@ -20,6 +21,7 @@ mod planes;
 mod subdivision;
 mod visibility;
 
+pub use edges::{FreeEdge, Joints};
 pub use error::SceneError;
 pub use material::{Material, MaterialError};
 pub use parts::EmptyRow;
