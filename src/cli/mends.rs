@@ -10,7 +10,7 @@ use infoscene::exchange::ExchangeError;
 use infoscene::geometry::GeometryError;
 use infoscene::question::{PatchValueError, QuestionError};
 use infoscene::scene::SceneError;
-use infoscene::scene::files::{Fault, OpenError};
+use infoscene::scene::files::{Fault, NotExpressible, OpenError};
 use infoscene::study::StudyError;
 use infoscene::transport::TransportError;
 use std::error::Error;
@@ -30,6 +30,9 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
     if let Some(Fault::Geometry { source }) = error.downcast_ref() {
         let is_bent = matches!(source, GeometryError::NotPlanar { .. });
         return is_bent.then_some("; --triangulate does");
+    }
+    if let Some(refusal) = error.downcast_ref::<NotExpressible>() {
+        return (refusal.mend == NotExpressible::SPLIT).then_some("; --triangulate does");
     }
     if let Some(DiscretizeError::NotEnclosed) = error.downcast_ref() {
         return Some("; leave out --precision");
@@ -99,6 +102,7 @@ fn cause<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'stati
     }
     match error.downcast_ref() {
         Some(QuestionError::Scene(inner)) => return Some(inner),
+        Some(QuestionError::NotExpressible(inner)) => return Some(inner),
         Some(QuestionError::Exchange(inner)) => return Some(inner),
         Some(QuestionError::Chain(inner)) => return Some(inner),
         Some(QuestionError::Transport(inner)) => return Some(inner),

@@ -8,7 +8,7 @@ use infoscene::scene::files::NonPlanarFaces;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct SceneArgument {
-    /// A scene file (Wavefront .obj or View3D .vs3), or a built-in scene: two-squares,
+    /// A scene file (Wavefront .obj, View3D .vs3 or .stl), or a built-in scene: two-squares,
     /// three-squares, cube:N, box:X,Y,Z, tetrahedron, octahedron, dodecahedron, icosahedron or
     /// cornell-box.
     scene: String,

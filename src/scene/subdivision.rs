@@ -2,12 +2,13 @@
 //!
 //! ```text
 //!   n patches of 3 or 4 corners, cut k times   →   4ᵏ n patches, each with the index of its parent
+//!   a patch of m corners, triangulated         →   m − 2 patches
 //! ```
 //!
 //! **Not covered**: patches that others lie in, which are refused.
 
 use super::{NamedPatch, Scene, SceneError};
-use crate::geometry::quartered;
+use crate::geometry::{GeometryError, Patch, quartered, triangulated};
 
 impl Scene {
     /// The scene with every patch [`quartered`](crate::geometry::quartered()) so many times, and
@@ -27,23 +28,67 @@ impl Scene {
     /// # Ok::<(), infoscene::scene::SceneError>(())
     /// ```
     pub fn subdivided(&self, times: u32) -> Result<(Self, Vec<usize>), SceneError> {
+        self.cut(|patch| {
+            let mut shapes = vec![patch.shape.clone()];
+            for _ in 0..times {
+                let parts: Result<Vec<_>, _> = shapes.iter().map(quartered).collect();
+                shapes = parts?.concat();
+            }
+            let names = (0..shapes.len()).map(|number| {
+                if times == 0 {
+                    patch.name.clone()
+                } else {
+                    format!("{}/{number}", patch.name)
+                }
+            });
+            Ok(names.zip(shapes).collect())
+        })
+    }
+
+    /// The scene with every patch of more than `most` corners split into triangles, and for each
+    /// new patch the one it is a part of. Parts keep the material; their names are those that the
+    /// triangles of a file's faces have.
+    ///
+    /// # Errors
+    /// As [`subdivided`](Self::subdivided).
+    ///
+    /// # Examples
+    /// ```
+    /// use infoscene::scene::Scene;
+    /// let (scene, parents) = Scene::built_in("cube:1")?.triangulated(3)?;
+    /// assert_eq!((scene.patches().len(), parents[11]), (12, 5));
+    /// assert_eq!(scene.total_area(), 6.0);
+    /// # Ok::<(), infoscene::scene::SceneError>(())
+    /// ```
+    pub fn triangulated(&self, most: usize) -> Result<(Self, Vec<usize>), SceneError> {
+        self.cut(|patch| {
+            let corners = patch.shape.corners();
+            if corners.len() <= most {
+                return Ok(vec![(patch.name.clone(), patch.shape.clone())]);
+            }
+            let triangles = triangulated(corners, patch.shape.normal());
+            let parts = triangles.into_iter().enumerate().map(|(number, triangle)| {
+                let shape = Patch::try_new(triangle.map(|place| corners[place]).to_vec())?;
+                Ok((format!("{} (triangle {number})", patch.name), shape))
+            });
+            parts.collect()
+        })
+    }
+
+    /// The scene with each patch in parts of these names and shapes, and the index of the patch
+    /// that each part is of.
+    fn cut(
+        &self,
+        parts: impl Fn(&NamedPatch) -> Result<Vec<(String, Patch)>, GeometryError>,
+    ) -> Result<(Self, Vec<usize>), SceneError> {
         let mut patches = Vec::new();
         let mut parents = Vec::new();
         for (index, patch) in self.patches.iter().enumerate() {
             if let Some(part) = self.parts_of(index).next() {
                 return Err(SceneError::CutThroughPart { base: index, part });
             }
-            let mut shapes = vec![patch.shape.clone()];
-            for _ in 0..times {
-                let parts: Result<Vec<_>, _> = shapes.iter().map(quartered).collect();
-                shapes = parts.map_err(|error| self.refused(index, error))?.concat();
-            }
-            for (number, shape) in shapes.into_iter().enumerate() {
-                let name = if times == 0 {
-                    patch.name.clone()
-                } else {
-                    format!("{}/{number}", patch.name)
-                };
+            let parts = parts(patch).map_err(|error| self.refused(index, error))?;
+            for (name, shape) in parts {
                 patches.push(NamedPatch::new(name, shape).with_material(patch.material));
                 parents.push(index);
             }

@@ -1,10 +1,13 @@
 //! A scene as Wavefront OBJ and MTL.
 
 use crate::scene::files::error::{NotExpressible, excerpt};
+use crate::scene::files::plain::check_plain;
 use crate::scene::{Material, NamedPatch, Scene};
 use glam::DVec3;
 use std::collections::HashMap;
 use std::fmt::Write;
+
+const FORMAT: &str = "Wavefront OBJ";
 
 /// The two texts of a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -25,28 +28,14 @@ pub struct ObjText {
 /// [`NotExpressible`] if polygons only obstruct, a patch lies in another one, or patches are
 /// summed; or if `library` is no name that such a file can hold.
 pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible> {
-    let not = |what: &str| NotExpressible {
-        format: "Wavefront OBJ",
-        what: what.to_owned(),
-        mend: "write View3D .vs3",
-    };
-    let count = scene.patches().len();
     if library.is_empty() || library.trim() != library || library.contains(['#', '\\', '\n']) {
         return Err(NotExpressible {
-            format: "Wavefront OBJ",
+            format: FORMAT,
             what: format!("its materials are in \"{}\"", excerpt(library)),
             mend: "choose a name without # and \\, and without spaces around it",
         });
     }
-    if !scene.obstructions().is_empty() {
-        return Err(not("a polygon only obstructs"));
-    }
-    if let Some(part) = (0..count).find(|index| scene.base_of(*index).is_some()) {
-        return Err(not(&format!("patch {part} lies in another one")));
-    }
-    if scene.group_count() < count {
-        return Err(not("patches are summed into one row"));
-    }
+    check_plain(scene, FORMAT)?;
     let (mut obj, mut mtl) = (format!("mtllib {library}\n"), String::new());
     let mut vertices = VertexNumbers::default();
     let mut materials: Vec<Material> = Vec::new();

@@ -64,7 +64,12 @@ pub fn read_view3d(source: &Source, faces: NonPlanarFaces) -> Result<LoadedScene
             }
         }
     }
-    Err(FileError::of_file(source.file(), Fault::NoEnd))
+    Err(FileError::of_file(
+        source.file(),
+        Fault::NoEnd {
+            last: "End of data",
+        },
+    ))
 }
 
 /// The line up to a `!`, or to a `/` that begins a word.

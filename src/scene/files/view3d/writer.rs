@@ -63,7 +63,7 @@ fn corners(
             patch.name(),
             given.len()
         );
-        return Err(not(what, "cut it into triangles or quadrilaterals"));
+        return Err(not(what, NotExpressible::SPLIT));
     }
     let mut numbers = [0; 4];
     for (number, corner) in numbers.iter_mut().zip(given) {
