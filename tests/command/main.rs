@@ -12,6 +12,7 @@ mod gradient_cuts;
 mod grids;
 mod keys;
 mod light;
+mod matrices;
 mod refusals;
 mod sampling;
 mod scene_files;

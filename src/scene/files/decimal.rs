@@ -8,6 +8,11 @@
 /// More digits than any `f64` between 0 and 1 has before they are all zeros or cannot matter.
 const MOST_DIGITS: i64 = 1200;
 
+/// The decimal `1 − value` for a value in `[0, 1]`.
+pub(crate) fn one_less(value: f64) -> String {
+    complement(&format!("{value:?}")).unwrap_or_else(|| (1.0 - value).to_string())
+}
+
 /// The decimal `1 − value` for a plain or scientific decimal in `[0, 1]`; None for anything else.
 pub(crate) fn complement(value: &str) -> Option<String> {
     let value = value.strip_prefix('+').unwrap_or(value);

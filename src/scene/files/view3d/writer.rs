@@ -1,6 +1,6 @@
 //! A scene as View3D `.vs3`.
 
-use crate::scene::files::decimal::complement;
+use crate::scene::files::decimal::one_less;
 use crate::scene::files::error::NotExpressible;
 use crate::scene::files::obj::writer::VertexNumbers;
 use crate::scene::{NamedPatch, Scene};
@@ -33,8 +33,7 @@ pub fn write_view3d(scene: &Scene) -> Result<String, NotExpressible> {
             let lead = leads.entry(scene.group_of(index)).or_insert(index);
             combined = if *lead < index { *lead + 1 } else { 0 };
         }
-        let reflectance = patch.material().reflectance();
-        let emissivity = complement(&format!("{reflectance:?}")).unwrap_or_else(|| "1".to_owned());
+        let emissivity = one_less(patch.material().reflectance());
         let name = word_by_word(patch.name());
         let _ = writeln!(surfaces, " {base} {combined} {emissivity} {name}");
     }
