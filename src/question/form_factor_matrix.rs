@@ -8,7 +8,7 @@
 //! of one row give a row of the matrix and a column, whichever a file wants.
 
 use super::unreached::Unreached;
-use crate::exchange::{ExchangeAreas, ExchangeError, PassSummary, ScenePairs};
+use crate::exchange::{ExchangeAreas, ExchangeError, PassSummary, ScenePairs, per_area};
 use crate::form_factor::Answer;
 use crate::scene::{Scene, SceneError};
 
@@ -43,8 +43,11 @@ pub struct MatrixLine<'a> {
 
 /// A form factor from a row of this area, and the bound on its error.
 pub(super) fn quotient(answer: &Answer, [area, bound]: [f64; 2]) -> [f64; 2] {
-    let value = answer.exchange.value / area;
-    [value, answer.exchange.error / area + bound / area * value]
+    let value = per_area(answer.exchange.value, area);
+    [
+        value,
+        per_area(answer.exchange.error, area) + per_area(bound, area) * value,
+    ]
 }
 
 /// The area of each row, with the bound on its rounding and that of a quotient by it.

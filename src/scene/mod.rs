@@ -21,6 +21,7 @@ mod visibility;
 
 pub use error::SceneError;
 pub use material::{Material, MaterialError};
+pub use parts::EmptyRow;
 pub use visibility::blockers::{Blocker, Blockers};
 pub use visibility::grid_lines::GridLines;
 pub use visibility::lines::{Chord, Passage, SceneLines};
@@ -83,6 +84,8 @@ pub struct Scene {
     bases: Vec<Option<usize>>,
     /// The row of each patch, numbered in the order of their first patches.
     groups: Vec<usize>,
+    /// The rows without a patch, in order.
+    empty_rows: Vec<EmptyRow>,
     /// Planes and trees of the surfaces, found when first asked for and dropped when surfaces
     /// change.
     prepared: Prepared,
@@ -104,6 +107,7 @@ impl Scene {
             obstructions: Vec::new(),
             bases,
             groups,
+            empty_rows: Vec::new(),
             prepared: Prepared::default(),
         })
     }

@@ -8,12 +8,14 @@
 //!   .stl   binary or text: one facet, one patch; no materials
 //! ```
 //!
-//! A reader stops at the first fault and says where it is and what would mend it ([`FileError`]).
-//! Numbers are written so that they read back to the same `f64`.
+//! A reader tells all faults of a file, where each is and what would mend it ([`FileErrors`]). What
+//! is clear it mends, what has no effect it ignores, and says so once for each kind
+//! ([`LoadedScene::notes`]). Numbers are written so that they read back to the same `f64`.
 //!
 //! Open `obj`, `view3d` or `stl` for a format (each with its `writer`), `source` for lines and their
-//! numbers, `faces` for the triangulation of faces that are not planar, `decimal` for emissivities,
-//! `plain` for what OBJ and STL cannot say, and `error` for the refusals.
+//! numbers, `faces` for the way from an outline to patches, `rows` for their rows, `remarks` for
+//! what is mended or ignored, `decimal` for emissivities, `plain` for what OBJ and STL cannot say,
+//! and `error` for the refusals.
 //!
 //! All readers are our own: the libraries for OBJ and STL keep coordinates in 32 bits or cut
 //! polygons into triangles, and none says in which line a number is wrong, or which patch is not
@@ -24,11 +26,13 @@ pub(crate) mod error;
 pub(crate) mod faces;
 pub(crate) mod obj;
 pub(crate) mod plain;
+pub(crate) mod remarks;
+pub(crate) mod rows;
 pub(crate) mod source;
 pub(crate) mod stl;
 pub(crate) mod view3d;
 
-pub use error::{Fault, FileError, NotExpressible, OpenError};
+pub use error::{Fault, FileError, FileErrors, NotExpressible, OpenError};
 pub use obj::read_obj;
 pub use obj::writer::{ObjText, write_obj};
 pub use source::Source;
@@ -57,7 +61,7 @@ pub enum NonPlanarFaces {
 pub struct LoadedScene {
     /// The scene.
     pub scene: Scene,
-    /// Statements that were read and have no effect, a sentence each.
+    /// Mends, and statements that were read and have no effect: a sentence for each kind.
     pub notes: Vec<String>,
 }
 
@@ -87,8 +91,8 @@ fn is_path(name: &str) -> bool {
 /// Reads a scene file; what follows the last dot of its name says of which format it is.
 ///
 /// # Errors
-/// A [`FileError`] at the first fault.
-pub fn read(path: &Path, faces: NonPlanarFaces) -> Result<LoadedScene, FileError> {
+/// All faults of the file.
+pub fn read(path: &Path, faces: NonPlanarFaces) -> Result<LoadedScene, FileErrors> {
     let extension = path
         .extension()
         .map(|extension| extension.to_string_lossy());
@@ -106,7 +110,7 @@ pub fn read(path: &Path, faces: NonPlanarFaces) -> Result<LoadedScene, FileError
         read_stl(path, Source::bytes(path)?, faces)
     } else {
         Source::check(path)?;
-        Err(FileError::of_file(path, Fault::UnknownFormat))
+        Err(FileError::of_file(path, Fault::UnknownFormat).into())
     }
 }
 

@@ -1,8 +1,8 @@
 //! A scene as Wavefront OBJ and MTL.
 
 use crate::scene::files::error::{NotExpressible, excerpt};
-use crate::scene::files::plain::check_plain;
-use crate::scene::{Material, NamedPatch, Scene};
+use crate::scene::files::plain::plain_rows;
+use crate::scene::{Material, Scene};
 use glam::DVec3;
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -20,7 +20,7 @@ pub struct ObjText {
 
 /// Writes a scene whose materials go to a file of the name `library`.
 ///
-/// Shapes and materials read back exactly. Names do if they are a text and the number of the patch
+/// Shapes and materials read back exactly; a row without area is a face that is one point. Names do if they are a text and the number of the patch
 /// among those of that text, as the reader makes them; else the reader puts such a number after
 /// them. `#` and `\` in a name become `_`.
 ///
@@ -35,24 +35,21 @@ pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible
             mend: "choose a name without # and \\, and without spaces around it",
         });
     }
-    check_plain(scene, FORMAT)?;
+    let rows = plain_rows(scene, FORMAT)?;
     let (mut obj, mut mtl) = (format!("mtllib {library}\n"), String::new());
     let mut vertices = VertexNumbers::default();
     let mut materials: Vec<Material> = Vec::new();
     let mut named: HashMap<String, usize> = HashMap::new();
     let mut current = (String::new(), None);
-    for patch in scene.patches() {
-        let group = group_of(patch, &mut named);
-        let material = materials
-            .iter()
-            .position(|known| *known == patch.material());
+    for row in rows {
+        let group = group_of(row.name, &mut named);
+        let material = materials.iter().position(|known| *known == row.material);
         let material = material.unwrap_or_else(|| {
-            materials.push(patch.material());
+            materials.push(row.material);
             materials.len() - 1
         });
-        let corners: Vec<usize> = patch
-            .shape()
-            .corners()
+        let corners: Vec<usize> = row
+            .corners
             .iter()
             .map(|corner| {
                 vertices.number_or(*corner, |_| {
@@ -85,8 +82,8 @@ pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible
 }
 
 /// The name without the number that the reader will put after it.
-fn group_of(patch: &NamedPatch, named: &mut HashMap<String, usize>) -> String {
-    let name = patch.name().replace(['#', '\\'], "_");
+fn group_of(name: &str, named: &mut HashMap<String, usize>) -> String {
+    let name = name.replace(['#', '\\'], "_");
     let words: Vec<&str> = name.split_whitespace().collect();
     let without_number = words.split_last().and_then(|(last, group)| {
         let group = group.join(" ");

@@ -1,7 +1,7 @@
 //! Binary STL: a head of 84 bytes, then 50 for each facet.
 
 use super::{Facet, Reader};
-use crate::scene::files::error::{Fault, FileError};
+use crate::scene::files::error::{Fault, FileError, FileErrors};
 use glam::DVec3;
 use std::path::Path;
 
@@ -30,34 +30,36 @@ fn count(bytes: &[u8]) -> Option<usize> {
     usize::try_from(u32::from_le_bytes(*count)).ok()
 }
 
-pub(super) fn read(file: &Path, bytes: &[u8], reader: &mut Reader) -> Result<(), FileError> {
+pub(super) fn read(file: &Path, bytes: &[u8], reader: &mut Reader) -> Result<(), FileErrors> {
     let not = |fault| FileError::of_file(file, fault);
     let head = || not(Fault::NoStlHead { bytes: bytes.len() });
     let counted = count(bytes).ok_or_else(head)?;
     let (facets, rest) = bytes[HEAD..].as_chunks::<FACET>();
     let held = facets.len();
     let Some(facets) = facets.get(..counted) else {
-        return Err(not(Fault::FacetsMissing { counted, held }));
+        return Err(not(Fault::FacetsMissing { counted, held }).into());
     };
     let left = rest.len() + (held - counted) * FACET;
     if left > 0 {
-        reader.notes.push(format!(
-            "{}: {left} bytes after the last of {counted} facets are ignored",
-            file.display()
-        ));
+        let (file, what) = (file.display(), "are ignored");
+        let note = format!("{file}: {left} bytes after the last of {counted} facets {what}");
+        reader.notes.push(note);
     }
-    for facet in facets {
+    let mut faults = FileErrors::default();
+    for (place, facet) in facets.iter().enumerate() {
         let [normal, corners @ ..] = vectors(facet);
         let facet = Facet {
             corners: corners.to_vec(),
             normal: normal.is_finite().then_some(normal),
+            place,
         };
-        reader.facet("", facet, |patch, fault| FileError {
+        let added = reader.facet("", facet);
+        faults.keep(added.map_err(|(patch, fault)| FileError {
             patch: Some(patch),
             ..not(fault)
-        })?;
+        }));
     }
-    Ok(())
+    faults.none_or_refused()
 }
 
 /// The normal and the corners of a facet.

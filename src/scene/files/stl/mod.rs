@@ -18,7 +18,7 @@
 //! 0; `facet` where the solid has no name, as in every binary file.
 //!
 //! The front is the side from which the corners run counter-clockwise. Normals are not used, but
-//! those that point to the back are counted in a note. Attributes (some programs keep colours there)
+//! those that point to the back are counted in a note; a facet without area keeps its number. Attributes (some programs keep colours there)
 //! are read over; patches are black.
 //!
 //! The numbers of a text are decimals and are kept as such in 64 bits; those of a binary file have
@@ -40,11 +40,13 @@ mod binary;
 mod text;
 pub(crate) mod writer;
 
-use super::error::{Fault, FileError, excerpt};
-use super::faces::patches_of_face;
+use super::error::{Fault, FileError, FileErrors, excerpt};
+use super::faces::{FaceRules, face_of};
+use super::remarks::{Remark, Remarks};
+use super::rows::Rows;
 use super::source::Source;
 use super::{LoadedScene, NonPlanarFaces};
-use crate::scene::{NamedPatch, Scene};
+use crate::scene::{Material, NamedPatch, Scene};
 use glam::DVec3;
 use std::collections::HashMap;
 use std::path::Path;
@@ -52,27 +54,25 @@ use std::path::Path;
 /// The scene in an STL file of either kind.
 ///
 /// # Errors
-/// A [`FileError`] at the first fault.
+/// All faults of the file.
 pub fn read_stl(
     file: &Path,
     bytes: Vec<u8>,
     faces: NonPlanarFaces,
-) -> Result<LoadedScene, FileError> {
-    let mut reader = Reader {
-        faces,
-        numbers: HashMap::new(),
-        patches: Vec::new(),
-        turned: 0,
-        notes: Vec::new(),
-    };
-    let mend = if binary::is_binary(&bytes) {
+) -> Result<LoadedScene, FileErrors> {
+    if binary::is_binary(&bytes) {
+        let mut reader = Reader::new(faces, Remarks::of_facets());
+        let mend = "its head counts no facets that have an area, so export the shape again";
         binary::read(file, &bytes, &mut reader)?;
-        "its head counts no facets, so export the shape again"
-    } else {
-        text::read(&Source::from_bytes(file, bytes)?, &mut reader)?;
-        "a facet begins with \"facet normal x y z\""
-    };
-    reader.finish(file, mend)
+        return reader.finish(file, mend);
+    }
+    let source = Source::from_bytes(file, bytes)?;
+    let mut reader = Reader::new(faces, Remarks::of(&source));
+    text::read(&source, &mut reader)?;
+    reader.finish(
+        file,
+        "a facet with an area begins with \"facet normal x y z\"",
+    )
 }
 
 /// A triangle as a file gives it.
@@ -80,27 +80,36 @@ struct Facet {
     corners: Vec<DVec3>,
     /// None if it is not a direction.
     normal: Option<DVec3>,
+    /// Its line, or its number.
+    place: usize,
 }
 
 /// The patches so far.
 struct Reader {
-    faces: NonPlanarFaces,
+    rules: FaceRules,
     /// The number of facets of each name.
     numbers: HashMap<String, usize>,
     patches: Vec<NamedPatch>,
-    /// The number of facets whose normal points to the back.
-    turned: usize,
+    rows: Rows,
+    remarks: Remarks,
+    /// Remarks on the file as a whole.
     notes: Vec<String>,
 }
 
 impl Reader {
-    /// Adds a facet of a solid; `at` makes an error of a fault of the patch of this name.
-    fn facet(
-        &mut self,
-        solid: &str,
-        facet: Facet,
-        at: impl Fn(String, Fault) -> FileError,
-    ) -> Result<(), FileError> {
+    fn new(faces: NonPlanarFaces, remarks: Remarks) -> Self {
+        Self {
+            rules: faces.into(),
+            numbers: HashMap::new(),
+            patches: Vec::new(),
+            rows: Rows::default(),
+            remarks,
+            notes: Vec::new(),
+        }
+    }
+
+    /// Adds a facet of a solid; a fault comes with the number and the name of the patch.
+    fn facet(&mut self, solid: &str, facet: Facet) -> Result<(), (String, Fault)> {
         let solid = if solid.is_empty() { "facet" } else { solid };
         let number = match self.numbers.get_mut(solid) {
             Some(number) => {
@@ -110,34 +119,34 @@ impl Reader {
             None => *self.numbers.entry(solid.to_owned()).or_default(),
         };
         let name = format!("{solid} {number}");
-        let index = self.patches.len();
-        let shapes = patches_of_face(facet.corners, self.faces).map_err(|source| {
-            let patch = format!("{index} ({})", excerpt(&name));
-            at(patch, Fault::Geometry { source })
+        let row = self.rows.len();
+        let face = face_of(facet.corners, self.rules).map_err(|source| {
+            let patch = format!("{row} ({})", excerpt(&name));
+            (patch, Fault::Geometry { source })
         })?;
-        for shape in shapes {
+        self.remarks.count_face(&face, facet.place);
+        if face.patches.is_empty() {
+            self.rows.push_empty(name, Material::BLACK);
+            return Ok(());
+        }
+        self.rows.push(row, face.patches.len(), face.is_split);
+        for shape in face.patches {
             let points_back = |normal: DVec3| normal.dot(shape.normal()) < 0.0;
-            self.turned += usize::from(facet.normal.is_some_and(points_back));
+            if facet.normal.is_some_and(points_back) {
+                self.remarks.count(Remark::NormalToTheBack, facet.place);
+            }
             self.patches.push(NamedPatch::new(name.clone(), shape));
         }
         Ok(())
     }
 
-    fn finish(mut self, file: &Path, mend: &'static str) -> Result<LoadedScene, FileError> {
-        if self.turned > 0 {
-            let all = self.patches.len();
-            self.notes.push(format!(
-                "{}: {} of {all} normals point to the back of their facets and are ignored: the \
-                 order of the corners says which side is the front",
-                file.display(),
-                self.turned
-            ));
-        }
-        let scene = Scene::try_new(self.patches)
-            .map_err(|_| FileError::of_file(file, Fault::NoPatch { mend }))?;
-        Ok(LoadedScene {
-            scene,
-            notes: self.notes,
-        })
+    fn finish(mut self, file: &Path, mend: &'static str) -> Result<LoadedScene, FileErrors> {
+        let whole = |fault| FileError::of_file(file, fault);
+        let scene = Scene::try_new(self.patches).map_err(|_| whole(Fault::NoPatch { mend }))?;
+        let scene = self.rows.of(scene).map_err(Box::new);
+        let scene = scene.map_err(|source| whole(Fault::Scene { source }))?;
+        let mut notes = self.remarks.into_notes(file);
+        notes.append(&mut self.notes);
+        Ok(LoadedScene { scene, notes })
     }
 }

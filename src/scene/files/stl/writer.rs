@@ -2,8 +2,8 @@
 
 use crate::geometry::Patch;
 use crate::scene::files::error::NotExpressible;
-use crate::scene::files::plain::check_plain;
-use crate::scene::{Material, NamedPatch, Scene};
+use crate::scene::files::plain::{PlainRow, plain_rows};
+use crate::scene::{Material, Scene};
 use glam::DVec3;
 
 const FORMAT: &str = "STL";
@@ -19,35 +19,35 @@ pub struct StlFile {
 
 /// Writes a scene of triangles.
 ///
-/// Coordinates are rounded to 32 bits; names and materials are lost.
+/// Coordinates are rounded to 32 bits; names and materials are lost. A row without area is a facet
+/// that is one point.
 ///
 /// # Errors
 /// [`NotExpressible`] if a patch is not a triangle ([`Scene::triangulated`] makes triangles), or is
 /// none after rounding; if polygons only obstruct, a patch lies in another one, or patches are
 /// summed.
 pub fn write_stl(scene: &Scene) -> Result<StlFile, NotExpressible> {
-    check_plain(scene, FORMAT)?;
-    let count = u32::try_from(scene.patches().len()).map_err(|_| NotExpressible {
+    let rows = plain_rows(scene, FORMAT)?;
+    let count = u32::try_from(rows.len()).map_err(|_| NotExpressible {
         format: FORMAT,
-        what: format!("there are {} patches", scene.patches().len()),
+        what: format!("there are {} patches", rows.len()),
         mend: "write Wavefront .obj",
     })?;
     // no reader may take this for the word with which a text begins
     let mut bytes = format!("{:<80}", "binary STL by infoscene").into_bytes();
     bytes.extend(count.to_le_bytes());
     let mut largest = 0.0_f64;
-    for (index, patch) in scene.patches().iter().enumerate() {
-        let rounded = rounded(index, patch)?;
-        let corners = patch.shape().corners().iter().zip(rounded.corners());
-        let moved = corners.map(|(corner, rounded)| (*corner - *rounded).abs().max_element());
+    for row in &rows {
+        let rounded: Vec<DVec3> = row.corners.iter().copied().map(rounded).collect();
+        let moved = row.corners.iter().zip(&rounded);
+        let moved = moved.map(|(corner, rounded)| (*corner - *rounded).abs().max_element());
         largest = moved.fold(largest, f64::max);
-        bytes.extend(single(rounded.normal()));
-        bytes.extend(rounded.corners().iter().copied().flat_map(single));
+        bytes.extend(single(normal(row, &rounded)?));
+        bytes.extend(rounded.into_iter().flat_map(single));
         bytes.extend([0; 2]);
     }
     let mut losses = vec!["STL has no names of patches: they are lost".to_owned()];
-    let is_black = |patch: &NamedPatch| patch.material() == Material::BLACK;
-    if !scene.patches().iter().all(is_black) {
+    if rows.iter().any(|row| row.material != Material::BLACK) {
         losses.push("STL has no materials: all patches become black".to_owned());
     }
     if largest > 0.0 {
@@ -58,26 +58,32 @@ pub fn write_stl(scene: &Scene) -> Result<StlFile, NotExpressible> {
     Ok(StlFile { bytes, losses })
 }
 
-/// A triangle, its corners rounded to 32 bits.
-fn rounded(index: usize, patch: &NamedPatch) -> Result<Patch, NotExpressible> {
+/// The normal of a triangle whose corners were rounded; zero for one without area.
+fn normal(row: &PlainRow<'_>, rounded: &[DVec3]) -> Result<DVec3, NotExpressible> {
+    let Some(index) = row.patch else {
+        return Ok(DVec3::ZERO);
+    };
     let not = |what: &str, mend: &'static str| NotExpressible {
         format: FORMAT,
-        what: format!("patch {index} ({}) {what}", patch.name()),
+        what: format!("patch {index} ({}) {what}", row.name),
         mend,
     };
-    let corners = patch.shape().corners();
-    if corners.len() > 3 {
-        let what = format!("has {} corners", corners.len());
+    if rounded.len() > 3 {
+        let what = format!("has {} corners", rounded.len());
         return Err(not(&what, NotExpressible::SPLIT));
     }
-    let corners = corners.iter().map(|corner| corner.as_vec3().as_dvec3());
-    Patch::try_new(corners.collect()).map_err(|_| {
+    let patch = Patch::try_new(rounded.to_vec()).map_err(|_| {
         let what = "has an area after its corners are rounded to 32 bits";
         not(
             what,
             "move the scene to the origin, or write Wavefront .obj",
         )
-    })
+    })?;
+    Ok(patch.normal())
+}
+
+fn rounded(corner: DVec3) -> DVec3 {
+    corner.as_vec3().as_dvec3()
 }
 
 /// Three numbers of 32 bits.

@@ -1,7 +1,7 @@
 //! Whatever the bytes, a reader answers with a scene or with one message, and never panics.
 
 use infoscene::scene::files::{
-    FileError, LoadedScene, NonPlanarFaces, Source, read_obj, read_view3d,
+    FileErrors, LoadedScene, NonPlanarFaces, Source, read_obj, read_view3d,
 };
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -15,7 +15,7 @@ const VS3: &str = "T title\nC encl=1 eps=1e-4\nF 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 
     End of data\n";
 
 /// The three readers, by what the file would be.
-fn read(format: usize, bytes: &[u8], faces: NonPlanarFaces) -> Result<LoadedScene, FileError> {
+fn read(format: usize, bytes: &[u8], faces: NonPlanarFaces) -> Result<LoadedScene, FileErrors> {
     let source = |name: &str| Source::from_bytes(name, bytes.to_vec());
     let library = |name: &str| Ok(Source::new(name, MTL));
     match format {
