@@ -15,6 +15,10 @@ pub(super) struct SceneArgument {
     /// Split faces that are not planar into triangles.
     #[arg(long)]
     triangulate: bool,
+    /// Join patches that share an edge and lie in one plane, as the triangles of a wall do, if they
+    /// have the same material and are of the same object.
+    #[arg(long)]
+    merge: bool,
     /// Quarter every patch so many times: triangles and quadrilaterals into four alike.
     #[arg(long, value_name = "TIMES", default_value_t = 0,
         value_parser = clap::value_parser!(u32).range(0..=8))]
@@ -33,6 +37,7 @@ impl SceneArgument {
             } else {
                 NonPlanarFaces::Refuse
             },
+            join: self.merge,
             subdivide: self.subdivide,
             occlusion: if self.unoccluded {
                 Occlusion::Ignore

@@ -20,6 +20,8 @@ pub struct SceneSource {
     pub origin: SceneOrigin,
     /// The treatment of faces of a file that are not planar.
     pub faces: NonPlanarFaces,
+    /// Whether neighbours in one plane are joined ([`Scene::joined`]).
+    pub join: bool,
     /// The number of times that every patch is quartered.
     pub subdivide: u32,
     /// The policy for scenes in which something may stand between two patches.
@@ -40,6 +42,7 @@ impl SceneSource {
         Self {
             origin,
             faces: NonPlanarFaces::default(),
+            join: false,
             subdivide: 0,
             occlusion: Occlusion::default(),
         }
@@ -58,6 +61,14 @@ impl SceneSource {
                 notes: Vec::new(),
             },
         };
+        if self.join {
+            let before = loaded.scene.patches().len();
+            (loaded.scene, _) = loaded.scene.joined()?;
+            let after = loaded.scene.patches().len();
+            let note =
+                format!("{before} patches are joined with neighbours in their planes: {after}");
+            loaded.notes.push(note);
+        }
         if self.subdivide > 0 {
             (loaded.scene, _) = loaded.scene.subdivided(self.subdivide)?;
         }

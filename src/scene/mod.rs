@@ -12,6 +12,7 @@ mod built_in;
 mod convex_room;
 mod error;
 pub mod files;
+mod joined;
 mod material;
 mod overlap;
 mod parts;

@@ -4,8 +4,8 @@
 use infoscene::exchange::{ExchangeError, Unheard};
 use infoscene::information::OpenScene;
 use infoscene::question::{
-    FormFactors, Light, MaterialChanges, Measure, QuestionError, Radiosity, Sample, SceneSource,
-    Split,
+    FormFactors, Light, MaterialChanges, MatrixEntries, Measure, QuestionError, Radiosity, Sample,
+    SceneSource, Split,
 };
 use infoscene::scene::files::{NonPlanarFaces, Source, read_obj};
 use infoscene::scene::{Occlusion, Scene, SceneError};

@@ -37,7 +37,7 @@ fn statement(
         }
         "facet" => solid.facet(line, rest),
         // "outer loop" … "endloop": a facet has one outline
-        "outer" | "endloop" => solid.open(keyword).map(|_| ()),
+        "outer" | "endloop" => solid.inside(keyword).map(|_| ()),
         "vertex" => solid.vertex(rest),
         "endfacet" => match solid.end_facet() {
             Ok(Some(facet)) => {
@@ -71,6 +71,8 @@ struct Solid {
     name: String,
     /// The facet that is open; a corner that is at fault is not finite.
     facet: Option<Facet>,
+    /// Whether the statements of a facet come without one, up to the next.
+    is_lost: bool,
 }
 
 impl Solid {
@@ -93,6 +95,7 @@ impl Solid {
             normal: normal.map(DVec3::from_array).filter(|n| n.is_finite()),
             place: line,
         });
+        self.is_lost = false;
         let was_open = std::mem::replace(&mut self.is_open, true);
         match before {
             Some(_) => Err(misplaced(
@@ -104,14 +107,20 @@ impl Solid {
         }
     }
 
-    /// The facet that is open; a statement outside of one is refused.
-    fn open(&mut self, keyword: &str) -> Result<&mut Facet, Fault> {
-        let facet = self.facet.as_mut();
-        facet.ok_or_else(|| misplaced(keyword, "between \"facet\" and \"endfacet\""))
+    /// The facet that is open; the first statement outside of one is refused.
+    fn inside(&mut self, keyword: &str) -> Result<Option<&mut Facet>, Fault> {
+        let was_lost = std::mem::replace(&mut self.is_lost, self.facet.is_none());
+        if self.is_lost && !was_lost {
+            let place = "between \"facet\" and \"endfacet\"";
+            return Err(misplaced(keyword, place));
+        }
+        Ok(self.facet.as_mut())
     }
 
     fn vertex(&mut self, rest: &str) -> Result<(), Fault> {
-        let facet = self.open("vertex")?;
+        let Some(facet) = self.inside("vertex")? else {
+            return Ok(());
+        };
         if facet.corners.len() == 3 {
             return Err(Fault::NotSupported {
                 what: "a facet of more than three vertices is not supported".to_owned(),
@@ -125,9 +134,12 @@ impl Solid {
 
     /// The facet that ends, unless a corner of it is at fault.
     fn end_facet(&mut self) -> Result<Option<Facet>, Fault> {
-        let open = self.facet.take();
-        let facet = open.ok_or_else(|| misplaced("endfacet", "after \"facet\""))?;
+        self.inside("endfacet")?;
+        let Some(facet) = self.facet.take() else {
+            return Ok(None);
+        };
         if facet.corners.len() < 3 {
+            self.is_lost = true;
             let (what, form) = ("a vertex of the facet", FACET);
             return Err(Fault::Missing { what, form });
         }
