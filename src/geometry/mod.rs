@@ -27,7 +27,7 @@ pub(crate) use polygon::convexity::is_convex;
 pub use polygon::cut_lines::CutLines;
 pub(crate) use polygon::outline::{CleanOutline, is_on_one_line};
 pub use polygon::quarters::quartered;
-pub(crate) use polygon::triangulation::triangulated;
+pub(crate) use polygon::triangulation::{triangles_of, triangulated};
 pub(crate) use polygon::weakly_simple::FlatOutline;
 #[doc(hidden)]
 pub use rectangle::aligned::{AlignedRectangle, FlatBox};

@@ -9,7 +9,7 @@
 //! **Not covered**: outlines that touch or cross themselves elsewhere; what of them is clear is
 //! divided by [`weakly_simple`](super::weakly_simple).
 
-use crate::numeric::tolerance;
+use crate::numeric::{power_of_two_near, tolerance};
 use glam::DVec3;
 use std::collections::VecDeque;
 
@@ -27,10 +27,14 @@ pub(crate) struct CleanOutline {
 impl CleanOutline {
     /// The outline with these corners, all of them finite.
     pub(crate) fn of(corners: &[DVec3]) -> Self {
-        let slack = tolerance::PLANARITY * diameter(corners);
+        // in units of the diameter, so that products stay in range
+        let unit = power_of_two_near(diameter(corners));
+        let slack = tolerance::PLANARITY * diameter(corners) / unit;
         let unrepeated = reduced(corners, |_, _, _| false);
         let has_repeats = unrepeated.len() < corners.len();
-        let clean = reduced(&unrepeated, |a, b, c| is_spike(a, b, c, slack));
+        let clean = reduced(&unrepeated, |a, b, c| {
+            a == c || turns_back((b - a) / unit, (c - b) / unit, slack)
+        });
         Self {
             has_repeats,
             has_spikes: clean.len() < unrepeated.len(),
@@ -105,12 +109,8 @@ pub(crate) fn reduced<P: Copy + PartialEq>(
     kept.into()
 }
 
-/// Whether the outline turns back at b, to within a slack across it.
-fn is_spike(a: DVec3, b: DVec3, c: DVec3, slack: f64) -> bool {
-    if a == c {
-        return true;
-    }
-    let (out, back) = (b - a, c - b);
+/// Whether an edge runs back along the one before it, to within a slack across it.
+fn turns_back(out: DVec3, back: DVec3, slack: f64) -> bool {
     let height = out.cross(back).length() / out.length().max(back.length());
     out.dot(back) < 0.0 && height <= slack
 }

@@ -9,8 +9,9 @@
 //! only. Any number of openings, bridged to each other or to the outline, openings that touch it in
 //! a corner, and islands in openings are of that kind; an outline that crosses itself is not.
 //!
-//! Ears are cut off as from a simple polygon, and the triangles merged again along their common
-//! edges, the longest first, as long as the union is a polygon. All corners are the outline's own.
+//! Diagonals inside are drawn, the shortest first, as long as they cross nothing; the triangles
+//! between them are merged again along their common edges, the longest first, as long as the union
+//! is a polygon. All corners are the outline's own.
 //!
 //! **Not covered**: a bridge with a corner on one of its ways only; speed beyond some hundred
 //! corners (the work grows with their cube).
@@ -20,7 +21,8 @@ use super::outline::reduced;
 use crate::geometry::{GeometryError, Patch};
 use crate::numeric::tolerance;
 use glam::{DVec2, DVec3};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap, HashSet};
+use std::f64::consts::TAU;
 
 /// An outline seen along its mean normal.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,7 +73,9 @@ impl FlatOutline {
         let mut pairs = pairs.flat_map(|(i, one)| boundary[i + 1..].iter().map(move |b| (one, b)));
         !boundary.is_empty()
             && !pairs.any(|(one, other)| self.meet(*one, *other))
-            && boundary.iter().all(|edge| self.is_right(*edge, &boundary))
+            && boundary
+                .iter()
+                .all(|edge| self.winding(*edge, &boundary) == 1)
     }
 
     /// The edges that are not run along out and back, by the places of their ends.
@@ -111,9 +115,8 @@ impl FlatOutline {
         !same_side(turn(a, b, c), turn(a, b, d)) && !same_side(turn(c, d, a), turn(c, d, b))
     }
 
-    /// Whether the boundary winds once around what is left of the middle of an edge, and not around
-    /// what is right of it.
-    fn is_right(&self, edge: [usize; 2], boundary: &[[usize; 2]]) -> bool {
+    /// The number of times that the boundary winds around what is left of the middle of an edge.
+    fn winding(&self, edge: [usize; 2], boundary: &[[usize; 2]]) -> i32 {
         let ends = |edge: [usize; 2]| edge.map(|place| self.flat[place]);
         let [a, b] = ends(edge);
         // the ray to the right must not run along the edge
@@ -121,12 +124,16 @@ impl FlatOutline {
         let turned = |p: DVec2| if is_steep { p } else { DVec2::new(p.y, -p.x) };
         let [a, b] = [a, b].map(turned);
         let middle = 0.5 * (a + b);
-        let others = boundary.iter().filter(|other| **other != edge);
-        let crossings = others.map(|other| {
+        let crossings = boundary.iter().map(|other| {
             let [c, d] = ends(*other).map(turned);
-            if (c.y > middle.y) == (d.y > middle.y)
-                || middle.x >= c.x + (middle.y - c.y) * (d.x - c.x) / (d.y - c.y)
-            {
+            let is_met = if *other == edge {
+                // from the left, if it runs upwards
+                b.y > a.y
+            } else {
+                (c.y > middle.y) != (d.y > middle.y)
+                    && middle.x < c.x + (middle.y - c.y) * (d.x - c.x) / (d.y - c.y)
+            };
+            if !is_met {
                 0
             } else if d.y > c.y {
                 1
@@ -134,36 +141,83 @@ impl FlatOutline {
                 -1
             }
         });
-        let winding: i32 = crossings.sum();
-        winding == if b.y > a.y { 0 } else { 1 }
+        crossings.sum()
     }
 
-    /// The triangles that make up the outline, as indices of corners, counter-clockwise.
+    /// The triangles between diagonals that cross nothing, as places of corners, counter-clockwise;
+    /// more corners where some are on one line.
+    fn division(&self) -> Vec<Vec<usize>> {
+        let boundary = self.boundary();
+        let length = |[a, b]: [usize; 2]| self.flat[a].distance(self.flat[b]);
+        let corners: BTreeSet<usize> = boundary.iter().flatten().copied().collect();
+        let pairs = corners
+            .iter()
+            .flat_map(|a| corners.range(a + 1..).map(|b| [*a, *b]));
+        let mut candidates: Vec<[usize; 2]> = pairs.collect();
+        candidates.sort_by(|one, other| length(*one).total_cmp(&length(*other)));
+        let mut edges = boundary.clone();
+        for [a, b] in candidates {
+            let is_free = edges.iter().all(|edge| !self.meet(*edge, [a, b]));
+            if is_free && self.winding([a, b], &boundary) == 1 {
+                edges.extend([[a, b], [b, a]]);
+            }
+        }
+        self.faces(&edges)
+    }
+
+    /// The outlines on the left of edges, each of which is run along once.
+    fn faces(&self, edges: &[[usize; 2]]) -> Vec<Vec<usize>> {
+        let direction = |[a, b]: [usize; 2]| self.flat[b] - self.flat[a];
+        let next = |[from, at]: [usize; 2]| {
+            let back = direction([at, from]);
+            // the first one clockwise from the way back
+            let turn = |edge: &&[usize; 2]| {
+                let angle = direction(**edge).angle_to(back);
+                if angle > 0.0 { angle } else { angle + TAU }
+            };
+            let ways = edges.iter().filter(|edge| edge[0] == at && edge[1] != from);
+            ways.min_by(|one, other| turn(one).total_cmp(&turn(other)))
+        };
+        let mut is_done: HashSet<[usize; 2]> = HashSet::new();
+        let mut faces = Vec::new();
+        for start in edges {
+            let mut face = Vec::new();
+            let mut edge = Some(start);
+            while let Some(found) = edge.filter(|edge| is_done.insert(**edge)) {
+                face.push(found[0]);
+                edge = next(*found);
+            }
+            if !face.is_empty() {
+                faces.push(face);
+            }
+        }
+        faces
+    }
+
+    /// The triangles that make up a simple outline, as indices of corners, counter-clockwise.
     ///
     /// Of the ears those come first that have all else in front of them, in space.
     pub(crate) fn triangles(&self) -> Vec<[usize; 3]> {
-        let mut clipper = EarClipper::new(&self.flat, turn);
-        let mut triangles = Vec::with_capacity(self.flat.len());
-        while clipper.left().len() > 3 {
+        EarClipper::new(&self.flat, turn).triangles(|clipper| {
             let of_hull =
                 |place: &usize| self.has_in_front(clipper.left(), clipper.triangle(*place));
             let ear = clipper.ears().find(of_hull);
-            let ear = ear.or_else(|| clipper.ears().next());
-            let mut places = 0..clipper.left().len();
-            let straight = || places.find(|place| clipper.turn(*place) == 0.0);
-            match ear.or_else(straight) {
-                Some(place) => {
-                    let has_area = clipper.turn(place) > 0.0;
-                    let triangle = clipper.cut(place);
-                    triangles.extend(has_area.then_some(triangle));
-                }
-                // rounding hides that a sliver is an ear: any corner keeps the outline closed
-                None => triangles.push(clipper.cut(0)),
-            }
-        }
-        let rest = <[usize; 3]>::try_from(clipper.left()).ok();
-        triangles.extend(rest.filter(|_| clipper.turn(1) > 0.0));
-        triangles
+            ear.or_else(|| clipper.ears().next())
+        })
+    }
+
+    /// The triangles that make up an outline that [is clear](Self::is_clear), as indices of corners,
+    /// counter-clockwise.
+    pub(crate) fn triangles_between(&self) -> Vec<[usize; 3]> {
+        let faces = self.division().into_iter();
+        let triangles = faces.flat_map(|face| {
+            let corners: Vec<DVec2> = face.iter().map(|place| self.flat[*place]).collect();
+            let triangles = EarClipper::new(&corners, turn).triangles(|left| left.ears().next());
+            let places = triangles.into_iter();
+            let places = places.map(|triangle| triangle.map(|corner| face[corner]));
+            places.collect::<Vec<_>>()
+        });
+        triangles.collect()
     }
 
     /// Whether all remaining corners are in front of the plane of a triangle.
@@ -190,11 +244,11 @@ impl FlatOutline {
         let of = |places: &[usize]| patch(places.iter().map(|place| corners[*place]).collect());
         let mut pieces = Vec::new();
         let mut diagonals = Vec::new();
-        for triangle in self.triangles() {
-            let places = triangle.map(|corner| self.places[corner]);
-            let [a, b, c] = places;
-            diagonals.extend([[a, b], [b, c], [c, a]]);
-            pieces.push((places.to_vec(), of(&places)?));
+        for piece in self.division() {
+            let next = piece.iter().cycle().skip(1);
+            diagonals.extend(piece.iter().zip(next).map(|(a, b)| [*a, *b]));
+            let shape = of(&piece)?;
+            pieces.push((piece, shape));
         }
         let length = |[a, b]: [usize; 2]| self.local[a].distance(self.local[b]);
         diagonals.retain(|[a, b]| a < b);

@@ -146,12 +146,14 @@ fn triangulated(
     mut mends: Vec<Mend>,
 ) -> Result<Face, GeometryError> {
     let outline = FlatOutline::of(corners);
-    match Patch::try_new(outline.flattened()) {
-        Ok(_) => {}
-        Err(GeometryError::NotSimple { .. }) if outline.is_clear() => mends.push(Mend::Openings),
+    let mut triangles = match Patch::try_new(outline.flattened()) {
+        Ok(_) => outline.triangles(),
+        Err(GeometryError::NotSimple { .. }) if outline.is_clear() => {
+            mends.push(Mend::Openings);
+            outline.triangles_between()
+        }
         Err(refusal) => return Err(refusal),
-    }
-    let mut triangles = outline.triangles();
+    };
     triangles.sort_unstable_by_key(|triangle| {
         let mut sorted = *triangle;
         sorted.sort_unstable();

@@ -142,7 +142,7 @@ fn sentence(kind: Remark, Tally { count, first }: Tally, unit: &str) -> String {
         Remark::Mended(Mend::Repeat) => (
             "face repeats a corner",
             "faces repeat a corner",
-            "; it counts once",
+            "; that counts once",
         ),
         Remark::Mended(Mend::Spike) => (
             "face runs out and back",
@@ -157,7 +157,7 @@ fn sentence(kind: Remark, Tally { count, first }: Tally, unit: &str) -> String {
         Remark::WithoutArea => (
             "face has no area",
             "faces have no area",
-            "; it keeps its number and exchanges nothing",
+            "; such a face keeps its number and exchanges nothing",
         ),
         Remark::LeftOut(keyword) => {
             let lines = if count == 1 { "line" } else { "lines" };

@@ -38,15 +38,15 @@ fn check(format: usize, bytes: &[u8]) -> Result<(), TestCaseError> {
                 prop_assert!(patches.all(|patch| patch.shape().area() > 0.0));
             }
             Err(refusal) => {
-                let message = refusal.to_string();
-                prop_assert!(message.starts_with("a."), "{}", message);
-                prop_assert!(!message.contains(char::is_control), "{:?}", message);
-                prop_assert!(message.len() < 600, "{}", message);
-                let lines = bytes
-                    .split(|byte| *byte == b'\n')
-                    .count()
-                    .max(OBJ.lines().count());
-                prop_assert!(refusal.line.is_none_or(|line| (1..=lines).contains(&line)));
+                let ends = |byte: &u8| matches!(byte, b'\n' | b'\r');
+                let lines = bytes.split(ends).count().max(OBJ.lines().count());
+                for fault in refusal.told() {
+                    let message = fault.to_string();
+                    prop_assert!(message.starts_with("a."), "{}", message);
+                    prop_assert!(!message.contains(char::is_control), "{:?}", message);
+                    prop_assert!(message.len() < 600, "{}", message);
+                    prop_assert!(fault.line.is_none_or(|line| (1..=lines).contains(&line)));
+                }
             }
         }
     }

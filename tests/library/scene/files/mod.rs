@@ -3,6 +3,7 @@
 mod faces;
 mod fuzzing;
 mod obj;
+mod outlines;
 mod refusals;
 mod round_trip;
 mod stl;
