@@ -75,7 +75,15 @@ impl Convert {
         loaded.scene.check_overlap()?;
         let scene = self.split(loaded.scene)?;
         let (content, materials) = match &self.format {
-            SceneFormat::View3d => (write_view3d(&scene)?.into_bytes(), None),
+            SceneFormat::View3d => {
+                let left_out = scene.empty_rows().len();
+                if left_out > 0 {
+                    notes.push(format!(
+                        "View3D has no faces without area: {left_out} are left out"
+                    ));
+                }
+                (write_view3d(&scene)?.into_bytes(), None)
+            }
             SceneFormat::Obj { materials } => {
                 let written = write_obj(&scene, materials)?;
                 (written.obj.into_bytes(), Some(written.mtl))

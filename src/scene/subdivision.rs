@@ -5,10 +5,13 @@
 //!   a patch of m corners, triangulated         →   m − 2 patches
 //! ```
 //!
-//! **Not covered**: patches that others lie in, which are refused.
+//! **Not covered**: cuts through patches that others lie in, which are refused.
 
 use super::{NamedPatch, Scene, SceneError};
-use crate::geometry::{GeometryError, Patch, quartered, triangulated};
+use crate::geometry::{GeometryError, Patch, quartered, triangles_of};
+
+/// The names and shapes of a patch's parts.
+type Parts = Vec<(String, Patch)>;
 
 impl Scene {
     /// The scene with every patch [`quartered`](crate::geometry::quartered()) so many times, and
@@ -29,28 +32,26 @@ impl Scene {
     /// ```
     pub fn subdivided(&self, times: u32) -> Result<(Self, Vec<usize>), SceneError> {
         self.cut(|patch| {
+            if times == 0 {
+                return Ok(None);
+            }
             let mut shapes = vec![patch.shape.clone()];
             for _ in 0..times {
                 let parts: Result<Vec<_>, _> = shapes.iter().map(quartered).collect();
                 shapes = parts?.concat();
             }
-            let names = (0..shapes.len()).map(|number| {
-                if times == 0 {
-                    patch.name.clone()
-                } else {
-                    format!("{}/{number}", patch.name)
-                }
-            });
-            Ok(names.zip(shapes).collect())
+            let name = |number| format!("{}/{number}", patch.name);
+            Ok(Some((0..).map(name).zip(shapes).collect()))
         })
     }
 
-    /// The scene with every patch of more than `most` corners split into triangles, and for each
-    /// new patch the one it is a part of. Parts keep the material; their names are those that the
-    /// triangles of a file's faces have.
+    /// The scene with every patch and every obstruction of more than `most` corners split into
+    /// triangles, and for each new patch the one it is a part of. Parts keep the material; their
+    /// names are those that the triangles of a file's faces have. Each is a row, unless its patch
+    /// is summed with others.
     ///
     /// # Errors
-    /// As [`subdivided`](Self::subdivided).
+    /// As [`subdivided`](Self::subdivided); patches that stay whole may have others in them.
     ///
     /// # Examples
     /// ```
@@ -61,38 +62,44 @@ impl Scene {
     /// # Ok::<(), infoscene::scene::SceneError>(())
     /// ```
     pub fn triangulated(&self, most: usize) -> Result<(Self, Vec<usize>), SceneError> {
-        self.cut(|patch| {
-            let corners = patch.shape.corners();
-            if corners.len() <= most {
-                return Ok(vec![(patch.name.clone(), patch.shape.clone())]);
+        let split = |patch: &NamedPatch| {
+            if patch.shape.corners().len() <= most {
+                return Ok(None);
             }
-            let triangles = triangulated(corners, patch.shape.normal());
-            let parts = triangles.into_iter().enumerate().map(|(number, triangle)| {
-                let shape = Patch::try_new(triangle.map(|place| corners[place]).to_vec())?;
-                Ok((format!("{} (triangle {number})", patch.name), shape))
-            });
-            parts.collect()
-        })
+            let name = |number| format!("{} (triangle {number})", patch.name);
+            let shapes = triangles_of(&patch.shape)?;
+            Ok(Some((0..).map(name).zip(shapes).collect()))
+        };
+        let (scene, parents) = self.cut(split)?;
+        let obstructions = self.obstructions.iter().enumerate().map(|(index, patch)| {
+            let index = self.patches.len() + index;
+            let parts: Option<Parts> = split(patch).map_err(|error| self.refused(index, error))?;
+            Ok(with_parts(patch, parts))
+        });
+        let obstructions: Result<Vec<_>, SceneError> = obstructions.collect();
+        Ok((scene.with_obstructions(obstructions?.concat()), parents))
     }
 
-    /// The scene with each patch in parts of these names and shapes, and the index of the patch
-    /// that each part is of.
+    /// The scene with patches in parts, if there are any, and the index of the patch that each part
+    /// is of.
     fn cut(
         &self,
-        parts: impl Fn(&NamedPatch) -> Result<Vec<(String, Patch)>, GeometryError>,
+        parts: impl Fn(&NamedPatch) -> Result<Option<Parts>, GeometryError>,
     ) -> Result<(Self, Vec<usize>), SceneError> {
         let mut patches = Vec::new();
         let mut parents = Vec::new();
         for (index, patch) in self.patches.iter().enumerate() {
-            if let Some(part) = self.parts_of(index).next() {
+            let parts = parts(patch).map_err(|error| self.refused(index, error))?;
+            if let Some(part) = self.parts_of(index).next().filter(|_| parts.is_some()) {
                 return Err(SceneError::CutThroughPart { base: index, part });
             }
-            let parts = parts(patch).map_err(|error| self.refused(index, error))?;
-            for (name, shape) in parts {
-                patches.push(NamedPatch::new(name, shape).with_material(patch.material));
-                parents.push(index);
-            }
+            patches.extend(with_parts(patch, parts));
+            parents.resize(patches.len(), index);
         }
+        // a base is whole
+        let place = |old: usize| parents.partition_point(|parent| *parent < old);
+        let bases = parents.iter().map(|parent| self.bases[*parent].map(place));
+        let bases = bases.collect();
         // of a row that is one patch, each part becomes a row
         let mut patches_of = vec![0; self.group_count()];
         for group in &self.groups {
@@ -117,6 +124,23 @@ impl Scene {
             place = empty.row;
             empty.row = before + earlier;
         }
-        Ok((scene.with_empty_rows(empty_rows)?, parents))
+        let scene = Self {
+            bases,
+            ..scene.with_empty_rows(empty_rows)?
+        };
+        Ok((scene, parents))
     }
+}
+
+/// A patch in parts of these names and shapes, or whole.
+fn with_parts(patch: &NamedPatch, parts: Option<Parts>) -> Vec<NamedPatch> {
+    let Some(parts) = parts else {
+        return vec![patch.clone()];
+    };
+    let part = |(name, shape)| NamedPatch {
+        name,
+        shape,
+        ..patch.clone()
+    };
+    parts.into_iter().map(part).collect()
 }

@@ -6,6 +6,7 @@
 )]
 
 mod answers;
+mod conversions;
 #[cfg(feature = "proptest")]
 mod fuzzing;
 mod gradient_cuts;

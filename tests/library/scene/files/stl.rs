@@ -310,7 +310,7 @@ fn what_is_no_facet_is_refused_with_its_place() {
             10,
             "\"endsolid\" belongs after \"solid",
         ),
-        (facet, "", 0, "it has no patch: a facet begins with"),
+        (facet, "", 0, "it has no patch: a facet with an area begins"),
     ] {
         let refusal = stl(solid.replacen(from, to, 1)).unwrap_err();
         let [fault] = refusal.told() else {
