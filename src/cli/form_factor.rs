@@ -4,7 +4,7 @@ use super::Answer;
 use super::output::{Output, check_place, finished, replace_with, say};
 use super::progress::Bar;
 use super::scene::ScenePairsArguments;
-use infoscene::question::{FormFactorMatrix, FormFactors, MatrixEntries, Unreached};
+use infoscene::question::{FormFactorMatrix, FormFactors, MatrixEntries, PatchName, Unreached};
 use infoscene::report::{MatrixFormat, MatrixWriter, write_form_factors};
 use std::error::Error;
 use std::io::Write;
@@ -14,12 +14,13 @@ use std::path::{Path, PathBuf};
 pub(super) struct FormFactor {
     #[command(flatten)]
     scene: ScenePairsArguments,
-    /// Only from this patch, counted from 0; patches that are summed into one row count as one.
-    #[arg(long, value_name = "I")]
-    from: Option<usize>,
-    /// Only to this patch, counted from 0.
-    #[arg(long, value_name = "J")]
-    to: Option<usize>,
+    /// Only from this patch: its index from 0, or a name; that of an object means all its faces.
+    /// Patches that are summed into one row count as one.
+    #[arg(long, value_name = "PATCH")]
+    from: Option<PatchName>,
+    /// Only to this patch, likewise.
+    #[arg(long, value_name = "PATCH")]
+    to: Option<PatchName>,
     /// Write the whole matrix here, too, one row per patch that sends. The end of the name says how:
     /// .npy (NumPy), .mtx (Matrix Market, zeros left out), .array.mtx (Matrix Market, all entries),
     /// .txt (lines "i j F", counted from 1) or .vf (as View3D writes).
@@ -38,10 +39,10 @@ impl FormFactor {
         let files = self.matrices()?;
         let question = FormFactors {
             scene: self.scene.source(),
-            tolerance: self.scene.tolerance,
+            tolerance: self.scene.tolerance(),
             congruence: self.scene.congruence(),
-            from: self.from,
-            to: self.to,
+            from: self.from.clone(),
+            to: self.to.clone(),
             matrix: !files.is_empty(),
         };
         let bar = Bar::default();

@@ -27,6 +27,9 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
     if let Some(SceneError::MayBeBlocked { .. }) = error.downcast_ref() {
         return Some("; --unoccluded computes as if nothing were in the way");
     }
+    if let Some(ExchangeError::TurnedAway) = error.downcast_ref() {
+        return Some("; --reverse does");
+    }
     if let Some(errors) = error.downcast_ref::<FileErrors>() {
         let is_bent = |fault: &FileError| {
             let Fault::Geometry { source } = &fault.fault else {

@@ -188,15 +188,17 @@ fn free(scene: &Scene) -> Vec<bool> {
     is_free
 }
 
-/// The name of what a patch is a piece of: its own without the numbers after it.
-fn object(patch: &NamedPatch) -> &str {
-    let name = patch.name();
-    let name = name.split(" (triangle ").next().unwrap_or(name);
-    let is_number = |word: &str| !word.contains(|c: char| !c.is_ascii_digit() && !",/".contains(c));
-    match name.rsplit_once(' ') {
-        Some((object, number)) if is_number(number) => object,
-        _ => name,
+/// The names of what a patch is a piece of, or its own without the number after it.
+fn object(patch: &NamedPatch) -> (&[String], Option<&str>) {
+    if !patch.wholes.is_empty() {
+        return (&patch.wholes, None);
     }
+    let name = patch.name();
+    let own = match name.rsplit_once(' ') {
+        Some((object, number)) if number.parse::<usize>().is_ok() => object,
+        _ => name,
+    };
+    (&[], Some(own))
 }
 
 /// Patches that make up a simple polygon.

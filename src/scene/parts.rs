@@ -29,7 +29,7 @@
 use super::{Material, NamedPatch, Scene, SceneError};
 use crate::geometry::{NotContained, check_contained};
 use crate::scene::visibility::surfaces::Prepared;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::hash::Hash;
 
 /// A row without a patch, such as a face without area: it keeps its number among the rows, has an
@@ -243,6 +243,13 @@ impl Scene {
         groups.filter_map(move |(patch, row)| (*row == group).then_some(patch))
     }
 
+    /// The patches of some rows, in order.
+    pub(crate) fn patches_of_groups(&self, groups: &[usize]) -> impl Iterator<Item = usize> {
+        let groups: HashSet<usize> = groups.iter().copied().collect();
+        let patches = self.groups.iter().enumerate();
+        patches.filter_map(move |(patch, row)| groups.contains(row).then_some(patch))
+    }
+
     /// The area of each row, without what lies in it and is of another row.
     #[must_use]
     pub fn row_areas(&self) -> Vec<f64> {
@@ -268,6 +275,30 @@ impl Scene {
             names[empty.row] = &empty.name;
         }
         names
+    }
+
+    /// The rows that have this name, or a patch that is a piece of something that has it, in order.
+    #[must_use]
+    pub fn groups_named(&self, name: &str) -> Vec<usize> {
+        let mut rows: Vec<usize> = Vec::new();
+        for (patch, group) in self.patches.iter().zip(&self.groups) {
+            if patch.name == name || patch.wholes.iter().any(|whole| whole == name) {
+                rows.push(*group);
+            }
+        }
+        let empty = self.empty_rows.iter().filter(|empty| empty.name == name);
+        rows.extend(empty.map(|empty| empty.row));
+        rows.sort_unstable();
+        rows.dedup();
+        rows
+    }
+
+    /// The names of patches and of what they are pieces of, each once, in alphabetical order.
+    pub(crate) fn known_names(&self) -> BTreeSet<&str> {
+        let own = self.patches.iter().map(|patch| patch.name.as_str());
+        let wholes = self.patches.iter().flat_map(|patch| patch.wholes.iter());
+        let empty = self.empty_rows.iter().map(|empty| empty.name.as_str());
+        own.chain(wholes.map(String::as_str)).chain(empty).collect()
     }
 
     /// The material that all patches of a row have; reflected power of different ones is not that

@@ -9,6 +9,7 @@
 
 use super::{NamedPatch, Scene, SceneError};
 use crate::geometry::{GeometryError, Patch, quartered, triangles_of};
+use std::sync::Arc;
 
 /// The names and shapes of a patch's parts.
 type Parts = Vec<(String, Patch)>;
@@ -137,9 +138,12 @@ fn with_parts(patch: &NamedPatch, parts: Option<Parts>) -> Vec<NamedPatch> {
     let Some(parts) = parts else {
         return vec![patch.clone()];
     };
+    let own = std::iter::once(&patch.name);
+    let wholes: Arc<[String]> = patch.wholes.iter().chain(own).cloned().collect();
     let part = |(name, shape)| NamedPatch {
         name,
         shape,
+        wholes: Arc::clone(&wholes),
         ..patch.clone()
     };
     parts.into_iter().map(part).collect()

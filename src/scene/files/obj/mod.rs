@@ -30,6 +30,7 @@ use glam::DVec3;
 use mtl::read_mtl;
 use std::borrow::Cow;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 const VERTEX: &str = "\"v x y z\"";
 const FACE: &str = "\"f a b c\", with a vertex number for each corner";
@@ -82,6 +83,7 @@ pub fn read_obj(
         material: Material::BLACK,
         object: String::new(),
         group: String::new(),
+        wholes: Arc::default(),
         faces: 0,
         faces_named: HashMap::new(),
         patches: Vec::new(),
@@ -147,6 +149,8 @@ struct Reader<'a> {
     material: Material,
     object: String,
     group: String,
+    /// The names of object and group, which those of their faces begin with.
+    wholes: Arc<[String]>,
     /// The number of faces so far.
     faces: usize,
     faces_named: HashMap<String, usize>,
@@ -173,7 +177,10 @@ impl Reader<'_> {
                 }
             }
             "f" | "F" | "fo" => self.face(line, rest)?,
-            "o" => self.object = self.remarks.short_name(line, name()),
+            "o" => {
+                self.object = self.remarks.short_name(line, name());
+                self.wholes = self.wholes();
+            }
             "g" => {
                 let name = self.remarks.short_name(line, name());
                 self.group = if name == "default" {
@@ -181,6 +188,7 @@ impl Reader<'_> {
                 } else {
                     name
                 };
+                self.wholes = self.wholes();
             }
             "usemtl" => {
                 let name = name();
@@ -237,15 +245,8 @@ impl Reader<'_> {
     }
 
     fn face(&mut self, line: usize, rest: &str) -> Result<(), FileError> {
-        let named: Vec<&str> = [self.object.as_str(), self.group.as_str()]
-            .into_iter()
-            .filter(|name| !name.is_empty())
-            .collect();
-        let group = if named.is_empty() {
-            "face".to_owned()
-        } else {
-            named.join(" ")
-        };
+        let whole = self.wholes.last().map_or("face", String::as_str);
+        let group = whole.to_owned();
         let number = self.faces_named.entry(group.clone()).or_insert(0);
         let name = format!("{group} {number}");
         *number += 1;
@@ -276,6 +277,12 @@ impl Reader<'_> {
         }
         self.rows.push(self.faces, patches.len(), is_split);
         self.faces += 1;
+        let wholes = if is_split {
+            let face = std::iter::once(&name);
+            self.wholes.iter().chain(face).cloned().collect()
+        } else {
+            Arc::clone(&self.wholes)
+        };
         for (part, shape) in patches.into_iter().enumerate() {
             let name = if is_split {
                 format!("{name} (triangle {part})")
@@ -283,8 +290,20 @@ impl Reader<'_> {
                 name.clone()
             };
             let patch = NamedPatch::new(name, shape).with_material(self.material);
-            self.patches.push(patch);
+            self.patches.push(patch.with_wholes(Arc::clone(&wholes)));
         }
+    }
+
+    /// The names of object and group, and of both if there are both.
+    fn wholes(&self) -> Arc<[String]> {
+        let (object, group) = (self.object.as_str(), self.group.as_str());
+        let both = format!("{object} {group}");
+        let names: &[&str] = match (object, group) {
+            ("", "") => &[],
+            (one, "") | ("", one) => &[one],
+            (object, group) => &[object, group, &both],
+        };
+        names.iter().map(|name| (*name).to_owned()).collect()
     }
 
     fn corners(&self, rest: &str) -> Result<Vec<DVec3>, Fault> {

@@ -50,6 +50,7 @@ use crate::scene::{Material, NamedPatch, Scene};
 use glam::DVec3;
 use std::collections::HashMap;
 use std::path::Path;
+use std::sync::Arc;
 
 /// The scene in an STL file of either kind.
 ///
@@ -87,8 +88,8 @@ struct Facet {
 /// The patches so far.
 struct Reader {
     rules: FaceRules,
-    /// The number of facets of each name.
-    numbers: HashMap<String, usize>,
+    /// For each name of a solid the number of its facets so far, and what they are pieces of.
+    solids: HashMap<String, (usize, Arc<[String]>)>,
     patches: Vec<NamedPatch>,
     rows: Rows,
     remarks: Remarks,
@@ -100,7 +101,7 @@ impl Reader {
     fn new(faces: NonPlanarFaces, remarks: Remarks) -> Self {
         Self {
             rules: faces.into(),
-            numbers: HashMap::new(),
+            solids: HashMap::new(),
             patches: Vec::new(),
             rows: Rows::default(),
             remarks,
@@ -110,15 +111,15 @@ impl Reader {
 
     /// Adds a facet of a solid; a fault comes with the number and the name of the patch.
     fn facet(&mut self, solid: &str, facet: Facet) -> Result<(), (String, Fault)> {
-        let solid = if solid.is_empty() { "facet" } else { solid };
-        let number = match self.numbers.get_mut(solid) {
-            Some(number) => {
-                *number += 1;
-                *number
-            }
-            None => *self.numbers.entry(solid.to_owned()).or_default(),
-        };
-        let name = format!("{solid} {number}");
+        let whole = Some(solid).filter(|name| !name.is_empty());
+        let solid = whole.unwrap_or("facet");
+        if !self.solids.contains_key(solid) {
+            let wholes = whole.map(str::to_owned).into_iter().collect();
+            self.solids.insert(solid.to_owned(), (0, wholes));
+        }
+        let (next, wholes) = self.solids.entry(solid.to_owned()).or_default();
+        let name = format!("{solid} {next}");
+        *next += 1;
         let row = self.rows.len();
         let face = face_of(facet.corners, self.rules).map_err(|source| {
             let patch = format!("{row} ({})", excerpt(&name));
@@ -135,7 +136,8 @@ impl Reader {
             if facet.normal.is_some_and(points_back) {
                 self.remarks.count(Remark::NormalToTheBack, facet.place);
             }
-            self.patches.push(NamedPatch::new(name.clone(), shape));
+            let patch = NamedPatch::new(name.clone(), shape);
+            self.patches.push(patch.with_wholes(Arc::clone(wholes)));
         }
         Ok(())
     }

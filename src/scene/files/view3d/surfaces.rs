@@ -10,6 +10,7 @@ use crate::scene::{Material, NamedPatch, Scene};
 use glam::DVec3;
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// A line `S` or `O`.
 #[derive(Debug)]
@@ -132,13 +133,16 @@ fn place<'a>(
         &mut parts.patches
     };
     let start = list.len();
+    let whole = face.is_split.then(|| surface.name.clone());
+    let wholes: Arc<[String]> = whole.into_iter().collect();
     for (part, shape) in face.patches.into_iter().enumerate() {
         let name = if face.is_split {
             format!("{} (triangle {part})", surface.name)
         } else {
             surface.name.clone()
         };
-        list.push(NamedPatch::new(name, shape).with_material(surface.material));
+        let patch = NamedPatch::new(name, shape).with_material(surface.material);
+        list.push(patch.with_wholes(Arc::clone(&wholes)));
     }
     if face.is_split && !surface.obstructs {
         parts.rows += list.len() - start - 1;
