@@ -2,7 +2,9 @@
 
 use super::QuestionError;
 use super::scene::SceneSource;
-use crate::scene::files::{write_obj, write_view3d};
+use crate::scene::files::{
+    LoadedScene, left_out_of_obj, left_out_of_view3d, write_obj, write_view3d,
+};
 
 /// The question for the text of a scene file.
 ///
@@ -54,12 +56,15 @@ impl Convert {
     /// [`QuestionError::Scene`] if patches overlap; [`QuestionError::NotExpressible`] if the format
     /// has no words for the scene.
     pub fn ask(&self) -> Result<ConvertAnswer, QuestionError> {
-        let loaded = self.scene.open()?;
-        let scene = loaded.scene;
+        let LoadedScene { scene, mut notes } = self.scene.open()?;
         scene.check_overlap()?;
         let (text, materials) = match &self.format {
-            SceneFormat::View3d => (write_view3d(&scene)?, None),
+            SceneFormat::View3d => {
+                notes.extend(left_out_of_view3d(&scene));
+                (write_view3d(&scene)?, None)
+            }
             SceneFormat::Obj { materials } => {
+                notes.extend(left_out_of_obj(&scene));
                 let written = write_obj(&scene, materials)?;
                 (written.obj, Some(written.mtl))
             }
@@ -67,7 +72,7 @@ impl Convert {
         Ok(ConvertAnswer {
             text,
             materials,
-            notes: loaded.notes,
+            notes,
         })
     }
 }

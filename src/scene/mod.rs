@@ -9,6 +9,7 @@
 //! ([`Occlusion`]).
 
 mod built_in;
+mod channel;
 mod convex_room;
 mod error;
 pub mod files;
@@ -19,8 +20,10 @@ mod planes;
 mod subdivision;
 mod visibility;
 
+pub use channel::{Channel, Channels};
 pub use error::SceneError;
-pub use material::{Material, MaterialError};
+pub use material::{Material, MaterialError, MaterialFault, PatchMaterial};
+pub(crate) use material::{checked_emittance, checked_reflectance};
 pub use visibility::blockers::{Blocker, Blockers};
 pub use visibility::grid_lines::GridLines;
 pub use visibility::lines::{Chord, Passage, SceneLines};
@@ -35,7 +38,7 @@ use visibility::surfaces::Prepared;
 pub struct NamedPatch {
     name: String,
     shape: Patch,
-    material: Material,
+    material: PatchMaterial,
 }
 
 impl NamedPatch {
@@ -45,14 +48,17 @@ impl NamedPatch {
         Self {
             name,
             shape,
-            material: Material::BLACK,
+            material: PatchMaterial::BLACK,
         }
     }
 
-    /// Gives the patch this material.
+    /// Gives the patch this material, a [`Material`] being that of all channels.
     #[must_use]
-    pub fn with_material(self, material: Material) -> Self {
-        Self { material, ..self }
+    pub fn with_material(self, material: impl Into<PatchMaterial>) -> Self {
+        Self {
+            material: material.into(),
+            ..self
+        }
     }
 
     /// The name.
@@ -67,10 +73,10 @@ impl NamedPatch {
         &self.shape
     }
 
-    /// The material.
+    /// The material, as far as it is known.
     #[must_use]
-    pub const fn material(&self) -> Material {
-        self.material
+    pub const fn material(&self) -> &PatchMaterial {
+        &self.material
     }
 }
 

@@ -25,7 +25,9 @@
 //! the others. It does not say which emissivity a combined surface has, and the program combines
 //! areas and exchange areas only.
 
-use super::{Material, NamedPatch, Scene, SceneError};
+use super::channel::Channels;
+use super::material::{MaterialFault, PatchMaterial};
+use super::{NamedPatch, Scene, SceneError};
 use crate::geometry::{NotContained, check_contained};
 use crate::scene::visibility::surfaces::Prepared;
 use std::collections::HashMap;
@@ -164,25 +166,55 @@ impl Scene {
         names
     }
 
-    /// The material that all patches of a row have; reflected power of different ones is not that
-    /// of any single one.
+    /// The reflectance that all patches of a row have; reflected power of different ones is not
+    /// that of any single one.
     ///
     /// # Errors
-    /// [`SceneError::NoSuchPatch`]; [`SceneError::MixedRow`] with the first two that differ.
-    pub fn group_material(&self, group: usize) -> Result<Material, SceneError> {
-        let last = self.group_count() - 1;
-        let mut patches = self.patches_of_group(group);
-        let no_row = SceneError::NoSuchPatch { index: group, last };
-        let first = patches.next().ok_or(no_row)?;
-        let material = self.patches[first].material;
-        match patches.find(|patch| self.patches[*patch].material != material) {
-            None => Ok(material),
-            Some(second) => Err(SceneError::MixedRow {
-                first,
-                second,
-                names: [first, second].map(|patch| self.patches[patch].name.clone()),
-            }),
+    /// [`SceneError::NoSuchPatch`]; [`SceneError::MaterialUnknown`] with the first patch whose
+    /// reflectance is not known; [`SceneError::MixedRow`] with the first two that differ.
+    pub fn group_reflectance(&self, group: usize) -> Result<Channels<f64>, SceneError> {
+        self.group_property(group, "reflectance", PatchMaterial::reflectance)
+    }
+
+    /// The emittance that all patches of a row have.
+    ///
+    /// # Errors
+    /// As [`group_reflectance`](Self::group_reflectance).
+    pub fn group_emittance(&self, group: usize) -> Result<Channels<f64>, SceneError> {
+        self.group_property(group, "emittance", PatchMaterial::emittance)
+    }
+
+    /// A property of materials that all patches of a row have.
+    fn group_property(
+        &self,
+        group: usize,
+        what: &'static str,
+        of: impl Fn(&PatchMaterial) -> Result<&Channels<f64>, &MaterialFault>,
+    ) -> Result<Channels<f64>, SceneError> {
+        let name = |patch: usize| self.patches[patch].name.clone();
+        let mut found: Option<(usize, Channels<f64>)> = None;
+        for second in self.patches_of_group(group) {
+            let property = of(&self.patches[second].material);
+            let property = *property.map_err(|fault| SceneError::MaterialUnknown {
+                index: second,
+                name: name(second),
+                what,
+                fault: fault.clone(),
+            })?;
+            let (first, known) = *found.get_or_insert((second, property));
+            if known != property {
+                return Err(SceneError::MixedRow {
+                    first,
+                    second,
+                    what,
+                    names: [first, second].map(name),
+                });
+            }
         }
+        let last = self.group_count() - 1;
+        found
+            .map(|(_, known)| known)
+            .ok_or(SceneError::NoSuchPatch { index: group, last })
     }
 
     /// The area of a patch without what lies in it, in squared units of length.

@@ -44,7 +44,7 @@ impl Scene {
                 } else {
                     format!("{}/{number}", patch.name)
                 };
-                patches.push(NamedPatch::new(name, shape).with_material(patch.material));
+                patches.push(NamedPatch::new(name, shape).with_material(patch.material.clone()));
                 parents.push(index);
             }
         }

@@ -116,7 +116,7 @@ impl Scene {
         }
         let rectangle = self.rectangle(index)?;
         let name = self.patches[index].name.clone();
-        let material = self.patches[index].material;
+        let material = self.patches[index].material.clone();
         let parts = rectangle
             .split(axis, position)
             .and_then(|[near, far]| Ok([Patch::try_from(&near)?, Patch::try_from(&far)?]))
@@ -130,7 +130,7 @@ impl Scene {
             prepared: Prepared::default(),
             ..self.clone()
         };
-        let part = |name, shape| NamedPatch::new(name, shape).with_material(material);
+        let part = |name, shape| NamedPatch::new(name, shape).with_material(material.clone());
         scene.patches[index] = part(format!("{name} (near)"), near);
         scene.patches.push(part(format!("{name} (far)"), far));
         scene.bases.push(self.bases[index]);

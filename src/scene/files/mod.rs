@@ -2,17 +2,19 @@
 //!
 //! ```text
 //!   .obj   v x y z | f v…                 one face, one patch    o g: names
-//!          mtllib usemtl: Kd reflectance, Ke emittance
+//!          mtllib usemtl: Kd reflectance, Ke emittance, of three channels
 //!   .vs3   V n x y z | S n v1 v2 v3 v4 base cmb emit name        O: obstructs only
 //!          reflectance = 1 − emit
 //! ```
 //!
 //! A reader stops at the first fault and says where it is and what would mend it ([`FileError`]).
+//! A fault of materials stops nobody: it is a note, and the material of the patches concerned is
+//! [unknown](super::PatchMaterial).
 //! Numbers are written so that they read back to the same `f64`.
 //!
 //! Open `obj` or `view3d` for a format (each with its `writer`), `source` for lines and their
 //! numbers, `faces` for the triangulation of faces that are not planar, `decimal` for emissivities,
-//! and `error` for the refusals.
+//! `unknown_materials` for notes, and `error` for the refusals.
 //!
 //! Both readers are our own: the libraries for OBJ keep coordinates in 32 bits or cut polygons into
 //! triangles, and none says in which line a number is wrong, or which patch is not planar; for
@@ -23,13 +25,17 @@ pub(crate) mod error;
 pub(crate) mod faces;
 pub(crate) mod obj;
 pub(crate) mod source;
+pub(crate) mod unknown_materials;
 pub(crate) mod view3d;
 
 pub use error::{Fault, FileError, NotExpressible, OpenError};
+use obj::library;
 pub use obj::read_obj;
+pub(crate) use obj::writer::left_out_of_obj;
 pub use obj::writer::{ObjText, write_obj};
 pub use source::Source;
 pub use view3d::read_view3d;
+pub(crate) use view3d::writer::left_out_of_view3d;
 pub use view3d::writer::write_view3d;
 
 use super::{Scene, SceneError};
@@ -93,7 +99,7 @@ pub fn read(path: &Path, faces: NonPlanarFaces) -> Result<LoadedScene, FileError
             .is_some_and(|extension| extension.eq_ignore_ascii_case(format))
     };
     if is("obj") {
-        let beside = |name: &str| Source::read(&path.with_file_name(name));
+        let beside = |name: &str| library::read_beside(path, name);
         read_obj(&Source::read(path)?, &beside, faces)
     } else if is("vs3") {
         read_view3d(&Source::read(path)?, faces)

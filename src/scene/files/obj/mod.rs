@@ -6,25 +6,28 @@
 //!                                  the last so far
 //!   o name, g name                 the name of a face, before its number among those of that name,
 //!                                  from 0
-//!   mtllib file, usemtl name       reflectance and emittance (MTL); black without
+//!   mtllib file, usemtl name       reflectance and emittance (MTL); black without usemtl
 //! ```
 //!
-//! The front of a face is the side from which it runs counter-clockwise. `#` begins a comment, a
-//! backslash at its end continues a line. Texture coordinates, normals and smoothing groups are
+//! The front of a face is the side from which it runs counter-clockwise. `#` begins a comment, but
+//! not in names of materials; a backslash at its end continues a line. Texture coordinates, normals and smoothing groups are
 //! read over; points and lines, which have no area, are noted as left out.
 //!
 //! **Not covered**: curves and free-form surfaces, which are refused.
 
+pub(crate) mod library;
+pub(crate) mod materials;
 pub(crate) mod mtl;
 pub(crate) mod writer;
 
 use super::error::{Fault, FileError, excerpt};
 use super::faces::patches_of_face;
 use super::source::{Source, number};
+use super::unknown_materials::notes_on_unknown_materials;
 use super::{LoadedScene, NonPlanarFaces};
-use crate::scene::{Material, NamedPatch, Scene};
+use crate::scene::{NamedPatch, Scene};
 use glam::DVec3;
-use mtl::read_mtl;
+use materials::{Materials, Use};
 use std::borrow::Cow;
 use std::collections::HashMap;
 
@@ -58,7 +61,7 @@ const FREE_FORM: [&str; 17] = [
 /// The scene in an OBJ file; `library` finds a material file by the name that `mtllib` gives.
 ///
 /// # Errors
-/// A [`FileError`] at the first fault, in this file or in a material file.
+/// A [`FileError`] at the first fault in this file.
 pub fn read_obj(
     source: &Source,
     library: &dyn Fn(&str) -> Result<Source, FileError>,
@@ -66,11 +69,11 @@ pub fn read_obj(
 ) -> Result<LoadedScene, FileError> {
     let mut reader = Reader {
         source,
-        library,
         faces,
         vertices: Vec::new(),
-        materials: HashMap::new(),
-        material: Material::BLACK,
+        materials: Materials::new(source, library),
+        material: None,
+        uses: Vec::new(),
         object: String::new(),
         group: String::new(),
         faces_named: HashMap::new(),
@@ -80,7 +83,8 @@ pub fn read_obj(
     for (line, text) in logical_lines(source) {
         reader.statement(line, &text)?;
     }
-    let Reader { patches, notes, .. } = reader;
+    let (patches, notes) = reader.materials.given(reader.patches, &reader.uses);
+    let notes = [reader.notes, notes, notes_on_unknown_materials(&patches)].concat();
     let mend = "a face is a line \"f a b c\"";
     let scene = Scene::try_new(patches)
         .map_err(|_| FileError::of_file(source.file(), Fault::NoPatch { mend }))?;
@@ -90,7 +94,10 @@ pub fn read_obj(
 /// Lines without comments; those that end in a backslash are joined with the next.
 fn logical_lines(source: &Source) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let mut lines = source.lines();
-    let bare = |text: &'_ str| text.split('#').next().map_or(0, str::len);
+    let bare = |text: &'_ str| match text.split_whitespace().next() {
+        Some("usemtl" | "mtllib") => text.len(),
+        _ => text.split('#').next().map_or(0, str::len),
+    };
     std::iter::from_fn(move || {
         let (line, text) = lines.next()?;
         let text = &text[..bare(text)];
@@ -112,11 +119,12 @@ fn logical_lines(source: &Source) -> impl Iterator<Item = (usize, Cow<'_, str>)>
 
 struct Reader<'a> {
     source: &'a Source,
-    library: &'a dyn Fn(&str) -> Result<Source, FileError>,
     faces: NonPlanarFaces,
     vertices: Vec<DVec3>,
-    materials: HashMap<String, Material>,
-    material: Material,
+    materials: Materials<'a>,
+    /// The material in use, and those of the patches so far.
+    material: Option<Use>,
+    uses: Vec<Option<Use>>,
     object: String,
     group: String,
     faces_named: HashMap<String, usize>,
@@ -143,16 +151,8 @@ impl Reader<'_> {
                     name
                 };
             }
-            "usemtl" => {
-                let name = name();
-                self.material = *self.materials.get(&name).ok_or_else(|| {
-                    at(Fault::Undefined {
-                        what: "material",
-                        given: excerpt(&name),
-                    })
-                })?;
-            }
-            "mtllib" => self.materials_of(line, rest.trim())?,
+            "usemtl" => self.material = Some(self.materials.named(line, rest)),
+            "mtllib" => self.materials.read(line, rest),
             "p" | "l" => self.note(format!("\"{keyword}\" has no area and is left out")),
             _ if SILENT.contains(&keyword) => {}
             _ if FREE_FORM.contains(&keyword) => {
@@ -167,36 +167,6 @@ impl Reader<'_> {
                     keyword: excerpt(keyword),
                 }));
             }
-        }
-        Ok(())
-    }
-
-    /// One file, or, if there is none of that name, several files separated by spaces.
-    fn materials_of(&mut self, line: usize, names: &str) -> Result<(), FileError> {
-        if names.is_empty() {
-            let (what, form) = ("the name of the material file", "\"mtllib file.mtl\"");
-            return Err(self.source.fault(line, Fault::Missing { what, form }));
-        }
-        let libraries = match (self.library)(names) {
-            Ok(library) => vec![library],
-            Err(error) => {
-                let several: Vec<&str> = names.split_whitespace().collect();
-                let read = several.iter().map(|name| (self.library)(name));
-                let read: Result<Vec<_>, _> = read.collect();
-                let only_one = several.len() == 1;
-                read.map_err(|other| if only_one { error } else { other })
-                    .map_err(|error| match error {
-                        // a line of the library itself is at fault
-                        FileError { line: Some(_), .. } => error,
-                        FileError { file, fault, .. } => {
-                            let source = Box::new(fault);
-                            self.source.fault(line, Fault::Library { file, source })
-                        }
-                    })?
-            }
-        };
-        for library in &libraries {
-            read_mtl(library, &mut self.materials, &mut self.notes)?;
         }
         Ok(())
     }
@@ -229,8 +199,8 @@ impl Reader<'_> {
             } else {
                 format!("{name} (triangle {part})")
             };
-            let patch = NamedPatch::new(name, shape).with_material(self.material);
-            self.patches.push(patch);
+            self.patches.push(NamedPatch::new(name, shape));
+            self.uses.push(self.material);
         }
         Ok(())
     }

@@ -5,7 +5,7 @@ use crate::scene::files::NonPlanarFaces;
 use crate::scene::files::error::{Fault, FileError, excerpt};
 use crate::scene::files::faces::patches_of_face;
 use crate::scene::files::source::Source;
-use crate::scene::{Material, NamedPatch, Scene};
+use crate::scene::{Material, MaterialFault, NamedPatch, PatchMaterial, Scene};
 use glam::DVec3;
 use std::collections::{HashMap, HashSet};
 
@@ -20,7 +20,7 @@ pub(crate) struct Surface {
     pub base: usize,
     /// 0 for none.
     pub combined: usize,
-    pub material: Material,
+    pub material: Result<Material, Fault>,
     pub name: String,
 }
 
@@ -40,6 +40,21 @@ impl Surface {
             format!("{index} (S {}, {name})", self.number)
         };
         source.patch_fault(self.line, patch, fault)
+    }
+
+    /// The material, unknown if its line says nothing that can be; nothing emits light by itself.
+    fn patch_material(&self, source: &Source, index: usize) -> PatchMaterial {
+        match &self.material {
+            Ok(material) => (*material).into(),
+            Err(fault) => PatchMaterial {
+                reflectance: Err(MaterialFault::new(self.fault(
+                    source,
+                    index,
+                    fault.clone(),
+                ))),
+                ..PatchMaterial::BLACK
+            },
+        }
     }
 
     fn corners(&self, vertices: &HashMap<usize, (usize, DVec3)>) -> Result<Vec<DVec3>, Fault> {
@@ -81,13 +96,14 @@ pub(crate) fn assemble(
         let shapes =
             patches_of_face(corners, faces).map_err(|source| at(Fault::Geometry { source }))?;
         let parts = shapes.len();
+        let material = surface.patch_material(source, start);
         for (part, shape) in shapes.into_iter().enumerate() {
             let name = if parts == 1 {
                 surface.name.clone()
             } else {
                 format!("{} (triangle {part})", surface.name)
             };
-            list.push(NamedPatch::new(name, shape).with_material(surface.material));
+            list.push(NamedPatch::new(name, shape).with_material(material.clone()));
         }
         let indices = start..list.len();
         placed.insert(surface.number, Placed { surface, indices });
