@@ -190,6 +190,14 @@ impl PatchMaterial {
         })
     }
 
+    /// The material, if it is known and the same in all channels.
+    #[must_use]
+    pub fn grey(&self) -> Option<Material> {
+        let is_grey = |property: &Property| property.as_ref().is_ok_and(Channels::is_grey);
+        let known = self.channel(Channel::Red).ok();
+        known.filter(|_| is_grey(&self.reflectance) && is_grey(&self.emittance))
+    }
+
     /// The reasons why something is not known, each once.
     pub fn faults(&self) -> impl Iterator<Item = &MaterialFault> {
         let reflectance = self.reflectance.as_ref().err();
