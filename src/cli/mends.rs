@@ -30,7 +30,7 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
     if let Some(SceneError::MaterialUnknown { what, .. }) = error.downcast_ref() {
         return Some(match *what {
             "reflectance" => "; --reflectance gives one",
-            _ => "; --emittance gives one",
+            _ => "; --emittance gives one, all=0 to all",
         });
     }
     if let Some(Fault::Geometry { source }) = error.downcast_ref() {

@@ -6,12 +6,14 @@
 )]
 
 mod answers;
+mod colours;
 #[cfg(feature = "proptest")]
 mod fuzzing;
 mod gradient_cuts;
 mod grids;
 mod keys;
 mod light;
+mod materials;
 mod refusals;
 mod sampling;
 mod scene_files;
