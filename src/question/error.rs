@@ -5,8 +5,8 @@ use crate::chain::ChainError;
 use crate::claims::ClaimError;
 use crate::discretize::DiscretizeError;
 use crate::exchange::ExchangeError;
-use crate::scene::{Channel, SceneError};
 use crate::scene::files::{NotExpressible, OpenError};
+use crate::scene::{Channel, SceneError};
 use crate::transport::TransportError;
 
 /// A question cannot be answered.

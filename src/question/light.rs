@@ -40,9 +40,8 @@ impl Light {
     /// [`QuestionError::NoLightMeant`] if light is described nevertheless.
     pub(super) fn is_visibility(&self) -> Result<bool, QuestionError> {
         let is_visibility = self.chain == SceneChain::Visibility;
-        let is_described = !self.materials.is_empty()
-            || !self.importance.is_empty()
-            || self.channel.is_some();
+        let is_described =
+            !self.materials.is_empty() || !self.importance.is_empty() || self.channel.is_some();
         if is_visibility && is_described {
             return Err(QuestionError::NoLightMeant);
         }

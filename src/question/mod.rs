@@ -48,9 +48,7 @@ pub use measure::{
     Contribution, FacePairRecord, Measure, MeasureAnswer, PairLossRecord, RowSumRecord,
 };
 pub use patch_values::{PatchValue, PatchValueError};
-pub use radiosity::{
-    ChannelLight, ChannelSolution, PatchLight, Power, Radiosity, RadiosityAnswer,
-};
+pub use radiosity::{ChannelLight, ChannelSolution, PatchLight, Power, Radiosity, RadiosityAnswer};
 pub use reproduce::{JudgedClaim, Reproduce, ReproduceAnswer};
 pub use sample::{Sample, SampleAnswer};
 pub use sampled_information::SampledInformation;

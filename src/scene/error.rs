@@ -1,7 +1,7 @@
 //! The refusals of a scene: of what is there, whatever is asked of it.
 
-use super::material::MaterialFault;
 use super::Obstacle;
+use super::material::MaterialFault;
 use crate::geometry::GeometryError;
 
 /// A scene was refused.

@@ -76,7 +76,10 @@ impl Sinkless {
 /// The set that grows from this one by all patches that `next` says, as long as some are new.
 fn grown(mut set: Vec<bool>, next: impl Fn(&[f64]) -> Vec<bool>) -> Vec<bool> {
     loop {
-        let indicator: Vec<f64> = set.iter().map(|is_in| f64::from(u8::from(*is_in))).collect();
+        let indicator: Vec<f64> = set
+            .iter()
+            .map(|is_in| f64::from(u8::from(*is_in)))
+            .collect();
         let mut is_larger = false;
         for (is_in, joins) in set.iter_mut().zip(next(&indicator)) {
             is_larger |= joins && !*is_in;

@@ -44,10 +44,16 @@ fn channels_are_solved_by_themselves() {
     let room = path("room.obj");
     let answer = json(&["radiosity", &room, "--importance", "0"]);
     let floor = &answer["patches"][0];
-    assert!((number(&floor["radiosity"]) / MEAN - 1.0).abs() < 1e-13, "{floor}");
+    assert!(
+        (number(&floor["radiosity"]) / MEAN - 1.0).abs() < 1e-13,
+        "{floor}"
+    );
     for (channel, exact) in ["r", "g", "b"].into_iter().zip(FLOOR) {
         let light = &floor["channels"][channel];
-        assert!((number(&light["radiosity"]) / exact - 1.0).abs() < 1e-11, "{light}");
+        assert!(
+            (number(&light["radiosity"]) / exact - 1.0).abs() < 1e-11,
+            "{light}"
+        );
         for key in ["irradiance", "importance", "form_factor_error"] {
             assert!(number(&light[key]) > 0.0, "{light}");
         }
@@ -66,7 +72,12 @@ fn channels_are_solved_by_themselves() {
     assert!(stdout(&["radiosity", &room]).contains("radiosity g"));
     let csv = stdout(&["radiosity", &room, "--format", "csv"]);
     let head = csv.lines().next().unwrap();
-    for key in ["radiosity_r", "irradiance_g", "importance_b", "form_factor_error_r"] {
+    for key in [
+        "radiosity_r",
+        "irradiance_g",
+        "importance_b",
+        "form_factor_error_r",
+    ] {
         assert!(head.split(',').any(|column| column == key), "{head}");
     }
 }
@@ -77,7 +88,14 @@ fn colours_are_given_in_words() {
     let answer = json(&ROOM);
     let floor = row(&answer, "floor 0,0");
     assert!((number(&floor["channels"]["g"]["radiosity"]) / FLOOR[1] - 1.0).abs() < 1e-11);
-    let red = json(&["radiosity", "two-squares", "--emittance", "0=1:0:0", "--reflectance", "1=1"]);
+    let red = json(&[
+        "radiosity",
+        "two-squares",
+        "--emittance",
+        "0=1:0:0",
+        "--reflectance",
+        "1=1",
+    ]);
     let second = &red["patches"][1];
     // F of unit squares with a common edge, Howell C-14
     assert!((number(&second["channels"]["r"]["radiosity"]) - 0.200_043_776_075_4).abs() < 1e-12);
@@ -100,7 +118,14 @@ fn grey_scenes_have_no_channels() {
 #[test]
 fn chains_of_coloured_light_say_which_channel() {
     let chain = |reflectance: &str, more: &[&str]| {
-        let measure = ["measure", "box:2,3,1", "--chain", "radiosity", "--emittance", "1=3"];
+        let measure = [
+            "measure",
+            "box:2,3,1",
+            "--chain",
+            "radiosity",
+            "--emittance",
+            "1=3",
+        ];
         let more = [&measure[..], &["--reflectance", reflectance], more].concat();
         json(&more)
     };
@@ -111,20 +136,53 @@ fn chains_of_coloured_light_say_which_channel() {
         assert!(grey.get("channel").is_none());
         assert_eq!(coloured["mutual_information"], grey["mutual_information"]);
     }
-    let chain = ["--chain", "radiosity", "--emittance", "1=3", "--reflectance", ROOM[3]];
-    for question in [&["measure", "box:2,3,1"][..], &["split", "box:2,3,1", "--patch", "0"]] {
+    let chain = [
+        "--chain",
+        "radiosity",
+        "--emittance",
+        "1=3",
+        "--reflectance",
+        ROOM[3],
+    ];
+    for question in [
+        &["measure", "box:2,3,1"][..],
+        &["split", "box:2,3,1", "--patch", "0"],
+    ] {
         let refused = [question, &chain].concat();
         assert_refused(&refused, "is coloured");
         assert_refused(&refused, "--channel r, g or b");
-        assert_refused(&[question, &["--channel", "r"]].concat(), "add --chain radiosity");
+        assert_refused(
+            &[question, &["--channel", "r"]].concat(),
+            "add --chain radiosity",
+        );
         let answer = json(&[question, &chain, &["--channel", "g"]].concat());
         assert_eq!(answer["channel"], "g");
     }
     // a lamp without green makes no green chain
-    let red = ["--chain", "radiosity", "--emittance", "1=3:0:0", "--channel", "g"];
+    let red = [
+        "--chain",
+        "radiosity",
+        "--emittance",
+        "1=3:0:0",
+        "--channel",
+        "g",
+    ];
     let dark = [&["measure", "cube:1"], &red[..]].concat();
     assert_refused(&dark, "channel g: no patch has a positive emittance");
     // importance has the colour of what reflects alone
-    let looked = ["--chain", "importance", "--importance", "0", "--reflectance", "all=0.5"];
-    json(&[&["measure", "cube:1", "--emittance", "0=1:0:0"], &looked[..]].concat());
+    let looked = [
+        "--chain",
+        "importance",
+        "--importance",
+        "0",
+        "--reflectance",
+        "all=0.5",
+    ];
+    json(
+        &[
+            &["measure", "cube:1", "--emittance", "0=1:0:0"],
+            &looked[..],
+        ]
+        .concat(),
+    );
 }

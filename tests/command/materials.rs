@@ -35,11 +35,23 @@ fn answered(arguments: &[&str]) -> (Value, String) {
 fn geometry_is_answered_whatever_the_materials() {
     for (materials, says) in [
         (["usemtl gold", "usemtl gold"], "there is no material gold"),
-        (["mtllib lost.mtl\nusemtl (null)", ""], "lost.mtl cannot be read"),
+        (
+            ["mtllib lost.mtl\nusemtl (null)", ""],
+            "lost.mtl cannot be read",
+        ),
         (["usemtl", ""], "the name of the material is missing"),
-        (["mtllib paint.mtl", "usemtl worse"], "the reflectance is 1.2"),
-        (["mtllib paint.mtl", "usemtl twice"], "is defined twice and differently"),
-        (["usemtl white\nmtllib paint.mtl", ""], "is used before \"mtllib\""),
+        (
+            ["mtllib paint.mtl", "usemtl worse"],
+            "the reflectance is 1.2",
+        ),
+        (
+            ["mtllib paint.mtl", "usemtl twice"],
+            "is defined twice and differently",
+        ),
+        (
+            ["usemtl white\nmtllib paint.mtl", ""],
+            "is used before \"mtllib\"",
+        ),
     ] {
         let library = "newmtl white\nKd 1\nnewmtl worse\nKd 1.2 0 0\nnewmtl twice\nKd .5\n\
             newmtl twice\nKe 1\nKd .6\n";
@@ -63,15 +75,18 @@ fn geometry_is_answered_whatever_the_materials() {
 /// File, line, patch and condition; the options that mend it, each for what it gives.
 #[test]
 fn light_is_refused_until_the_materials_are_given() {
-    let (_folder, room) = squares(["mtllib paint.mtl\nusemtl bad", "usemtl gold"], "newmtl bad\nKd x\n");
+    let (_folder, room) = squares(
+        ["mtllib paint.mtl\nusemtl bad", "usemtl gold"],
+        "newmtl bad\nKd x\n",
+    );
     let radiosity = ["radiosity", room.as_str()];
-    let with = |more: &[&str]| [&radiosity, more].concat();
+    let half = [&radiosity[..], &["--reflectance", "0=0.5"]].concat();
     assert_refused(&radiosity, "patch 0 (face 0) has no reflectance: ");
     assert_refused(&radiosity, "paint.mtl, line 2: the first channel is \"x\"");
-    assert_refused(&with(&["--reflectance", "0=0.5"]), "patch 1 (face 1) has no reflectance: ");
-    assert_refused(&with(&["--reflectance", "0=0.5"]), "room.obj, line 12: there is no material gold");
-    assert_refused(&with(&["--reflectance", "0=0.5"]), "; --reflectance gives one");
-    let reflecting = with(&["--reflectance", "all=0.5"]);
+    assert_refused(&half, "patch 1 (face 1) has no reflectance: ");
+    assert_refused(&half, "room.obj, line 12: there is no material gold");
+    assert_refused(&half, "; --reflectance gives one");
+    let reflecting = [&radiosity[..], &["--reflectance", "all=0.5"]].concat();
     assert_refused(&reflecting, "patch 1 (face 1) has no emittance: ");
     assert_refused(&reflecting, "; --emittance gives one");
     let (answer, _) = answered(&[&reflecting[..], &["--emittance", "1=1"]].concat());
@@ -79,25 +94,52 @@ fn light_is_refused_until_the_materials_are_given() {
     let exact = 1.0 / (1.0 - 0.25 * FORM_FACTOR * FORM_FACTOR);
     assert!((found / exact - 1.0).abs() < 1e-13, "{found}");
     // importance does not ask what is emitted
-    let chain = ["--chain", "importance", "--importance", "0", "--reflectance", "all=0.5"];
+    let chain = [
+        "--chain",
+        "importance",
+        "--importance",
+        "0",
+        "--reflectance",
+        "all=0.5",
+    ];
     answered(&[&["measure", &room], &chain[..]].concat());
     let chain = ["--chain", "radiosity", "--reflectance", "all=0.5"];
-    assert_refused(&[&["measure", &room], &chain[..]].concat(), "has no emittance");
+    assert_refused(
+        &[&["measure", &room], &chain[..]].concat(),
+        "has no emittance",
+    );
 }
 
 /// B₀ = 1 + R₀ F B₁ and B₁ = R₁ F B₀, with R = 1 on one square or on both; a closed room of white
 /// walls has no equilibrium.
 #[test]
 fn white_paint_shines_as_far_as_light_ends() {
-    let (_folder, room) = squares(["mtllib paint.mtl\nusemtl white", ""], "newmtl white\nKd 1 1 1\n");
+    let (_folder, room) = squares(
+        ["mtllib paint.mtl\nusemtl white", ""],
+        "newmtl white\nKd 1 1 1\n",
+    );
     let (answer, _) = answered(&["radiosity", &room, "--emittance", "0"]);
     let found = answer["patches"][0]["radiosity"].as_f64().unwrap();
     let exact = 1.0 / (1.0 - FORM_FACTOR * FORM_FACTOR);
     assert!((found / exact - 1.0).abs() < 1e-13, "{found}");
-    let white = ["radiosity", "cube:1", "--reflectance", "all=1", "--emittance", "0"];
+    let white = [
+        "radiosity",
+        "cube:1",
+        "--reflectance",
+        "all=1",
+        "--emittance",
+        "0",
+    ];
     assert_refused(&white, "patches 0 (floor 0,0), 1 (ceiling 0,0)");
     assert_refused(&white, "let one reflect less than 1");
-    let red = ["radiosity", "cube:1", "--reflectance", "all=1:0:0", "--emittance", "0"];
+    let red = [
+        "radiosity",
+        "cube:1",
+        "--reflectance",
+        "all=1:0:0",
+        "--emittance",
+        "0",
+    ];
     assert_refused(&red, "channel r: patches 0");
 }
 
@@ -121,7 +163,10 @@ fn emissivities_do_not_stop_geometry() {
         let value = answer["form_factors"][0]["value"].as_f64().unwrap();
         assert!((value / FORM_FACTOR - 1.0).abs() < 1e-12, "{value}");
         let Some(reflectance) = reflectance else {
-            assert_refused(&light, "room.vs3, line 10, patch 0 (S 1, floor): the emissivity is 1.5");
+            assert_refused(
+                &light,
+                "room.vs3, line 10, patch 0 (S 1, floor): the emissivity is 1.5",
+            );
             continue;
         };
         let (answer, _) = answered(&light);

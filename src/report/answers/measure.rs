@@ -91,7 +91,9 @@ fn discrete_lines(answer: &MeasureAnswer) -> Vec<Line> {
             format!("{} ({})", scientific(error), answer.error_grade.name()),
         ),
     ];
-    let channel = answer.channel.map(|channel| ("channel", channel.name().to_owned()));
+    let channel = answer
+        .channel
+        .map(|channel| ("channel", channel.name().to_owned()));
     let lines = channel.into_iter().chain(lines);
     lines
         .map(|(quantity, value)| (quantity.to_owned(), value))

@@ -14,7 +14,9 @@ pub fn split_report(answer: &SplitAnswer) -> Result<Report, ReportError> {
     let positions: Vec<String> = positions
         .map(|position| certain_digits(*position, answer.position_error))
         .collect();
-    let channel = answer.channel.map(|channel| ("channel", channel.name().to_owned()));
+    let channel = answer
+        .channel
+        .map(|channel| ("channel", channel.name().to_owned()));
     let rows = [
         ("patch", answer.patch.to_string()),
         ("axis", answer.axis.to_owned()),

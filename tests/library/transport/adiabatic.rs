@@ -117,7 +117,10 @@ fn the_bound_holds_where_some_walls_absorb_nothing() {
         let found = room.radiosity(&scene.emittances).unwrap();
         let error = worst_error(&found.values, &exact);
         let bound = found.relative_error;
-        assert!(error <= bound && bound < 1e-15, "{salt}: {error:e} {bound:e}");
+        assert!(
+            error <= bound && bound < 1e-15,
+            "{salt}: {error:e} {bound:e}"
+        );
     }
 }
 
@@ -216,5 +219,8 @@ fn endless_walks_are_refused() {
     };
     assert!(with(0.5).is_ok());
     let refusal = with(1.0 - 1e-9).unwrap_err();
-    assert!(matches!(refusal, TransportError::EndlessWalk { .. }), "{refusal}");
+    assert!(
+        matches!(refusal, TransportError::EndlessWalk { .. }),
+        "{refusal}"
+    );
 }

@@ -36,12 +36,10 @@ fn what_is_emitted_is_absorbed_or_escapes() {
         let closure = Closure::of_held(&exchange);
         // every fourth patch reflects nothing, another one all
         let reflectances: Vec<f64> = (0..n)
-            .map(|patch| {
-                match patch % 4 {
-                    1 => 0.0,
-                    2 => 1.0,
-                    _ => uneven(patch, 1),
-                }
+            .map(|patch| match patch % 4 {
+                1 => 0.0,
+                2 => 1.0,
+                _ => uneven(patch, 1),
             })
             .collect();
         let emittances: Vec<f64> = (0..n).map(|patch| uneven(patch, 2)).collect();

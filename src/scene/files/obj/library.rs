@@ -92,7 +92,11 @@ fn child(folder: &Path, name: &str) -> Result<Option<PathBuf>, FileError> {
         return Ok(Some(exact));
     }
     let here = Path::new(".");
-    let listed = if folder.as_os_str().is_empty() { here } else { folder };
+    let listed = if folder.as_os_str().is_empty() {
+        here
+    } else {
+        folder
+    };
     let lower = name.to_lowercase();
     let entries = listed.read_dir().into_iter().flatten().flatten();
     let names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
@@ -182,9 +186,15 @@ mod tests {
         let files = ["a.mtl", "my paint.mtl", "b c.mtl", "c.mtl", "d #1.mtl"];
         for (line, expected) in [
             ("my paint.mtl", &[("my paint.mtl", true)] as &[_]),
-            ("a.mtl my paint.mtl", &[("a.mtl", true), ("my paint.mtl", true)]),
+            (
+                "a.mtl my paint.mtl",
+                &[("a.mtl", true), ("my paint.mtl", true)],
+            ),
             ("b c.mtl  a.mtl", &[("b c.mtl", true), ("a.mtl", true)]),
-            ("gone far.mtl a.mtl", &[("gone far.mtl", false), ("a.mtl", true)]),
+            (
+                "gone far.mtl a.mtl",
+                &[("gone far.mtl", false), ("a.mtl", true)],
+            ),
             ("a.mtl # paints", &[("a.mtl", true)]),
             ("d #1.mtl", &[("d #1.mtl", true)]),
             ("no extension", &[("no extension", false)]),

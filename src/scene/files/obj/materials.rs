@@ -86,8 +86,9 @@ impl<'a> Materials<'a> {
         if !is_as_written(self.source.file(), name, file) {
             let (name, file) = (excerpt(name), file.display());
             let place = self.source.file().display();
-            self.notes
-                .push(format!("{place}, line {line}: \"{name}\" is read from {file}"));
+            self.notes.push(format!(
+                "{place}, line {line}: \"{name}\" is read from {file}"
+            ));
         }
         let Library {
             definitions, notes, ..

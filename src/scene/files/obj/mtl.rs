@@ -77,7 +77,11 @@ impl Library {
             key if key.starts_with('#') => {}
             "newmtl" if rest.trim().is_empty() => {
                 let (what, form) = ("the name of the material", "\"newmtl name\"");
-                self.note(source.fault(line, Fault::Missing { what, form }).to_string());
+                self.note(
+                    source
+                        .fault(line, Fault::Missing { what, form })
+                        .to_string(),
+                );
             }
             "newmtl" => self.definitions.push(Definition {
                 name: rest.trim().to_owned(),
@@ -117,7 +121,11 @@ impl Library {
             None => {
                 let what = "the material that this belongs to";
                 let form = "\"newmtl name\" before it";
-                self.note(source.fault(line, Fault::Missing { what, form }).to_string());
+                self.note(
+                    source
+                        .fault(line, Fault::Missing { what, form })
+                        .to_string(),
+                );
             }
         }
     }
@@ -130,7 +138,11 @@ impl Library {
 
     fn unknown_words(&self, source: &Source) -> String {
         let listed = self.unknown.len().min(MOST_LISTED);
-        let more = if self.unknown.len() > listed { " and more" } else { "" };
+        let more = if self.unknown.len() > listed {
+            " and more"
+        } else {
+            ""
+        };
         let words = self.unknown[..listed].join(", ");
         let file = source.file().display();
         format!("{file}: {words}{more} are no words of Wavefront MTL and are left out")

@@ -94,10 +94,7 @@ pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible
     }
     for (index, material) in materials.iter().enumerate() {
         let _ = writeln!(mtl, "newmtl m{index}");
-        for (keyword, property) in [
-            ("Kd", material.reflectance()),
-            ("Ke", material.emittance()),
-        ] {
+        for (keyword, property) in [("Kd", material.reflectance()), ("Ke", material.emittance())] {
             if let Ok(Channels { r, g, b }) = property {
                 let _ = writeln!(mtl, "{keyword} {r:?} {g:?} {b:?}");
             }

@@ -47,11 +47,7 @@ impl Surface {
         match &self.material {
             Ok(material) => (*material).into(),
             Err(fault) => PatchMaterial {
-                reflectance: Err(MaterialFault::new(self.fault(
-                    source,
-                    index,
-                    fault.clone(),
-                ))),
+                reflectance: Err(MaterialFault::new(self.fault(source, index, fault.clone()))),
                 ..PatchMaterial::BLACK
             },
         }

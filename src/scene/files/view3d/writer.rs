@@ -71,7 +71,11 @@ fn corners(
         what,
         mend,
     };
-    if patch.material().emittance().is_ok_and(|colour| colour.largest() > 0.0) {
+    if patch
+        .material()
+        .emittance()
+        .is_ok_and(|colour| colour.largest() > 0.0)
+    {
         let what = format!("patch {index} ({}) emits light", patch.name());
         return Err(not(what, "write Wavefront OBJ, which has Ke"));
     }

@@ -28,15 +28,31 @@ fn assert_noted(loaded: &LoadedScene, parts: &[&str]) {
 #[test]
 fn what_a_library_says_wrongly_is_unknown_and_noted() {
     for (lines, is_reflectance, says) in [
-        ("Kd 1.2 1 1", true, "line 2: the reflectance is 1.2: it must"),
+        (
+            "Kd 1.2 1 1",
+            true,
+            "line 2: the reflectance is 1.2: it must",
+        ),
         ("Kd -.1 .5 .5", true, "the reflectance is -0.1"),
-        ("Kd abc", true, "the first channel is \"abc\": write a number"),
+        (
+            "Kd abc",
+            true,
+            "the first channel is \"abc\": write a number",
+        ),
         ("Kd .5 .5", true, "the third channel is missing"),
         ("Kd .5 .5 .5 .5", true, "one value too many"),
-        ("Kd spectral file.rfl 1", true, "\"spectral\" is not supported"),
+        (
+            "Kd spectral file.rfl 1",
+            true,
+            "\"spectral\" is not supported",
+        ),
         ("Kd xyz 1 1 1", true, "\"xyz\" is not supported"),
         ("Ke -1 9 9", false, "the emittance is -1"),
-        ("Ke nan", false, "the first channel is \"nan\": write a finite"),
+        (
+            "Ke nan",
+            false,
+            "the first channel is \"nan\": write a finite",
+        ),
     ] {
         let text = format!("mtllib a.mtl\n{SQUARE}usemtl a\n{FACE}{FACE}");
         let loaded = obj_with(&text, &format!("newmtl a\n{lines}\n")).unwrap();
@@ -48,7 +64,10 @@ fn what_a_library_says_wrongly_is_unknown_and_noted() {
         };
         let fault = fault.unwrap_err().to_string();
         assert!(other.is_ok() && fault.contains(says), "{fault}");
-        assert_noted(&loaded, &[&fault, "a.mtl, line 2", "light of 2 patches only"]);
+        assert_noted(
+            &loaded,
+            &[&fault, "a.mtl, line 2", "light of 2 patches only"],
+        );
         assert_eq!(loaded.notes.len(), 1, "{:?}", loaded.notes);
     }
 }
@@ -86,7 +105,10 @@ fn statements_without_a_material_are_noted() {
 #[test]
 fn missing_materials_are_unknown() {
     for (statement, says) in [
-        ("usemtl gold", "line 5: there is no material gold: define it"),
+        (
+            "usemtl gold",
+            "line 5: there is no material gold: define it",
+        ),
         ("usemtl (null)", "there is no material (null)"),
         ("usemtl", "line 5: the name of the material is missing"),
         (
@@ -97,7 +119,10 @@ fn missing_materials_are_unknown() {
     ] {
         let loaded = obj(&format!("{SQUARE}{statement}\n{FACE}")).unwrap();
         let fault = material(&loaded, 0).emittance().unwrap_err().to_string();
-        assert!(fault.contains("room.obj, ") && fault.contains(says), "{fault}");
+        assert!(
+            fault.contains("room.obj, ") && fault.contains(says),
+            "{fault}"
+        );
         assert_noted(&loaded, &[&fault]);
     }
     // black, as faces without a name are
@@ -132,12 +157,20 @@ fn names_of_materials_are_whole_lines() {
         let loaded = obj_with(&text, materials).unwrap();
         let found = grey(&loaded, 0);
         assert!(found.to_bits() == expected.to_bits(), "{name:?}: {found}");
-        assert_eq!(!loaded.notes.is_empty(), is_noted, "{name}: {:?}", loaded.notes);
+        assert_eq!(
+            !loaded.notes.is_empty(),
+            is_noted,
+            "{name}: {:?}",
+            loaded.notes
+        );
     }
     let text = format!("{SQUARE}usemtl wood\n{FACE}mtllib a.mtl\n");
     let loaded = obj_with(&text, "newmtl wood\nKd .4\n").unwrap();
     assert_eq!(grey(&loaded, 0), 0.4);
-    assert_noted(&loaded, &["line 5: material wood is used before \"mtllib\" in line 7"]);
+    assert_noted(
+        &loaded,
+        &["line 5: material wood is used before \"mtllib\" in line 7"],
+    );
 }
 
 /// Definitions that agree are one; of others it is unknown what differs.
@@ -149,7 +182,11 @@ fn a_name_defined_twice_is_unknown_if_it_differs() {
     assert_eq!((grey(&loaded, 0), loaded.notes.len()), (0.5, 0));
     let loaded = with("newmtl a\nKd .5\nKe 1\nnewmtl a\nKd .5 .5 .6\nKe 1\n");
     let fault = material(&loaded, 0).reflectance().unwrap_err().to_string();
-    for part in ["material a is defined twice", "a.mtl, line 1", "a.mtl, line 4"] {
+    for part in [
+        "material a is defined twice",
+        "a.mtl, line 1",
+        "a.mtl, line 4",
+    ] {
         assert!(fault.contains(part), "{fault}");
     }
     assert!(material(&loaded, 0).emittance().is_ok());
@@ -162,9 +199,15 @@ fn emissivities_are_no_obstacle() {
     for (emit, says) in [
         ("0", None),
         ("0.0e-7 mirror", None),
-        ("1e-400 mirror", Some("is so small that the reflectance rounds to 1")),
+        (
+            "1e-400 mirror",
+            Some("is so small that the reflectance rounds to 1"),
+        ),
         ("1e-30 mirror", Some("the emissivity 1e-30 is so small")),
-        ("1.1 bright", Some("the emissivity is 1.1: it must be at least 0 and at most 1")),
+        (
+            "1.1 bright",
+            Some("the emissivity is 1.1: it must be at least 0 and at most 1"),
+        ),
         ("-0.1", Some("the emissivity is -0.1")),
         ("nan x", Some("emit is \"nan\": write a finite number")),
         ("wall", Some("emit is \"wall\": write a number")),
@@ -203,7 +246,10 @@ fn libraries_are_found_as_people_write_them() {
     write("Both.mtl", "newmtl a\nKd .4\n");
     write("BOTH.mtl", "newmtl a\nKd .5\n");
     let loaded = |library: &str| -> LoadedScene {
-        write("room.obj", &format!("mtllib {library}\n{SQUARE}usemtl a\n{FACE}"));
+        write(
+            "room.obj",
+            &format!("mtllib {library}\n{SQUARE}usemtl a\n{FACE}"),
+        );
         read(&folder.path().join("room.obj"), NonPlanarFaces::Refuse).unwrap()
     };
     let absolute = folder.path().join("paint.mtl");
@@ -231,7 +277,12 @@ fn libraries_are_found_as_people_write_them() {
         let loaded = loaded(library);
         let found = grey(&loaded, 0);
         assert!(found.to_bits() == expected.to_bits(), "{library}: {found}");
-        assert_eq!(!loaded.notes.is_empty(), is_noted, "{library}: {:?}", loaded.notes);
+        assert_eq!(
+            !loaded.notes.is_empty(),
+            is_noted,
+            "{library}: {:?}",
+            loaded.notes
+        );
     }
     let ambiguous = loaded("both.mtl");
     assert_noted(&ambiguous, &["\"BOTH.mtl\" and \"Both.mtl\" both fit"]);

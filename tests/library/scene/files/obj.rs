@@ -2,8 +2,8 @@
 
 use super::{obj, obj_with};
 use glam::DVec3;
-use infoscene::scene::{Channels, Scene};
 use infoscene::scene::files::{NonPlanarFaces, Source, read};
+use infoscene::scene::{Channels, Scene};
 use std::path::Path;
 
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";

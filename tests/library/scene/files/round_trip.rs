@@ -62,7 +62,10 @@ fn bits(patches: &[NamedPatch]) -> Vec<u64> {
             .iter()
             .flat_map(|corner| corner.to_array());
         let material = patch.material();
-        let material = [material.reflectance().unwrap(), material.emittance().unwrap()];
+        let material = [
+            material.reflectance().unwrap(),
+            material.emittance().unwrap(),
+        ];
         let material = material.map(|channels| [channels.r, channels.g, channels.b]);
         corners
             .chain(material.concat())
