@@ -33,6 +33,9 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
             _ => "; --emittance gives one, all=0 to all",
         });
     }
+    if let Some(ExchangeError::TurnedAway) = error.downcast_ref() {
+        return Some("; --reverse does");
+    }
     if let Some(Fault::Geometry { source }) = error.downcast_ref() {
         let is_bent = matches!(source, GeometryError::NotPlanar { .. });
         return is_bent.then_some("; --triangulate does");

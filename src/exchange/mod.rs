@@ -65,6 +65,8 @@ mod progress;
 mod row_pair;
 mod rows;
 mod scene_pairs;
+mod selection;
+mod tolerance;
 
 pub use closure::{Closure, RowSum};
 pub use error::ExchangeError;
@@ -76,3 +78,5 @@ pub use plan::Congruence;
 pub use plan::counts::{PassCounts, PassSummary, PlanSummary, Unreached};
 pub use progress::{Progress, Unheard};
 pub use scene_pairs::ScenePairs;
+pub use selection::Selection;
+pub use tolerance::Tolerance;

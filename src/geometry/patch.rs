@@ -103,6 +103,16 @@ impl Patch {
         }
     }
 
+    /// The polygon with its front where its back is; the first corner stays the first.
+    #[must_use]
+    pub fn reversed(mut self) -> Self {
+        self.corners[1..].reverse();
+        Self {
+            normal: -self.normal,
+            ..self
+        }
+    }
+
     /// Corners in order, counter-clockwise seen from the front.
     #[must_use]
     pub fn corners(&self) -> &[DVec3] {

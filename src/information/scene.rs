@@ -190,9 +190,9 @@ impl<const N: usize> RowSums<N> {
         })?;
         let closure = Closure::new(
             pairs.shared_names(),
-            &areas,
-            &area_bounds,
+            [&areas, &area_bounds],
             sums.iter().map(|sum| [sum[VALUE], sum[BOUND]]),
+            summary.is_turned_away,
         );
         Ok(Self {
             total_area,

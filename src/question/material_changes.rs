@@ -24,7 +24,7 @@ impl MaterialChanges {
     /// there.
     ///
     /// # Errors
-    /// [`PatchValueError::NoSuchPatch`], [`PatchValueError::Material`]; [`PatchValueError::Scene`]
+    /// [`PatchValueError::Name`], [`PatchValueError::Material`]; [`PatchValueError::Scene`]
     /// if a reflectance that is needed is not known, or patches that are summed differ in theirs.
     pub fn reflectances(&self, scene: &Scene) -> Result<Vec<Channels<f64>>, PatchValueError> {
         let own = |row| scene.group_reflectance(row);
@@ -51,7 +51,7 @@ fn changed(
     let names = scene.group_names();
     let mut values = vec![None; names.len()];
     for one in given {
-        for row in one.rows(&names)? {
+        for row in one.patch.rows(scene)? {
             values[row] = Some(one.value);
         }
     }

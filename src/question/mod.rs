@@ -19,6 +19,7 @@ mod grid;
 mod light;
 mod material_changes;
 mod measure;
+mod patch_name;
 mod patch_values;
 mod radiosity;
 mod reproduce;
@@ -47,12 +48,13 @@ pub use material_changes::MaterialChanges;
 pub use measure::{
     Contribution, FacePairRecord, Measure, MeasureAnswer, PairLossRecord, RowSumRecord,
 };
+pub use patch_name::{PatchName, PatchNameError};
 pub use patch_values::{PatchValue, PatchValueError};
 pub use radiosity::{ChannelLight, ChannelSolution, PatchLight, Power, Radiosity, RadiosityAnswer};
 pub use reproduce::{JudgedClaim, Reproduce, ReproduceAnswer};
 pub use sample::{Sample, SampleAnswer};
 pub use sampled_information::SampledInformation;
-pub use scene::{SceneOrigin, SceneSource};
+pub use scene::{SceneOrigin, SceneSource, TURNED_AWAY};
 pub use split::{Split, SplitAnswer, SplitEnclosures};
 #[cfg(feature = "report")]
 pub use study::{Study, StudyAnswer, StudySubject};

@@ -1,5 +1,6 @@
 //! Numbers for some patches of a scene: `floor=0.5,3=1`.
 
+use super::patch_name::{PatchName, PatchNameError};
 use crate::scene::{Channels, MaterialError, Scene, SceneError};
 use std::str::FromStr;
 
@@ -11,15 +12,15 @@ use std::str::FromStr;
 /// use infoscene::question::PatchValue;
 /// use infoscene::scene::Channels;
 /// let lamp: PatchValue = "lamp=2.5".parse()?;
-/// assert_eq!((lamp.patch.as_str(), lamp.value), ("lamp", 2.5));
+/// assert_eq!((lamp.patch, lamp.value), ("lamp".into(), 2.5));
 /// let red: PatchValue<Channels<f64>> = "wall=0.9:0.1:0.1".parse()?;
 /// assert_eq!(red.value, Channels { r: 0.9, g: 0.1, b: 0.1 });
 /// # Ok::<(), infoscene::question::PatchValueError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct PatchValue<T = f64> {
-    /// The patches: the index of a row, a name, which may be that of several, or `all`.
-    pub patch: String,
+    /// The patches.
+    pub patch: PatchName,
     /// The number, or the numbers.
     pub value: T,
 }
@@ -43,13 +44,8 @@ pub enum PatchValueError {
         text: String,
     },
     /// No row has this index or this name.
-    #[error("there is no patch {patch:?}: name one, give its index from 0 to {last}, or say all")]
-    NoSuchPatch {
-        /// The index or name.
-        patch: String,
-        /// The largest index.
-        last: usize,
-    },
+    #[error(transparent)]
+    Name(#[from] PatchNameError),
     /// A reflectance or an emittance is out of range.
     #[error("patch {row} ({name}): {source}")]
     Material {
@@ -111,39 +107,17 @@ impl<T> PatchValue<T> {
             Some((patch, text)) => (patch, value(text.trim())?),
         };
         Ok(Self {
-            patch: patch.trim().to_owned(),
+            patch: patch.into(),
             value,
         })
-    }
-
-    /// The rows meant: all of a name, as a file may use it more than once.
-    pub(super) fn rows(&self, names: &[&str]) -> Result<Vec<usize>, PatchValueError> {
-        let all = 0..names.len();
-        let named = |index: &usize| names[*index] == self.patch;
-        let meant: Vec<usize> = if self.patch == "all" {
-            all.collect()
-        } else {
-            match self.patch.parse::<usize>() {
-                Ok(index) => all.filter(|other| *other == index).collect(),
-                Err(_) => all.filter(named).collect(),
-            }
-        };
-        if meant.is_empty() {
-            return Err(PatchValueError::NoSuchPatch {
-                patch: self.patch.clone(),
-                last: names.len() - 1,
-            });
-        }
-        Ok(meant)
     }
 }
 
 /// A value for every row of the scene: 0 where none is given, the last one where several are.
 pub(super) fn values(given: &[PatchValue], scene: &Scene) -> Result<Vec<f64>, PatchValueError> {
-    let names = scene.group_names();
-    let mut values = vec![0.0; names.len()];
+    let mut values = vec![0.0; scene.group_count()];
     for one in given {
-        for row in one.rows(&names)? {
+        for row in one.patch.rows(scene)? {
             values[row] = one.value;
         }
     }

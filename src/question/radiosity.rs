@@ -5,8 +5,7 @@ use super::material_changes::{MaterialChanges, first_coloured, in_channel};
 use super::patch_values::{PatchValue, values};
 use super::scene::SceneSource;
 use super::unreached::Unreached;
-use crate::exchange::{Closure, Congruence, ExchangeAreas, PlanSummary, Progress};
-use crate::form_factor::DEFAULT_TOLERANCE;
+use crate::exchange::{Closure, Congruence, ExchangeAreas, PlanSummary, Progress, Tolerance};
 use crate::numeric::compensated_sum;
 use crate::scene::{Channel, Channels};
 use crate::transport::{Importance, RadiositySolution, RadiositySystem, TransportError};
@@ -35,8 +34,8 @@ use crate::transport::{Importance, RadiositySolution, RadiositySystem, Transport
 pub struct Radiosity {
     /// The scene.
     pub scene: SceneSource,
-    /// The relative error asked for of every form factor, and of the radiosities.
-    pub tolerance: f64,
+    /// The error that is accepted of every form factor; its relative one of the radiosities, too.
+    pub tolerance: Tolerance,
     /// The treatment of congruent pairs.
     pub congruence: Congruence,
     /// Materials in place of the scene's own.
@@ -50,7 +49,7 @@ impl Default for Radiosity {
     fn default() -> Self {
         Self {
             scene: SceneSource::default(),
-            tolerance: DEFAULT_TOLERANCE,
+            tolerance: Tolerance::default(),
             congruence: Congruence::Shared,
             materials: MaterialChanges::default(),
             importance: Vec::new(),
@@ -265,9 +264,9 @@ impl Radiosity {
         relative_error: f64,
     ) -> Option<Unreached> {
         let tolerance = self.tolerance;
-        if relative_error > tolerance {
+        if relative_error > tolerance.relative {
             return Some(Unreached::Radiosity {
-                tolerance,
+                tolerance: tolerance.relative,
                 relative_error,
             });
         }

@@ -17,6 +17,7 @@ mod materials;
 mod refusals;
 mod sampling;
 mod scene_files;
+mod scene_options;
 mod scenes;
 mod studies;
 mod summed_rows;

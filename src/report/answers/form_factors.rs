@@ -19,6 +19,35 @@ struct Document<'p, R> {
     plan: &'p PlanSummary,
 }
 
+/// A form factor as a line, with the names and the sum that JSON has beside the list.
+#[derive(Serialize)]
+struct CsvRecord<'p> {
+    from: usize,
+    to: usize,
+    value: f64,
+    error: f64,
+    route: &'static str,
+    from_name: &'p str,
+    to_name: &'p str,
+    row_sum: Option<f64>,
+}
+
+impl<'p> CsvRecord<'p> {
+    fn new(record: FormFactorRecord, patches: &'p [PatchRecord]) -> Self {
+        let [from, to] = [record.from, record.to].map(|row| &patches[row]);
+        Self {
+            from: record.from,
+            to: record.to,
+            value: record.value,
+            error: record.error,
+            route: record.route,
+            from_name: &from.name,
+            to_name: &to.name,
+            row_sum: from.row_sum,
+        }
+    }
+}
+
 /// Records that are made and checked one after the other.
 struct Records<'e, I> {
     records: RefCell<Option<I>>,
@@ -81,7 +110,7 @@ pub fn write_form_factors(
         Format::Csv => {
             let mut writer = csv::Writer::from_writer(text);
             for record in records {
-                writer.serialize(record?)?;
+                writer.serialize(CsvRecord::new(record?, patches))?;
             }
             writer.flush()?;
         }
