@@ -10,7 +10,7 @@ use infoscene::exchange::ExchangeError;
 use infoscene::geometry::GeometryError;
 use infoscene::question::{PatchValueError, QuestionError};
 use infoscene::scene::SceneError;
-use infoscene::scene::files::{Fault, OpenError};
+use infoscene::scene::files::{Fault, FileError, FileErrors, OpenError};
 use infoscene::study::StudyError;
 use infoscene::transport::TransportError;
 use std::error::Error;
@@ -36,9 +36,24 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
     if let Some(ExchangeError::TurnedAway) = error.downcast_ref() {
         return Some("; --reverse does");
     }
-    if let Some(Fault::Geometry { source }) = error.downcast_ref() {
-        let is_bent = matches!(source, GeometryError::NotPlanar { .. });
-        return is_bent.then_some("; --triangulate does");
+    if let Some(errors) = error.downcast_ref::<FileErrors>() {
+        let is_bent = |fault: &FileError| {
+            let Fault::Geometry { source } = &fault.fault else {
+                return false;
+            };
+            matches!(source, GeometryError::NotPlanar { .. })
+        };
+        let [first, others @ ..] = errors.told() else {
+            return None;
+        };
+        return match others {
+            [] => is_bent(first).then_some("; --triangulate does"),
+            _ => errors
+                .told()
+                .iter()
+                .any(is_bent)
+                .then_some("\n--triangulate splits faces that are not planar into triangles"),
+        };
     }
     if let Some(DiscretizeError::NotEnclosed) = error.downcast_ref() {
         return Some("; leave out --precision");

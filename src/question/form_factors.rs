@@ -8,7 +8,7 @@ use super::unreached::Unreached;
 use super::{PatchName, QuestionError};
 use crate::exchange::{
     Closure, Congruence, Entry, ExchangeAreas, ExchangeError, PassSummary, PlanSummary, Progress,
-    ScenePairs, Selection, Tolerance,
+    ScenePairs, Selection, Tolerance, per_area,
 };
 use crate::form_factor::Answer;
 use crate::scene::Scene;
@@ -82,12 +82,12 @@ impl FormFactorRecord {
     /// The form factor from a patch of this area, with the bound on its rounding and the
     /// quotient's.
     fn new([from, to]: [usize; 2], [area, bound]: [f64; 2], answer: &Answer) -> Self {
-        let value = answer.exchange.value / area;
+        let value = per_area(answer.exchange.value, area);
         Self {
             from,
             to,
             value,
-            error: answer.exchange.error / area + bound / area * value,
+            error: per_area(answer.exchange.error, area) + per_area(bound, area) * value,
             route: answer.route.name(),
         }
     }
@@ -321,7 +321,7 @@ impl FormFactorMatrix<'_> {
         if let Some(held) = held {
             for (from, area) in pairs.areas().iter().enumerate() {
                 for (to, entry) in row.iter_mut().enumerate() {
-                    *entry = held.get(from, to).exchange.value / area;
+                    *entry = per_area(held.get(from, to).exchange.value, *area);
                 }
                 visit(from, &row)?;
             }
@@ -330,7 +330,7 @@ impl FormFactorMatrix<'_> {
         let summary: PassSummary = pairs.for_each_row(|from, answers| {
             let area = pairs.areas()[from];
             for (entry, answer) in row.iter_mut().zip(answers) {
-                *entry = answer.exchange.value / area;
+                *entry = per_area(answer.exchange.value, area);
             }
             visit(from, &row)
         })?;

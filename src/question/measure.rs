@@ -142,10 +142,10 @@ pub struct PairLossRecord {
     pub error: f64,
 }
 
-impl From<&PairLoss> for PairLossRecord {
-    fn from(pair: &PairLoss) -> Self {
+impl PairLossRecord {
+    fn new(pair: &PairLoss, scene: &Scene) -> Self {
         Self {
-            patches: [pair.first, pair.second],
+            patches: [pair.first, pair.second].map(|patch| scene.group_of(patch)),
             probability: pair.probability,
             mutual_information: pair.mutual_information,
             continuous_mutual_information: pair.continuous_mutual_information,
@@ -230,7 +230,8 @@ impl Measure {
             let patches = scene.patches().len() as u64;
             progress.begin(patches * (patches - 1) / 2, "pairs");
             let losses = pair_losses(room, progress)?;
-            answer.pair_losses = Some(losses.iter().map(PairLossRecord::from).collect());
+            let record = |pair| PairLossRecord::new(pair, scene);
+            answer.pair_losses = Some(losses.iter().map(record).collect());
         }
         Ok(())
     }
@@ -299,7 +300,7 @@ impl MeasureAnswer {
             let patches = [first(pair.first), first(pair.second)];
             FacePairRecord {
                 faces: patches.map(|patch| names[patch].to_owned()),
-                patches,
+                patches: patches.map(|patch| scene.group_of(patch)),
                 probability: pair.probability,
                 mutual_information: pair.mutual_information,
             }

@@ -9,7 +9,7 @@ use crate::exchange::{Congruence, Progress, Tolerance};
 use crate::geometry::SplitAxis;
 use crate::numeric::interval::DecimalBounds;
 use crate::numeric::{Interval, compensated_sum, tolerance};
-use crate::scene::{Channel, Scene, SceneError};
+use crate::scene::{Channel, Scene};
 
 /// The question for the best cut of a patch.
 ///
@@ -149,15 +149,7 @@ impl Split {
     /// The patch to cut: one that is a row of its own.
     fn patch(&self, scene: &Scene) -> Result<usize, QuestionError> {
         let row = self.patch.row(scene)?;
-        let patches: Vec<usize> = scene.patches_of_group(row).collect();
-        match patches.as_slice() {
-            [patch] => Ok(*patch),
-            _ => Err(SceneError::NotAPatchOfItsOwn {
-                index: row,
-                what: "is summed of several patches",
-            }
-            .into()),
-        }
+        Ok(scene.patch_of_row(row)?)
     }
 
     /// The patches that the cut is judged against; a name of several may include the patch itself.

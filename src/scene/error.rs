@@ -128,6 +128,24 @@ pub enum SceneError {
         /// Their names.
         names: [String; 2],
     },
+    /// A row without a patch is not where rows can be.
+    #[error(
+        "row {row} without a patch is out of order: such rows come upwards, none beyond {last}"
+    )]
+    EmptyRowOutOfOrder {
+        /// The row.
+        row: usize,
+        /// The largest row possible.
+        last: usize,
+    },
+    /// A row has no patch, and one was needed.
+    #[error("patch {row} ({name}) has no area and exchanges nothing: name one that has")]
+    RowWithoutPatch {
+        /// The row.
+        row: usize,
+        /// The name of the row.
+        name: String,
+    },
     /// A label for each patch was needed.
     #[error("{labels} labels for {patches} patches: one for each is needed")]
     LabelCount {

@@ -18,6 +18,7 @@ mod material;
 mod overlap;
 mod parts;
 mod planes;
+mod row_materials;
 mod subdivision;
 mod visibility;
 
@@ -25,6 +26,7 @@ pub use channel::{Channel, Channels};
 pub use error::SceneError;
 pub use material::{Material, MaterialError, MaterialFault, PatchMaterial};
 pub(crate) use material::{checked_emittance, checked_reflectance};
+pub use parts::EmptyRow;
 pub use visibility::blockers::{Blocker, Blockers};
 pub use visibility::grid_lines::GridLines;
 pub use visibility::lines::{Chord, Passage, SceneLines};
@@ -114,6 +116,8 @@ pub struct Scene {
     bases: Vec<Option<usize>>,
     /// The row of each patch, numbered in the order of their first patches.
     groups: Vec<usize>,
+    /// The rows without a patch, in order.
+    empty_rows: Vec<EmptyRow>,
     /// Planes and trees of the surfaces, found when first asked for and dropped when surfaces
     /// change.
     prepared: Prepared,
@@ -135,6 +139,7 @@ impl Scene {
             obstructions: Vec::new(),
             bases,
             groups,
+            empty_rows: Vec::new(),
             prepared: Prepared::default(),
         })
     }

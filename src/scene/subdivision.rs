@@ -13,7 +13,7 @@ use std::sync::Arc;
 impl Scene {
     /// The scene with every patch [`quartered`](crate::geometry::quartered()) so many times, and
     /// for each new patch the one it is a part of. Parts keep the material; their names are the
-    /// patch's with their number.
+    /// patch's with their number. Each part is a row, unless its patch is summed with others.
     ///
     /// # Errors
     /// [`SceneError::CutThroughPart`] if a patch lies in another; [`SceneError::Patch`] if parts
@@ -57,14 +57,30 @@ impl Scene {
                 parents.push(index);
             }
         }
-        let labels: Vec<usize> = parents.iter().map(|index| self.group_of(*index)).collect();
-        let scene = Self::try_new(patches)?.with_obstructions(self.obstructions.clone());
-        let is_grouped = self.group_count() < self.patches.len();
-        let scene = if is_grouped {
-            scene.with_groups(&labels)?
-        } else {
-            scene
-        };
-        Ok((scene, parents))
+        // of a row that is one patch, each part becomes a row
+        let mut patches_of = vec![0; self.group_count()];
+        for group in &self.groups {
+            patches_of[*group] += 1;
+        }
+        let mut rows_of = vec![0; self.group_count()];
+        let mut labels = Vec::with_capacity(parents.len());
+        for (part, parent) in parents.iter().enumerate() {
+            let row = self.group_of(*parent);
+            let is_summed = patches_of[row] > 1;
+            labels.push((row, if is_summed { 0 } else { part }));
+            rows_of[row] = if is_summed { 1 } else { rows_of[row] + 1 };
+        }
+        let mut scene = Self::try_new(patches)?.with_obstructions(self.obstructions.clone());
+        if self.first_summed().is_some() {
+            scene = scene.with_groups(&labels)?;
+        }
+        let mut empty_rows = self.empty_rows.clone();
+        let (mut before, mut place) = (0, 0);
+        for (earlier, empty) in empty_rows.iter_mut().enumerate() {
+            before += rows_of[place..empty.row].iter().sum::<usize>();
+            place = empty.row;
+            empty.row = before + earlier;
+        }
+        Ok((scene.with_empty_rows(empty_rows)?, parents))
     }
 }

@@ -5,7 +5,7 @@ use crate::scene::{MaterialError, SceneError};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// A file was refused: the first fault that its reader met.
+/// One fault of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FileError {
     /// The file as it was named.
@@ -50,6 +50,79 @@ impl std::error::Error for FileError {
     }
 }
 
+/// The faults for which a file was refused, those of the files that it names included.
+///
+/// Its text has a line for each of the first [`MOST_TOLD`](Self::MOST_TOLD), and counts the others.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FileErrors {
+    told: Vec<FileError>,
+    more: usize,
+}
+
+impl FileErrors {
+    /// The number of faults that are told.
+    pub const MOST_TOLD: usize = 20;
+
+    /// The first faults, in the order in which they were met; one at least.
+    #[must_use]
+    pub fn told(&self) -> &[FileError] {
+        &self.told
+    }
+
+    /// The number of faults beyond those.
+    #[must_use]
+    pub const fn more(&self) -> usize {
+        self.more
+    }
+
+    /// Adds a fault.
+    pub(crate) fn push(&mut self, fault: FileError) {
+        if self.told.len() < Self::MOST_TOLD {
+            self.told.push(fault);
+        } else {
+            self.more += 1;
+        }
+    }
+
+    /// The value, or the fault, which is added.
+    pub(crate) fn keep<T>(&mut self, found: Result<T, FileError>) -> Option<T> {
+        found.map_err(|fault| self.push(fault)).ok()
+    }
+
+    /// Refuses what has a fault.
+    pub(crate) fn none_or_refused(self) -> Result<(), Self> {
+        if self.told.is_empty() {
+            Ok(())
+        } else {
+            Err(self)
+        }
+    }
+}
+
+impl From<FileError> for FileErrors {
+    fn from(fault: FileError) -> Self {
+        Self {
+            told: vec![fault],
+            more: 0,
+        }
+    }
+}
+
+impl fmt::Display for FileErrors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (place, fault) in self.told.iter().enumerate() {
+            let end = if place == 0 { "" } else { "\n" };
+            write!(f, "{end}{fault}")?;
+        }
+        match self.more {
+            0 => Ok(()),
+            more => write!(f, "\nand {more} more"),
+        }
+    }
+}
+
+impl std::error::Error for FileErrors {}
+
 /// A name was refused: no built-in scene has it, and no file can be read under it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -59,7 +132,7 @@ pub enum OpenError {
     Scene(#[from] SceneError),
     /// A file is not a scene.
     #[error(transparent)]
-    File(#[from] FileError),
+    File(#[from] FileErrors),
 }
 
 /// The condition that a file breaks; the message says what would mend it.
@@ -87,12 +160,9 @@ pub enum Fault {
          rename or export it"
     )]
     UnknownFormat,
-    /// Bytes that are no text.
-    #[error("byte {column} of the line is not UTF-8: save the file as UTF-8 text")]
-    NotUtf8 {
-        /// Position in the line, from 1.
-        column: usize,
-    },
+    /// Two bytes for each letter.
+    #[error("it is UTF-16: save the file as UTF-8 text")]
+    Utf16,
     /// No patch in the file.
     #[error("it has no patch: {mend}")]
     NoPatch {
@@ -161,12 +231,6 @@ pub enum Fault {
         index: String,
         /// Vertices defined so far.
         defined: usize,
-    },
-    /// A corner of a face occurs twice.
-    #[error("vertex {vertex} is a corner twice: name each corner once")]
-    RepeatedCorner {
-        /// Number of the vertex.
-        vertex: String,
     },
     /// A number that was given before.
     #[error("{what} {number} is defined already, in line {line}: give it another number")]

@@ -7,14 +7,15 @@
 //!          reflectance = 1 − emit
 //! ```
 //!
-//! A reader stops at the first fault and says where it is and what would mend it ([`FileError`]).
-//! A fault of materials stops nobody: it is a note, and the material of the patches concerned is
-//! [unknown](super::PatchMaterial).
-//! Numbers are written so that they read back to the same `f64`.
+//! A reader tells all faults of a file, where each is and what would mend it ([`FileErrors`]). What
+//! is clear it mends, what has no effect it ignores, and says so once for each kind
+//! ([`LoadedScene::notes`]). Faults of materials are notes, too, and leave the material of the
+//! patches concerned [unknown](super::PatchMaterial). Numbers are written so that they read back to the same `f64`.
 //!
 //! Open `obj` or `view3d` for a format (each with its `writer`), `source` for lines and their
-//! numbers, `faces` for the triangulation of faces that are not planar, `decimal` for emissivities,
-//! `unknown_materials` for notes, and `error` for the refusals.
+//! numbers, `faces` for the way from an outline to patches, `rows` for their rows, `remarks` for
+//! what is mended or ignored, `unknown_materials` for notes on these, `decimal` for emissivities,
+//! and `error` for the refusals.
 //!
 //! Both readers are our own: the libraries for OBJ keep coordinates in 32 bits or cut polygons into
 //! triangles, and none says in which line a number is wrong, or which patch is not planar; for
@@ -24,11 +25,13 @@ pub(crate) mod decimal;
 pub(crate) mod error;
 pub(crate) mod faces;
 pub(crate) mod obj;
+pub(crate) mod remarks;
+pub(crate) mod rows;
 pub(crate) mod source;
 pub(crate) mod unknown_materials;
 pub(crate) mod view3d;
 
-pub use error::{Fault, FileError, NotExpressible, OpenError};
+pub use error::{Fault, FileError, FileErrors, NotExpressible, OpenError};
 use obj::library;
 pub use obj::read_obj;
 pub(crate) use obj::writer::left_out_of_obj;
@@ -58,7 +61,7 @@ pub enum NonPlanarFaces {
 pub struct LoadedScene {
     /// The scene.
     pub scene: Scene,
-    /// Statements that were read and have no effect, a sentence each.
+    /// Mends, and statements that were read and have no effect: a sentence for each kind.
     pub notes: Vec<String>,
 }
 
@@ -88,8 +91,8 @@ fn is_path(name: &str) -> bool {
 /// Reads a scene file; what follows the last dot of its name says of which format it is.
 ///
 /// # Errors
-/// A [`FileError`] at the first fault.
-pub fn read(path: &Path, faces: NonPlanarFaces) -> Result<LoadedScene, FileError> {
+/// All faults of the file.
+pub fn read(path: &Path, faces: NonPlanarFaces) -> Result<LoadedScene, FileErrors> {
     let extension = path
         .extension()
         .map(|extension| extension.to_string_lossy());
@@ -105,7 +108,7 @@ pub fn read(path: &Path, faces: NonPlanarFaces) -> Result<LoadedScene, FileError
         read_view3d(&Source::read(path)?, faces)
     } else {
         Source::check(path)?;
-        Err(FileError::of_file(path, Fault::UnknownFormat))
+        Err(FileError::of_file(path, Fault::UnknownFormat).into())
     }
 }
 

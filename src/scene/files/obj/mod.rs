@@ -10,8 +10,9 @@
 //! ```
 //!
 //! The front of a face is the side from which it runs counter-clockwise. `#` begins a comment, but
-//! not in names of materials; a backslash at its end continues a line. Texture coordinates, normals and smoothing groups are
-//! read over; points and lines, which have no area, are noted as left out.
+//! belongs to a name, which is all of its line; a backslash at its end continues a line. Texture
+//! coordinates, normals and smoothing groups are read over; points and lines, which have no area,
+//! and statements that nobody knows are noted as left out.
 //!
 //! **Not covered**: curves and free-form surfaces, which are refused.
 
@@ -20,19 +21,31 @@ pub(crate) mod materials;
 pub(crate) mod mtl;
 pub(crate) mod writer;
 
-use super::error::{Fault, FileError, excerpt};
-use super::faces::patches_of_face;
+use super::error::{Fault, FileError, FileErrors, excerpt};
+use super::faces::{Face, FaceRules, face_of};
+use super::remarks::{Remark, Remarks};
+use super::rows::Rows;
 use super::source::{Source, number};
 use super::unknown_materials::notes_on_unknown_materials;
 use super::{LoadedScene, NonPlanarFaces};
-use crate::scene::{NamedPatch, Scene};
+use crate::scene::{NamedPatch, PatchMaterial, Scene};
 use glam::DVec3;
-use materials::{Materials, Use};
+use materials::Materials;
 use std::borrow::Cow;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 const VERTEX: &str = "\"v x y z\"";
 const FACE: &str = "\"f a b c\", with a vertex number for each corner";
+
+/// Statements that give a name: all of the line, `#` included.
+const NAMING: [&str; 4] = ["o", "g", "usemtl", "mtllib"];
+
+/// The letters of a name that count: each face has a copy.
+const LONGEST_NAME: usize = 100;
+
+/// Numbers that may follow the coordinates of a vertex: a weight, or a colour and its opacity.
+const MOST_AFTER_COORDINATES: usize = 4;
 
 /// Statements without an effect on the shape of a face or on diffuse light.
 const SILENT: [&str; 14] = [
@@ -61,45 +74,63 @@ const FREE_FORM: [&str; 17] = [
 /// The scene in an OBJ file; `library` finds a material file by the name that `mtllib` gives.
 ///
 /// # Errors
-/// A [`FileError`] at the first fault in this file.
+/// The faults of this file; those of materials are notes.
 pub fn read_obj(
     source: &Source,
     library: &dyn Fn(&str) -> Result<Source, FileError>,
     faces: NonPlanarFaces,
-) -> Result<LoadedScene, FileError> {
+) -> Result<LoadedScene, FileErrors> {
+    let lines: Vec<_> = logical_lines(source)
+        .filter(|(_, text)| split(text).0 == "mtllib")
+        .collect();
+    let named = lines.iter().map(|(line, text)| (*line, split(text).1));
     let mut reader = Reader {
         source,
-        faces,
+        rules: FaceRules::from(faces),
         vertices: Vec::new(),
-        materials: Materials::new(source, library),
-        material: None,
-        uses: Vec::new(),
+        materials: Materials::of(source, named, library),
+        material: PatchMaterial::BLACK,
         object: String::new(),
         group: String::new(),
+        wholes: Arc::default(),
+        faces: 0,
         faces_named: HashMap::new(),
         patches: Vec::new(),
-        notes: Vec::new(),
+        rows: Rows::default(),
+        remarks: Remarks::of(source),
     };
+    let mut faults = FileErrors::default();
     for (line, text) in logical_lines(source) {
-        reader.statement(line, &text)?;
+        faults.keep(reader.statement(line, &text));
     }
-    let (patches, notes) = reader.materials.given(reader.patches, &reader.uses);
-    let notes = [reader.notes, notes, notes_on_unknown_materials(&patches)].concat();
-    let mend = "a face is a line \"f a b c\"";
-    let scene = Scene::try_new(patches)
-        .map_err(|_| FileError::of_file(source.file(), Fault::NoPatch { mend }))?;
+    faults.none_or_refused()?;
+    let mut notes = reader.remarks.into_notes(source.file());
+    notes.append(&mut reader.materials.into_notes());
+    notes.append(&mut notes_on_unknown_materials(&reader.patches));
+    let mend = "a face with an area is a line \"f a b c\"";
+    let whole = |fault| FileError::of_file(source.file(), fault);
+    let scene = Scene::try_new(reader.patches).map_err(|_| whole(Fault::NoPatch { mend }))?;
+    let scene = reader.rows.of(scene).map_err(Box::new);
+    let scene = scene.map_err(|source| whole(Fault::Scene { source }))?;
     Ok(LoadedScene { scene, notes })
 }
 
 /// Lines without comments; those that end in a backslash are joined with the next.
 fn logical_lines(source: &Source) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let mut lines = source.lines();
-    let bare = |text: &'_ str| match text.split_whitespace().next() {
-        Some("usemtl" | "mtllib") => text.len(),
-        _ => text.split('#').next().map_or(0, str::len),
-    };
     std::iter::from_fn(move || {
         let (line, text) = lines.next()?;
+        let keyword = text.split_whitespace().next().unwrap_or_default();
+        let comment = if NAMING.contains(&keyword) {
+            None
+        } else {
+            Some('#')
+        };
+        let bare = |text: &'_ str| {
+            text.split(|c| Some(c) == comment)
+                .next()
+                .map_or(0, str::len)
+        };
         let text = &text[..bare(text)];
         let Some(start) = text.trim_end().strip_suffix('\\') else {
             return Some((line, Cow::Borrowed(text)));
@@ -117,43 +148,65 @@ fn logical_lines(source: &Source) -> impl Iterator<Item = (usize, Cow<'_, str>)>
     })
 }
 
+/// The keyword of a line, and the rest.
+fn split(text: &str) -> (&str, &str) {
+    let text = text.trim();
+    text.split_once(char::is_whitespace).unwrap_or((text, ""))
+}
+
 struct Reader<'a> {
     source: &'a Source,
-    faces: NonPlanarFaces,
+    rules: FaceRules,
+    /// A vertex that is at fault keeps its number, and is not finite.
     vertices: Vec<DVec3>,
     materials: Materials<'a>,
-    /// The material in use, and those of the patches so far.
-    material: Option<Use>,
-    uses: Vec<Option<Use>>,
+    /// The material in use.
+    material: PatchMaterial,
     object: String,
     group: String,
+    /// The names of object and group, which those of their faces begin with.
+    wholes: Arc<[String]>,
+    /// The number of faces so far.
+    faces: usize,
     faces_named: HashMap<String, usize>,
     patches: Vec<NamedPatch>,
-    notes: Vec<String>,
+    rows: Rows,
+    remarks: Remarks,
 }
 
 impl Reader<'_> {
     fn statement(&mut self, line: usize, text: &str) -> Result<(), FileError> {
         let at = |fault| self.source.fault(line, fault);
-        let text = text.trim();
-        let (keyword, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
+        let (keyword, rest) = split(text);
         let name = || rest.split_whitespace().collect::<Vec<_>>().join(" ");
         match keyword {
             "" => {}
-            "v" => self.vertices.push(vertex(rest).map_err(at)?),
-            "f" | "fo" => self.face(line, rest)?,
-            "o" => self.object = name(),
+            "v" | "V" => {
+                let vertex = vertex(rest).map_err(at);
+                let place = vertex.as_ref().map_or(DVec3::NAN, |(vertex, _)| *vertex);
+                self.vertices.push(place);
+                if !vertex?.1 {
+                    self.remarks.count(Remark::AfterCoordinates, line);
+                }
+            }
+            "f" | "F" | "fo" => self.face(line, rest)?,
+            "o" => {
+                self.object = self.short(line, name());
+                self.wholes = self.wholes();
+            }
             "g" => {
-                let name = name();
+                let name = self.short(line, name());
                 self.group = if name == "default" {
                     String::new()
                 } else {
                     name
                 };
+                self.wholes = self.wholes();
             }
-            "usemtl" => self.material = Some(self.materials.named(line, rest)),
-            "mtllib" => self.materials.read(line, rest),
-            "p" | "l" => self.note(format!("\"{keyword}\" has no area and is left out")),
+            "usemtl" => self.material = self.materials.named(line, rest),
+            "mtllib" => {} // read before
+            "p" => self.remarks.count(Remark::LeftOut("p"), line),
+            "l" => self.remarks.count(Remark::LeftOut("l"), line),
             _ if SILENT.contains(&keyword) => {}
             _ if FREE_FORM.contains(&keyword) => {
                 return Err(at(Fault::NotSupported {
@@ -161,63 +214,93 @@ impl Reader<'_> {
                     mend: "export the surface as polygons",
                 }));
             }
-            _ => {
-                return Err(at(Fault::UnknownKeyword {
-                    format: "Wavefront OBJ",
-                    keyword: excerpt(keyword),
-                }));
-            }
+            _ => self.remarks.ignore(keyword, line),
         }
         Ok(())
     }
 
+    /// A name of bounded length.
+    fn short(&mut self, line: usize, mut name: String) -> String {
+        if let Some((end, _)) = name.char_indices().nth(LONGEST_NAME) {
+            name.truncate(end);
+            self.remarks.count(Remark::LongName, line);
+        }
+        name
+    }
+
     fn face(&mut self, line: usize, rest: &str) -> Result<(), FileError> {
-        let named: Vec<&str> = [self.object.as_str(), self.group.as_str()]
-            .into_iter()
-            .filter(|name| !name.is_empty())
-            .collect();
-        let group = if named.is_empty() {
-            "face".to_owned()
-        } else {
-            named.join(" ")
-        };
+        let whole = self.wholes.last().map_or("face", String::as_str);
+        let group = whole.to_owned();
         let number = self.faces_named.entry(group.clone()).or_insert(0);
         let name = format!("{group} {number}");
         *number += 1;
-        let index = self.patches.len();
+        let index = self.rows.len();
         let at = |fault| {
             let patch = format!("{index} ({})", excerpt(&name));
             self.source.patch_fault(line, patch, fault)
         };
         let corners = self.corners(rest).map_err(at)?;
-        let patches = patches_of_face(corners, self.faces)
-            .map_err(|source| at(Fault::Geometry { source }))?;
-        let parts = patches.len();
-        for (part, shape) in patches.into_iter().enumerate() {
-            let name = if parts == 1 {
-                name.clone()
-            } else {
-                format!("{name} (triangle {part})")
-            };
-            self.patches.push(NamedPatch::new(name, shape));
-            self.uses.push(self.material);
+        if corners.iter().any(|corner| !corner.is_finite()) {
+            // the fault of a vertex, which is told already
+            return Ok(());
         }
+        let face = face_of(corners, self.rules);
+        let face = face.map_err(|source| at(Fault::Geometry { source }))?;
+        self.remarks.count_face(&face, line);
+        self.add(name, face);
         Ok(())
     }
 
+    fn add(&mut self, name: String, face: Face) {
+        let Face {
+            patches, is_split, ..
+        } = face;
+        if patches.is_empty() {
+            self.rows.push_empty(name, self.material.clone());
+            return;
+        }
+        self.rows.push(self.faces, patches.len(), is_split);
+        self.faces += 1;
+        let wholes = if is_split {
+            let face = std::iter::once(&name);
+            self.wholes.iter().chain(face).cloned().collect()
+        } else {
+            Arc::clone(&self.wholes)
+        };
+        for (part, shape) in patches.into_iter().enumerate() {
+            let name = if is_split {
+                format!("{name} (triangle {part})")
+            } else {
+                name.clone()
+            };
+            let patch = NamedPatch::new(name, shape).with_material(self.material.clone());
+            self.patches.push(patch.with_wholes(Arc::clone(&wholes)));
+        }
+    }
+
+    /// The names of object and group, and of both if there are both.
+    fn wholes(&self) -> Arc<[String]> {
+        let (object, group) = (self.object.as_str(), self.group.as_str());
+        let both = format!("{object} {group}");
+        let names: &[&str] = match (object, group) {
+            ("", "") => &[],
+            (one, "") | ("", one) => &[one],
+            (object, group) => &[object, group, &both],
+        };
+        names.iter().map(|name| (*name).to_owned()).collect()
+    }
+
     fn corners(&self, rest: &str) -> Result<Vec<DVec3>, Fault> {
-        let mut named = HashMap::new();
-        let corners = rest.split_whitespace().map(|corner| {
+        let mut corners = rest.split_whitespace().peekable();
+        if corners.peek().is_none() {
+            let (what, form) = ("the first corner", FACE);
+            return Err(Fault::Missing { what, form });
+        }
+        let place = |corner: &str| {
             let given = corner.split('/').next().unwrap_or_default();
-            let vertex = self.vertex_at(given)?;
-            match named.insert(vertex, ()) {
-                None => Ok(self.vertices[vertex]),
-                Some(()) => Err(Fault::RepeatedCorner {
-                    vertex: excerpt(given),
-                }),
-            }
-        });
-        corners.collect()
+            Ok(self.vertices[self.vertex_at(given)?])
+        };
+        corners.map(place).collect()
     }
 
     fn vertex_at(&self, given: &str) -> Result<usize, Fault> {
@@ -243,30 +326,15 @@ impl Reader<'_> {
                 defined,
             })
     }
-
-    fn note(&mut self, text: String) {
-        let note = format!("{}: {text}", self.source.file().display());
-        if !self.notes.contains(&note) {
-            self.notes.push(note);
-        }
-    }
 }
 
-/// Three coordinates; a weight or a colour may follow.
-fn vertex(rest: &str) -> Result<DVec3, Fault> {
+/// Three coordinates, and whether no more follows than a weight or a colour, which may be anything.
+fn vertex(rest: &str) -> Result<(DVec3, bool), Fault> {
     let mut values = rest.split_whitespace();
     let mut coordinate = |what| number(values.next(), what, VERTEX);
     let vertex = DVec3::new(coordinate("x")?, coordinate("y")?, coordinate("z")?);
-    let mut further = 0;
-    for value in values {
-        number(Some(value), "what follows the coordinates", VERTEX)?;
-        further += 1;
-        if further > 4 {
-            return Err(Fault::TooMany {
-                given: excerpt(value),
-                form: VERTEX,
-            });
-        }
-    }
-    Ok(vertex)
+    let is_number = |value: &str| value.parse::<f64>().is_ok();
+    let further: Vec<&str> = values.take(MOST_AFTER_COORDINATES + 1).collect();
+    let is_known = further.len() <= MOST_AFTER_COORDINATES && further.into_iter().all(is_number);
+    Ok((vertex, is_known))
 }

@@ -1,7 +1,7 @@
 //! Whatever the bytes, a reader answers with a scene or with one message, and never panics.
 
 use infoscene::scene::files::{
-    FileError, LoadedScene, NonPlanarFaces, Source, read_obj, read_view3d,
+    FileErrors, LoadedScene, NonPlanarFaces, Source, read_obj, read_view3d,
 };
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -15,7 +15,7 @@ const VS3: &str = "T title\nC encl=1 eps=1e-4\nF 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 
     End of data\n";
 
 /// The three readers, by what the file would be.
-fn read(format: usize, bytes: &[u8], faces: NonPlanarFaces) -> Result<LoadedScene, FileError> {
+fn read(format: usize, bytes: &[u8], faces: NonPlanarFaces) -> Result<LoadedScene, FileErrors> {
     let source = |name: &str| Source::from_bytes(name, bytes.to_vec());
     let library = |name: &str| Ok(Source::new(name, MTL));
     match format {
@@ -38,15 +38,15 @@ fn check(format: usize, bytes: &[u8]) -> Result<(), TestCaseError> {
                 prop_assert!(patches.all(|patch| patch.shape().area() > 0.0));
             }
             Err(refusal) => {
-                let message = refusal.to_string();
-                prop_assert!(message.starts_with("a."), "{}", message);
-                prop_assert!(!message.contains(char::is_control), "{:?}", message);
-                prop_assert!(message.len() < 600, "{}", message);
-                let lines = bytes
-                    .split(|byte| *byte == b'\n')
-                    .count()
-                    .max(OBJ.lines().count());
-                prop_assert!(refusal.line.is_none_or(|line| (1..=lines).contains(&line)));
+                let ends = |byte: &u8| matches!(byte, b'\n' | b'\r');
+                let lines = bytes.split(ends).count().max(OBJ.lines().count());
+                for fault in refusal.told() {
+                    let message = fault.to_string();
+                    prop_assert!(message.starts_with("a."), "{}", message);
+                    prop_assert!(!message.contains(char::is_control), "{:?}", message);
+                    prop_assert!(message.len() < 600, "{}", message);
+                    prop_assert!(fault.line.is_none_or(|line| (1..=lines).contains(&line)));
+                }
             }
         }
     }

@@ -4,12 +4,13 @@ mod faces;
 mod fuzzing;
 mod materials;
 mod obj;
+mod outlines;
 mod refusals;
 mod round_trip;
 mod view3d;
 
 use infoscene::scene::files::{
-    FileError, LoadedScene, NonPlanarFaces, Source, read_obj, read_view3d,
+    FileError, FileErrors, LoadedScene, NonPlanarFaces, Source, read_obj, read_view3d,
 };
 
 /// A library that no file is in.
@@ -17,13 +18,13 @@ fn no_library(name: &str) -> Result<Source, FileError> {
     Source::read(&std::path::Path::new("/nowhere").join(name))
 }
 
-fn obj(text: &str) -> Result<LoadedScene, FileError> {
+fn obj(text: &str) -> Result<LoadedScene, FileErrors> {
     let source = Source::new("room.obj", text);
     read_obj(&source, &no_library, NonPlanarFaces::Refuse)
 }
 
 /// An OBJ file whose only library has this text.
-fn obj_with(text: &str, materials: &str) -> Result<LoadedScene, FileError> {
+fn obj_with(text: &str, materials: &str) -> Result<LoadedScene, FileErrors> {
     let library = |name: &str| Ok(Source::new(name, materials));
     read_obj(
         &Source::new("room.obj", text),
@@ -32,6 +33,6 @@ fn obj_with(text: &str, materials: &str) -> Result<LoadedScene, FileError> {
     )
 }
 
-fn vs3(text: &str) -> Result<LoadedScene, FileError> {
+fn vs3(text: &str) -> Result<LoadedScene, FileErrors> {
     read_view3d(&Source::new("room.vs3", text), NonPlanarFaces::Refuse)
 }

@@ -2,7 +2,7 @@
 
 use super::{obj, obj_with};
 use glam::DVec3;
-use infoscene::scene::files::{NonPlanarFaces, Source, read};
+use infoscene::scene::files::{NonPlanarFaces, Source, read, read_obj};
 use infoscene::scene::{Channels, Scene};
 use std::path::Path;
 
@@ -26,19 +26,27 @@ fn the_same_face_may_be_written_in_many_ways() {
         "f 1 2 \\\n 3 4",
         "  f\t1 2 \\\r\n3 \\\r\n4\r\n",
         "f 1 2 3 4 # the front is above",
+        "f 1// 2// 3// 4//",
+        "F 1 2 3 4",
+        "f 1 2 3 4 \\",
         "vt 0 0\nvn 0 0 1\ns off\nf 1 2 3 4",
     ] {
         assert_eq!(corners(&format!("{SQUARE}{face}\n")), square, "{face}");
     }
-    let crlf = format!("{SQUARE}f 1 2 3 4\n").replace('\n', "\r\n");
-    assert_eq!(corners(&crlf), square);
+    for ends in ["\r\n", "\r", "\n\r", "\r\r\n"] {
+        let ended = format!("# a room\n{SQUARE}f 1 2 3 4\n").replace('\n', ends);
+        assert_eq!(corners(&ended), square, "{ends:?}");
+    }
+    let mixed = format!("{}f 1 2 3 4\r", SQUARE.replacen('\n', "\r", 2));
+    assert_eq!(corners(&mixed), square);
     let marked = format!("\u{feff}{SQUARE}f 1 2 3 4").into_bytes();
     let marked = Source::from_bytes("room.obj", marked).unwrap();
     assert_eq!(
         marked,
         Source::new("room.obj", format!("{SQUARE}f 1 2 3 4"))
     );
-    let weighted = "v 0 0 0 1\nv 1e0 0. .0 1\nv +1 1 -0 0.5 0.5 0.5\nv 0 1 0\nf 1 2 3 4";
+    let weighted = "v 0 0 0 1\nv 1.e0 0. .0 nan\nv +1 1 -0 nan inf nan\nv 0 1 0\nvt nan\nvn x\n\
+        f 1 2 3 4";
     assert_eq!(corners(weighted), square);
 }
 
@@ -135,7 +143,64 @@ fn what_is_left_out_is_said() {
     for left_out in ["\"Ks\"", "\"map_…\"", "\"p\"", "\"l\""] {
         assert_eq!(notes.matches(left_out).count(), 1, "{notes}");
     }
+    assert!(notes.contains("(2 lines, first: line 7)"), "{notes}");
     assert_eq!(loaded.notes.len(), 4);
+    // what nobody knows has no effect either
+    let text = format!("frame 1\n{SQUARE}frame 2\nG x\nf 1 2 3 4\nv 1 2 3 red\n");
+    let notes = obj(&text).unwrap().notes;
+    assert_eq!(
+        notes,
+        [
+            "room.obj: 1 vertex has more than coordinates, a weight or a colour; the rest is \
+             ignored (first: line 9)",
+            "room.obj: ignored, they change nothing here: frame (2 times, first in line 1), G \
+             (line 7)"
+        ]
+    );
+    let many: String = (0..100).map(|k| format!("word{k} 1\n")).collect();
+    let notes = obj(&format!("{many}{SQUARE}f 1 2 3 4\n")).unwrap().notes;
+    assert!(
+        notes[0].ends_with("word19 (line 20), and other words (80 times, first in line 21)"),
+        "{notes:?}"
+    );
+}
+
+/// Bytes that are not UTF-8 are Latin-1, in names as in comments; a name is all of its line.
+#[test]
+fn names_are_read_as_they_are_written() {
+    let text = format!("{SQUARE}o W\u{e4}nde # 2\nf 1 2 3 4\ng \u{fc}ber\nf 1 2 3 4 # \u{e9}\n");
+    let latin_1: Vec<u8> = text.chars().map(|c| u8::try_from(c).unwrap()).collect();
+    let mixed = [text.as_bytes(), b"# \xff\n"].concat();
+    for (bytes, note) in [
+        (text.clone().into_bytes(), None),
+        (
+            latin_1,
+            Some("room.obj: 3 bytes are not UTF-8 and read as Latin-1 (first: line 5)"),
+        ),
+        (
+            mixed,
+            Some("room.obj: 1 byte is not UTF-8 and read as Latin-1 (first: line 9)"),
+        ),
+    ] {
+        let source = Source::from_bytes("room.obj", bytes).unwrap();
+        let loaded = read_obj(&source, &super::no_library, NonPlanarFaces::Refuse).unwrap();
+        let names: Vec<&str> = loaded.scene.patches().iter().map(|p| p.name()).collect();
+        assert_eq!(names, ["W\u{e4}nde # 2 0", "W\u{e4}nde # 2 \u{fc}ber 0"]);
+        assert_eq!(loaded.notes.first().map(String::as_str), note);
+    }
+    // in a number such a byte is a fault
+    let source = Source::from_bytes("room.obj", b"v 1 0 \xff\n".to_vec()).unwrap();
+    let refusal = read_obj(&source, &super::no_library, NonPlanarFaces::Refuse).unwrap_err();
+    assert!(refusal.to_string().contains("z is \"\u{ff}\""), "{refusal}");
+    // a name of a megabyte is not copied for every face
+    let text = format!("{SQUARE}o {}\nf 1 2 3 4\n", "x".repeat(1_000_000));
+    let loaded = obj(&text).unwrap();
+    assert_eq!(loaded.scene.patches()[0].name().len(), 102);
+    assert!(
+        loaded.notes[0].contains("1 name is very long"),
+        "{:?}",
+        loaded.notes
+    );
 }
 
 /// Several libraries, and one whose name has a space, beside the file that names them.
