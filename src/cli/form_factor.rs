@@ -99,6 +99,12 @@ fn write_matrices(
     files: &[MatrixFile<'_>],
     matrix: &FormFactorMatrix<'_>,
 ) -> Result<Option<Unreached>, Box<dyn Error>> {
+    if files.iter().any(|file| file.format == MatrixFormat::View3d) {
+        let unknown = matrix.reflectances()?.into_iter().filter(Option::is_none);
+        let count = unknown.count();
+        let note = format!("View3D's output has emissivities: {count} that are not known are 1");
+        say(&Vec::from_iter((count > 0).then_some(note)));
+    }
     let mut unreached = None;
     let mut pass = |open: &mut [&mut dyn Write]| {
         let begun = files

@@ -27,6 +27,12 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
     if let Some(SceneError::MayBeBlocked { .. }) = error.downcast_ref() {
         return Some("; --unoccluded computes as if nothing were in the way");
     }
+    if let Some(SceneError::MaterialUnknown { what, .. }) = error.downcast_ref() {
+        return Some(match *what {
+            "reflectance" => "; --reflectance gives one",
+            _ => "; --emittance gives one, all=0 to all",
+        });
+    }
     if let Some(ExchangeError::TurnedAway) = error.downcast_ref() {
         return Some("; --reverse does");
     }
@@ -67,6 +73,7 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
     }
     match error.downcast_ref()? {
         QuestionError::OpenScene(_) => Some("; --open adds the state outside"),
+        QuestionError::ChannelNotNamed { .. } => Some(" with --channel r, g or b"),
         QuestionError::NoLightMeant => Some(": add --chain radiosity or --chain importance"),
         QuestionError::OccludedLines => Some(": leave out --unoccluded"),
         QuestionError::TooManyPairs { .. } => {

@@ -2,7 +2,10 @@
 
 use super::QuestionError;
 use super::scene::SceneSource;
-use crate::scene::files::{NonPlanarFaces, write_obj, write_stl, write_view3d};
+use crate::scene::files::{
+    LoadedScene, NonPlanarFaces, left_out_of_obj, left_out_of_view3d, write_obj, write_stl,
+    write_view3d,
+};
 use crate::scene::{Scene, SceneError};
 
 /// The question for the content of a scene file.
@@ -70,21 +73,16 @@ impl Convert {
     /// [`QuestionError::Scene`] if patches overlap, or cannot be triangulated;
     /// [`QuestionError::NotExpressible`] if the format has no words for the shape of the scene.
     pub fn ask(&self) -> Result<ConvertAnswer, QuestionError> {
-        let loaded = self.scene.open()?;
-        let mut notes = loaded.notes;
-        loaded.scene.check_overlap()?;
-        let scene = self.split(loaded.scene)?;
+        let LoadedScene { scene, mut notes } = self.scene.open()?;
+        scene.check_overlap()?;
+        let scene = self.split(scene)?;
         let (content, materials) = match &self.format {
             SceneFormat::View3d => {
-                let left_out = scene.empty_rows().len();
-                if left_out > 0 {
-                    notes.push(format!(
-                        "View3D has no faces without area: {left_out} are left out"
-                    ));
-                }
+                notes.extend(left_out_of_view3d(&scene));
                 (write_view3d(&scene)?.into_bytes(), None)
             }
             SceneFormat::Obj { materials } => {
+                notes.extend(left_out_of_obj(&scene));
                 let written = write_obj(&scene, materials)?;
                 (written.obj.into_bytes(), Some(written.mtl))
             }

@@ -113,15 +113,17 @@ impl FormFactorMatrix<'_> {
         self.pairs.areas()
     }
 
-    /// The reflectance of each row.
+    /// The reflectance of each row, the mean of its channels; none where it is not known.
     ///
     /// # Errors
     /// [`SceneError::MixedRow`] if patches of one row differ.
-    pub fn reflectances(&self) -> Result<Vec<f64>, SceneError> {
-        let materials = (0..self.rows()).map(|row| self.scene.group_material(row));
-        materials
-            .map(|material| Ok(material?.reflectance()))
-            .collect()
+    pub fn reflectances(&self) -> Result<Vec<Option<f64>>, SceneError> {
+        let rows = (0..self.rows()).map(|row| match self.scene.group_reflectance(row) {
+            Ok(colour) => Ok(Some(colour.mean())),
+            Err(SceneError::MaterialUnknown { .. }) => Ok(None),
+            Err(error) => Err(error),
+        });
+        rows.collect()
     }
 
     /// The number of entries that are not exactly zero, known if all pairs are held.

@@ -18,6 +18,7 @@ mod form_factors;
 mod fuzz;
 mod grid;
 mod light;
+mod material_changes;
 mod measure;
 mod patch_name;
 mod patch_values;
@@ -43,12 +44,13 @@ pub use form_factors::{FormFactorRecord, FormFactors, FormFactorsAnswer, PatchRe
 pub use fuzz::{Fuzz, FuzzAnswer};
 pub use grid::{Grid, GridAnswer, GridEnclosures, GridLines, GridSample};
 pub use light::{Light, SceneChain};
+pub use material_changes::MaterialChanges;
 pub use measure::{
     Contribution, FacePairRecord, Measure, MeasureAnswer, PairLossRecord, RowSumRecord,
 };
 pub use patch_name::{PatchName, PatchNameError};
-pub use patch_values::{MaterialChanges, PatchValue, PatchValueError};
-pub use radiosity::{PatchLight, Power, Radiosity, RadiosityAnswer};
+pub use patch_values::{PatchValue, PatchValueError};
+pub use radiosity::{ChannelLight, ChannelSolution, PatchLight, Power, Radiosity, RadiosityAnswer};
 pub use reproduce::{JudgedClaim, Reproduce, ReproduceAnswer};
 pub use sample::{Sample, SampleAnswer};
 pub use sampled_information::SampledInformation;

@@ -6,6 +6,7 @@
 )]
 
 mod answers;
+mod colours;
 mod conversions;
 #[cfg(feature = "proptest")]
 mod fuzzing;
@@ -13,6 +14,7 @@ mod gradient_cuts;
 mod grids;
 mod keys;
 mod light;
+mod materials;
 mod matrices;
 mod refusals;
 mod sampling;

@@ -160,11 +160,6 @@ fn bad_files_are_refused_and_nothing_is_written() {
             String::new(),
             ["\"End of data\" is missing", "add it"],
         ),
-        (
-            "lost.obj",
-            "mtllib lost.mtl\n".to_owned(),
-            ["line 1", "lost.mtl: it cannot be read"],
-        ),
         ("room.step", wall.to_owned(), [".obj", ".stl"]),
     ] {
         assert_refused(&written(&folder, name, text), &parts);

@@ -250,6 +250,12 @@ pub enum Fault {
         /// The text as given, shortened.
         given: String,
     },
+    /// A name that files have in several letter cases.
+    #[error("\"{}\" and \"{}\" both fit: write one of them as it is", names[0], names[1])]
+    Ambiguous {
+        /// The names of two of them.
+        names: [String; 2],
+    },
     /// A material file that cannot be used.
     #[error("the material file {}: {source}", file.display())]
     Library {

@@ -1,14 +1,14 @@
 //! Scenes that are faces and nothing else: all that Wavefront OBJ and STL can say.
 
 use super::error::NotExpressible;
-use crate::scene::{EmptyRow, Material, Scene};
+use crate::scene::{EmptyRow, PatchMaterial, Scene};
 use glam::DVec3;
 use std::borrow::Cow;
 
 /// A row of such a scene.
 pub(crate) struct PlainRow<'s> {
     pub name: &'s str,
-    pub material: Material,
+    pub material: &'s PatchMaterial,
     /// Three times the same one if the row has no area.
     pub corners: Cow<'s, [DVec3]>,
     /// The patch that the row is.
@@ -48,7 +48,7 @@ pub(crate) fn plain_rows<'s>(
             let place = scene.patches()[0].shape().corners()[0];
             rows.push(PlainRow {
                 name,
-                material: *material,
+                material,
                 corners: Cow::Owned(vec![place; 3]),
                 patch: None,
             });

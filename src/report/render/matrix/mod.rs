@@ -85,7 +85,7 @@ pub struct MatrixWriter<W> {
     format: MatrixFormat,
     entries: MatrixEntries,
     /// The reflectances of the rows, if the format has them.
-    reflectances: Vec<f64>,
+    reflectances: Vec<Option<f64>>,
 }
 
 impl<W: Write> MatrixWriter<W> {

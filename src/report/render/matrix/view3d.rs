@@ -10,7 +10,7 @@
 //! ```
 //!
 //! `encl` is 0, since rows are not adjusted so that their sums are 1, and so is `emit`, since the
-//! factors are those of black patches. View3D prints six decimals of F and three of ε, which its
+//! factors are those of black patches; a material that is not known is written as black. View3D prints six decimals of F and three of ε, which its
 //! readers do not count; here are all. The readers take the program's name and version for words of
 //! up to 15 and 7 characters.
 //!
@@ -32,12 +32,13 @@ pub(super) fn write_head(mut file: impl Write, areas: &[f64]) -> io::Result<()> 
 }
 
 /// Writes the line after the form factors.
-pub(super) fn write_end(file: impl Write, reflectances: &[f64]) -> io::Result<()> {
+pub(super) fn write_end(file: impl Write, reflectances: &[Option<f64>]) -> io::Result<()> {
+    // as black as patches without a material
     write_line(
         file,
         reflectances
             .iter()
-            .map(|reflectance| one_less(*reflectance)),
+            .map(|known| one_less(known.unwrap_or(0.0))),
     )
 }
 

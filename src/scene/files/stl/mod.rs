@@ -46,7 +46,7 @@ use super::remarks::{Remark, Remarks};
 use super::rows::Rows;
 use super::source::Source;
 use super::{LoadedScene, NonPlanarFaces};
-use crate::scene::{Material, NamedPatch, Scene};
+use crate::scene::{NamedPatch, PatchMaterial, Scene};
 use glam::DVec3;
 use std::collections::HashMap;
 use std::path::Path;
@@ -127,7 +127,7 @@ impl Reader {
         })?;
         self.remarks.count_face(&face, facet.place);
         if face.patches.is_empty() {
-            self.rows.push_empty(name, Material::BLACK);
+            self.rows.push_empty(name, PatchMaterial::BLACK);
             return Ok(());
         }
         self.rows.push(row, face.patches.len(), face.is_split);

@@ -3,7 +3,7 @@
 use crate::geometry::Patch;
 use crate::scene::files::error::NotExpressible;
 use crate::scene::files::plain::{PlainRow, plain_rows};
-use crate::scene::{Material, Scene};
+use crate::scene::{PatchMaterial, Scene};
 use glam::DVec3;
 
 const FORMAT: &str = "STL";
@@ -47,7 +47,7 @@ pub fn write_stl(scene: &Scene) -> Result<StlFile, NotExpressible> {
         bytes.extend([0; 2]);
     }
     let mut losses = vec!["STL has no names of patches: they are lost".to_owned()];
-    if rows.iter().any(|row| row.material != Material::BLACK) {
+    if rows.iter().any(|row| *row.material != PatchMaterial::BLACK) {
         losses.push("STL has no materials: all patches become black".to_owned());
     }
     if largest > 0.0 {

@@ -3,13 +3,14 @@
 use crate::scene::files::decimal::one_less;
 use crate::scene::files::error::NotExpressible;
 use crate::scene::files::obj::writer::VertexNumbers;
-use crate::scene::{NamedPatch, Scene};
+use crate::scene::{Channels, NamedPatch, PatchMaterial, Scene};
 use glam::DVec3;
 use std::collections::HashMap;
 use std::fmt::Write;
 
-/// Writes a scene: shapes, reflectances, bases and rows read back exactly.
+/// Writes a scene: shapes, grey reflectances, bases and rows read back exactly.
 ///
+/// The reflectance of a coloured patch is the mean of its channels; one that is not known is 0.
 /// In a name, white space becomes single spaces, and `!` and a `/` that begins a word become `_`.
 ///
 /// # Errors
@@ -33,11 +34,34 @@ pub fn write_view3d(scene: &Scene) -> Result<String, NotExpressible> {
             let lead = leads.entry(scene.group_of(index)).or_insert(index);
             combined = if *lead < index { *lead + 1 } else { 0 };
         }
-        let emissivity = one_less(patch.material().reflectance());
+        let reflectance = patch.material().reflectance();
+        let emissivity = one_less(reflectance.map_or(0.0, Channels::mean));
         let name = word_by_word(patch.name());
         let _ = writeln!(surfaces, " {base} {combined} {emissivity} {name}");
     }
     Ok(format!("F 3\n{points}{surfaces}End of data\n"))
+}
+
+/// Notes on what [`write_view3d`] leaves out of a scene.
+pub(crate) fn left_out_of_view3d(scene: &Scene) -> Vec<String> {
+    let count = |is: &dyn Fn(&PatchMaterial) -> bool| {
+        let patches = scene.patches().iter();
+        patches.filter(|patch| is(patch.material())).count()
+    };
+    let unknown = count(&|material| material.faults().next().is_some());
+    let coloured = count(&|material| material.reflectance().is_ok_and(|colour| !colour.is_grey()));
+    let notes = [
+        (unknown, "whose material is not known are written as black"),
+        (coloured, "are coloured and have the mean of their channels"),
+    ];
+    let without_area = scene.empty_rows().len();
+    let notes = notes
+        .into_iter()
+        .chain([(without_area, "without an area are left out")]);
+    let notes = notes.filter(|(patches, _)| *patches > 0);
+    notes
+        .map(|(patches, what)| format!("{patches} patches {what}"))
+        .collect()
 }
 
 fn corners(
@@ -51,7 +75,11 @@ fn corners(
         what,
         mend,
     };
-    if patch.material().emittance() > 0.0 {
+    if patch
+        .material()
+        .emittance()
+        .is_ok_and(|colour| colour.largest() > 0.0)
+    {
         let what = format!("patch {index} ({}) emits light", patch.name());
         return Err(not(what, "write Wavefront OBJ, which has Ke"));
     }

@@ -2,6 +2,7 @@
 
 mod faces;
 mod fuzzing;
+mod materials;
 mod obj;
 mod outlines;
 mod refusals;
