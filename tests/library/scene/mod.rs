@@ -5,6 +5,7 @@ mod cornell_box;
 mod files;
 mod fronts;
 mod joined;
+mod joints;
 mod overlap;
 mod parts;
 mod refusals;

@@ -17,7 +17,7 @@
 //! # Source
 //! View3D 3.3 manual, §6.1, and the program's `SaveVF` and `ReadVF`.
 
-use crate::scene::files::decimal::one_less;
+use crate::scene::files::view3d::writer::emissivity;
 use std::io::{self, Write};
 
 /// Writes the lines before the form factors.

@@ -1,6 +1,6 @@
 //! A scene as View3D `.vs3`.
 
-use crate::scene::files::decimal::one_less;
+use crate::scene::files::decimal::complement;
 use crate::scene::files::error::NotExpressible;
 use crate::scene::files::obj::writer::VertexNumbers;
 use crate::scene::{Channels, NamedPatch, PatchMaterial, Scene};
@@ -35,11 +35,16 @@ pub fn write_view3d(scene: &Scene) -> Result<String, NotExpressible> {
             combined = if *lead < index { *lead + 1 } else { 0 };
         }
         let reflectance = patch.material().reflectance();
-        let emissivity = one_less(reflectance.map_or(0.0, Channels::mean));
+        let emissivity = emissivity(reflectance.map_or(0.0, Channels::mean));
         let name = word_by_word(patch.name());
         let _ = writeln!(surfaces, " {base} {combined} {emissivity} {name}");
     }
     Ok(format!("F 3\n{points}{surfaces}End of data\n"))
+}
+
+/// The emissivity of a surface with this reflectance, as a decimal: 1 − reflectance, not rounded.
+pub(crate) fn emissivity(reflectance: f64) -> String {
+    complement(&format!("{reflectance:?}")).unwrap_or_else(|| "1".to_owned())
 }
 
 /// Notes on what [`write_view3d`] leaves out of a scene.
