@@ -34,12 +34,8 @@ pub(super) fn write_head(mut file: impl Write, areas: &[f64]) -> io::Result<()> 
 /// Writes the line after the form factors.
 pub(super) fn write_end(file: impl Write, reflectances: &[Option<f64>]) -> io::Result<()> {
     // as black as patches without a material
-    write_line(
-        file,
-        reflectances
-            .iter()
-            .map(|known| one_less(known.unwrap_or(0.0))),
-    )
+    let reflectances = reflectances.iter().map(|known| known.unwrap_or(0.0));
+    write_line(file, reflectances.map(emissivity))
 }
 
 /// Writes numbers, a space between.
