@@ -12,7 +12,7 @@ use crate::information::{
     continuous_information, pair_losses, scene_information,
 };
 use crate::numeric::Grade;
-use crate::scene::{NamedPatch, Occlusion, Scene};
+use crate::scene::{Channel, NamedPatch, Occlusion, Scene};
 
 /// The question for the information of a scene.
 ///
@@ -64,6 +64,9 @@ impl Default for Measure {
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 #[non_exhaustive]
 pub struct MeasureAnswer {
+    /// The channel of colour, if one was named.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub channel: Option<Channel>,
     /// The number of rows: patches, of which those that are summed count as one.
     pub patches: usize,
     /// The sum of their areas.
@@ -200,6 +203,7 @@ impl Measure {
         let names = scene.group_names();
         let unreached = Unreached::pairs(&names, &measured.summary, pairs.tolerance());
         let mut answer = MeasureAnswer::new(&names, measured);
+        answer.channel = self.light.channel;
         answer.unreached = unreached;
         answer.notes = loaded.notes;
         if self.continuous || self.pairs {
@@ -257,6 +261,7 @@ impl MeasureAnswer {
             row_sum: row.sum,
         });
         Self {
+            channel: None,
             patches: names.len(),
             total_area: measured.total_area,
             closed: closure.is_closed(),

@@ -26,7 +26,7 @@
 //! the others. It does not say which emissivity a combined surface has, and the program combines
 //! areas and exchange areas only.
 
-use super::{Material, NamedPatch, Scene, SceneError};
+use super::{NamedPatch, PatchMaterial, Scene, SceneError};
 use crate::geometry::{NotContained, check_contained};
 use crate::scene::visibility::surfaces::Prepared;
 use std::collections::{BTreeSet, HashMap, HashSet};
@@ -41,7 +41,7 @@ pub struct EmptyRow {
     /// Its name.
     pub name: String,
     /// Its material.
-    pub material: Material,
+    pub material: PatchMaterial,
 }
 
 impl Scene {
@@ -119,8 +119,8 @@ impl Scene {
     ///
     /// # Examples
     /// ```
-    /// use infoscene::scene::{EmptyRow, Material, Scene};
-    /// let (name, material) = ("sliver".to_owned(), Material::BLACK);
+    /// use infoscene::scene::{EmptyRow, PatchMaterial, Scene};
+    /// let (name, material) = ("sliver".to_owned(), PatchMaterial::BLACK);
     /// let squares = Scene::built_in("two-squares")?;
     /// let squares = squares.with_empty_rows(vec![EmptyRow { row: 1, name, material }])?;
     /// assert_eq!(squares.row_areas(), [1.0, 0.0, 1.0]);
@@ -230,7 +230,7 @@ impl Scene {
     }
 
     /// The row with this number, if it has no patch.
-    fn empty_row(&self, row: usize) -> Option<&EmptyRow> {
+    pub(super) fn empty_row(&self, row: usize) -> Option<&EmptyRow> {
         let place = self
             .empty_rows
             .binary_search_by_key(&row, |empty| empty.row);
@@ -299,30 +299,6 @@ impl Scene {
         let wholes = self.patches.iter().flat_map(|patch| patch.wholes.iter());
         let empty = self.empty_rows.iter().map(|empty| empty.name.as_str());
         own.chain(wholes.map(String::as_str)).chain(empty).collect()
-    }
-
-    /// The material that all patches of a row have; reflected power of different ones is not that
-    /// of any single one.
-    ///
-    /// # Errors
-    /// [`SceneError::NoSuchPatch`]; [`SceneError::MixedRow`] with the first two that differ.
-    pub fn group_material(&self, group: usize) -> Result<Material, SceneError> {
-        if let Some(empty) = self.empty_row(group) {
-            return Ok(empty.material);
-        }
-        let last = self.group_count() - 1;
-        let mut patches = self.patches_of_group(group);
-        let no_row = SceneError::NoSuchPatch { index: group, last };
-        let first = patches.next().ok_or(no_row)?;
-        let material = self.patches[first].material;
-        match patches.find(|patch| self.patches[*patch].material != material) {
-            None => Ok(material),
-            Some(second) => Err(SceneError::MixedRow {
-                first,
-                second,
-                names: [first, second].map(|patch| self.patches[patch].name.clone()),
-            }),
-        }
     }
 
     /// The area of a patch without what lies in it, in squared units of length.

@@ -1,6 +1,6 @@
 //! Rows that the faces of a file become, in its order.
 
-use crate::scene::{EmptyRow, Material, Scene, SceneError};
+use crate::scene::{EmptyRow, PatchMaterial, Scene, SceneError};
 
 /// The rows of the patches read so far, and of the faces without area among them.
 #[derive(Debug, Default)]
@@ -35,7 +35,7 @@ impl Rows {
     }
 
     /// Adds a face without area.
-    pub(crate) fn push_empty(&mut self, name: String, material: Material) {
+    pub(crate) fn push_empty(&mut self, name: String, material: PatchMaterial) {
         self.count += 1;
         self.empty.push(EmptyRow {
             row: self.labels.len(),

@@ -6,7 +6,7 @@
 //!                                  the last so far
 //!   o name, g name                 the name of a face, before its number among those of that name,
 //!                                  from 0
-//!   mtllib file, usemtl name       reflectance and emittance (MTL); black without
+//!   mtllib file, usemtl name       reflectance and emittance (MTL); black without usemtl
 //! ```
 //!
 //! The front of a face is the side from which it runs counter-clockwise. `#` begins a comment, but
@@ -16,6 +16,8 @@
 //!
 //! **Not covered**: curves and free-form surfaces, which are refused.
 
+pub(crate) mod library;
+pub(crate) mod materials;
 pub(crate) mod mtl;
 pub(crate) mod writer;
 
@@ -24,10 +26,11 @@ use super::faces::{Face, FaceRules, face_of};
 use super::remarks::{Remark, Remarks};
 use super::rows::Rows;
 use super::source::{Source, number};
+use super::unknown_materials::notes_on_unknown_materials;
 use super::{LoadedScene, NonPlanarFaces};
-use crate::scene::{Material, NamedPatch, Scene};
+use crate::scene::{NamedPatch, PatchMaterial, Scene};
 use glam::DVec3;
-use mtl::read_mtl;
+use materials::Materials;
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -37,9 +40,6 @@ const FACE: &str = "\"f a b c\", with a vertex number for each corner";
 
 /// Statements that give a name: all of the line, `#` included.
 const NAMING: [&str; 4] = ["o", "g", "usemtl", "mtllib"];
-
-/// The letters of a name that count: each face has a copy.
-const LONGEST_NAME: usize = 64;
 
 /// Numbers that may follow the coordinates of a vertex: a weight, or a colour and its opacity.
 const MOST_AFTER_COORDINATES: usize = 4;
@@ -71,19 +71,22 @@ const FREE_FORM: [&str; 17] = [
 /// The scene in an OBJ file; `library` finds a material file by the name that `mtllib` gives.
 ///
 /// # Errors
-/// The faults of this file and of its material files.
+/// The faults of this file; those of materials are notes.
 pub fn read_obj(
     source: &Source,
     library: &dyn Fn(&str) -> Result<Source, FileError>,
     faces: NonPlanarFaces,
 ) -> Result<LoadedScene, FileErrors> {
+    let lines: Vec<_> = logical_lines(source)
+        .filter(|(_, text)| split(text).0 == "mtllib")
+        .collect();
+    let named = lines.iter().map(|(line, text)| (*line, split(text).1));
     let mut reader = Reader {
         source,
-        library,
         rules: FaceRules::from(faces),
         vertices: Vec::new(),
-        materials: HashMap::new(),
-        material: Material::BLACK,
+        materials: Materials::of(source, named, library),
+        material: PatchMaterial::BLACK,
         object: String::new(),
         group: String::new(),
         wholes: Arc::default(),
@@ -93,7 +96,6 @@ pub fn read_obj(
         patches: Vec::new(),
         rows: Rows::default(),
         remarks: Remarks::of(source),
-        notes: Vec::new(),
     };
     // a list that grows takes its memory twice for a moment
     let may_be_face = |text: &str| text.starts_with('f') && text.len() >= "f 1 2 3".len();
@@ -105,7 +107,8 @@ pub fn read_obj(
     }
     faults.none_or_refused()?;
     let mut notes = reader.remarks.into_notes(source.file());
-    notes.append(&mut reader.notes);
+    notes.append(&mut reader.materials.into_notes());
+    notes.append(&mut notes_on_unknown_materials(&reader.patches));
     let mend = "a face with an area is a line \"f a b c\"";
     let whole = |fault| FileError::of_file(source.file(), fault);
     let scene = Scene::try_new(reader.patches).map_err(|_| whole(Fault::NoPatch { mend }))?;
@@ -147,14 +150,20 @@ fn logical_lines(source: &Source) -> impl Iterator<Item = (usize, Cow<'_, str>)>
     })
 }
 
+/// The keyword of a line, and the rest.
+fn split(text: &str) -> (&str, &str) {
+    let text = text.trim();
+    text.split_once(char::is_whitespace).unwrap_or((text, ""))
+}
+
 struct Reader<'a> {
     source: &'a Source,
-    library: &'a dyn Fn(&str) -> Result<Source, FileError>,
     rules: FaceRules,
     /// A vertex that is at fault keeps its number, and is not finite.
     vertices: Vec<DVec3>,
-    materials: HashMap<String, Material>,
-    material: Material,
+    materials: Materials<'a>,
+    /// The material in use.
+    material: PatchMaterial,
     object: String,
     group: String,
     /// The names of object and group, which those of their faces begin with.
@@ -167,14 +176,12 @@ struct Reader<'a> {
     patches: Vec<NamedPatch>,
     rows: Rows,
     remarks: Remarks,
-    notes: Vec<String>,
 }
 
 impl Reader<'_> {
     fn statement(&mut self, line: usize, text: &str) -> Result<(), FileError> {
         let at = |fault| self.source.fault(line, fault);
-        let text = text.trim();
-        let (keyword, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
+        let (keyword, rest) = split(text);
         let name = || rest.split_whitespace().collect::<Vec<_>>().join(" ");
         match keyword {
             "" => {}
@@ -188,11 +195,11 @@ impl Reader<'_> {
             }
             "f" | "F" | "fo" => self.face(line, rest)?,
             "o" => {
-                self.object = self.short(line, name());
+                self.object = self.remarks.short_name(line, name());
                 self.wholes = self.wholes();
             }
             "g" => {
-                let name = self.short(line, name());
+                let name = self.remarks.short_name(line, name());
                 self.group = if name == "default" {
                     String::new()
                 } else {
@@ -200,16 +207,8 @@ impl Reader<'_> {
                 };
                 self.wholes = self.wholes();
             }
-            "usemtl" => {
-                let name = name();
-                self.material = *self.materials.get(&name).ok_or_else(|| {
-                    at(Fault::Undefined {
-                        what: "material",
-                        given: excerpt(&name),
-                    })
-                })?;
-            }
-            "mtllib" => self.materials_of(line, rest.trim())?,
+            "usemtl" => self.material = self.materials.named(line, rest),
+            "mtllib" => {} // read before
             "p" => self.remarks.count(Remark::LeftOut("p"), line),
             "l" => self.remarks.count(Remark::LeftOut("l"), line),
             _ if SILENT.contains(&keyword) => {}
@@ -220,45 +219,6 @@ impl Reader<'_> {
                 }));
             }
             _ => self.remarks.ignore(keyword, line),
-        }
-        Ok(())
-    }
-
-    /// A name of bounded length.
-    fn short(&mut self, line: usize, mut name: String) -> String {
-        if let Some((end, _)) = name.char_indices().nth(LONGEST_NAME) {
-            name.truncate(end);
-            self.remarks.count(Remark::LongName, line);
-        }
-        name
-    }
-
-    /// One file, or, if there is none of that name, several files separated by spaces.
-    fn materials_of(&mut self, line: usize, names: &str) -> Result<(), FileError> {
-        if names.is_empty() {
-            let (what, form) = ("the name of the material file", "\"mtllib file.mtl\"");
-            return Err(self.source.fault(line, Fault::Missing { what, form }));
-        }
-        let libraries = match (self.library)(names) {
-            Ok(library) => vec![library],
-            Err(error) => {
-                let several: Vec<&str> = names.split_whitespace().collect();
-                let read = several.iter().map(|name| (self.library)(name));
-                let read: Result<Vec<_>, _> = read.collect();
-                let only_one = several.len() == 1;
-                read.map_err(|other| if only_one { error } else { other })
-                    .map_err(|error| match error {
-                        // a line of the library itself is at fault
-                        FileError { line: Some(_), .. } => error,
-                        FileError { file, fault, .. } => {
-                            let source = Box::new(fault);
-                            self.source.fault(line, Fault::Library { file, source })
-                        }
-                    })?
-            }
-        };
-        for library in &libraries {
-            read_mtl(library, &mut self.materials, &mut self.notes)?;
         }
         Ok(())
     }
@@ -293,7 +253,7 @@ impl Reader<'_> {
             patches, is_split, ..
         } = face;
         if patches.is_empty() {
-            self.rows.push_empty(name, self.material);
+            self.rows.push_empty(name, self.material.clone());
             return;
         }
         self.rows.push(self.faces, patches.len(), is_split);
@@ -310,7 +270,7 @@ impl Reader<'_> {
             } else {
                 name.clone()
             };
-            let patch = NamedPatch::new(name, shape).with_material(self.material);
+            let patch = NamedPatch::new(name, shape).with_material(self.material.clone());
             self.patches.push(patch.with_wholes(Arc::clone(&wholes)));
         }
     }

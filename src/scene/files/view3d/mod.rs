@@ -32,6 +32,7 @@ use super::decimal::complement;
 use super::error::{Fault, FileError, FileErrors, excerpt};
 use super::remarks::Remarks;
 use super::source::{Source, number};
+use super::unknown_materials::notes_on_unknown_materials;
 use super::{LoadedScene, NonPlanarFaces};
 use crate::scene::{Material, MaterialError};
 use glam::DVec3;
@@ -64,13 +65,13 @@ pub fn read_view3d(source: &Source, faces: NonPlanarFaces) -> Result<LoadedScene
         }
     }
     if !has_end {
-        faults.push(FileError::of_file(source.file(), Fault::NoEnd));
+        let last = "End of data";
+        faults.push(FileError::of_file(source.file(), Fault::NoEnd { last }));
     }
     let scene = assemble(source, &mut reader, faces.into(), faults)?;
-    Ok(LoadedScene {
-        scene,
-        notes: reader.remarks.into_notes(source.file()),
-    })
+    let mut notes = reader.remarks.into_notes(source.file());
+    notes.append(&mut notes_on_unknown_materials(scene.patches()));
+    Ok(LoadedScene { scene, notes })
 }
 
 /// The line up to a `!`, or to a `/` that begins a word.
@@ -192,13 +193,13 @@ impl Reader {
             obstructs,
             base: 0,
             combined: 0,
-            material: Material::BLACK,
+            material: Ok(Material::BLACK),
             name: String::new(),
         };
         if !obstructs {
             surface.base = whole(values.get(5), "the base", SURFACE)?;
             surface.combined = whole(values.get(6), "the surface to combine with", SURFACE)?;
-            surface.material = material(values.get(7).copied())?;
+            surface.material = material(values.get(7).copied());
         }
         surface.name = values.get(8..).unwrap_or_default().join(" ");
         if surface.name.is_empty() {
@@ -242,19 +243,24 @@ fn format_of(values: &[&str]) -> Result<(), Fault> {
     }
 }
 
-/// Reflects what it does not emit: 1 − emit, without a rounding in between.
+/// Reflects what it does not emit: 1 − emit, without a rounding in between. With an emissivity of 0
+/// it is adiabatic.
 fn material(emit: Option<&str>) -> Result<Material, Fault> {
     let emissivity = number(emit, "emit", SURFACE)?;
-    let exact = emit.and_then(complement);
-    let reflectance = match exact {
+    let reflectance = match emit.and_then(complement) {
         Some(decimal) => number(Some(&decimal), "emit", SURFACE)?,
         None => 1.0 - emissivity,
     };
-    // a reflectance that rounds to 1 is as bad as 1 itself
-    Material::try_new(reflectance, 0.0).map_err(|_| {
-        let source = MaterialError::EmissivityOutOfRange { emissivity };
-        Fault::Material { source }
-    })
+    let mantissa = emit.and_then(|emit| emit.split(['e', 'E']).next());
+    let is_none = mantissa.is_none_or(|mantissa| !mantissa.contains(|c| ('1'..='9').contains(&c)));
+    let material = if reflectance >= 1.0 && emissivity >= 0.0 && !is_none {
+        // the little that it absorbs would be lost
+        Err(MaterialError::EmissivityTooSmall { emissivity })
+    } else {
+        Material::try_new(reflectance, 0.0)
+            .map_err(|_| MaterialError::EmissivityOutOfRange { emissivity })
+    };
+    material.map_err(|source| Fault::Material { source })
 }
 
 fn whole(given: Option<&&str>, what: &'static str, form: &'static str) -> Result<usize, Fault> {

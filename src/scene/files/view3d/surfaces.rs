@@ -6,7 +6,7 @@ use crate::scene::files::error::{Fault, FileError, FileErrors, excerpt};
 use crate::scene::files::faces::{FaceRules, face_of};
 use crate::scene::files::rows::Rows;
 use crate::scene::files::source::Source;
-use crate::scene::{Material, NamedPatch, Scene};
+use crate::scene::{Material, MaterialFault, NamedPatch, PatchMaterial, Scene};
 use glam::DVec3;
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
@@ -23,7 +23,7 @@ pub(crate) struct Surface {
     pub base: usize,
     /// 0 for none.
     pub combined: usize,
-    pub material: Material,
+    pub material: Result<Material, Fault>,
     pub name: String,
 }
 
@@ -46,6 +46,17 @@ impl Surface {
             format!("{index} (S {}, {name})", self.number)
         };
         source.patch_fault(self.line, patch, fault)
+    }
+
+    /// The material, unknown if its line says nothing that can be; nothing emits light by itself.
+    fn patch_material(&self, source: &Source, index: usize) -> PatchMaterial {
+        match &self.material {
+            Ok(material) => (*material).into(),
+            Err(fault) => PatchMaterial {
+                reflectance: Err(MaterialFault::new(self.fault(source, index, fault.clone()))),
+                ..PatchMaterial::BLACK
+            },
+        }
     }
 
     fn corners(&self, vertices: &HashMap<usize, (usize, DVec3)>) -> Result<Vec<DVec3>, Fault> {
@@ -133,6 +144,7 @@ fn place<'a>(
         &mut parts.patches
     };
     let start = list.len();
+    let material = surface.patch_material(source, row);
     let whole = face.is_split.then(|| surface.name.clone());
     let wholes: Arc<[String]> = whole.into_iter().collect();
     for (part, shape) in face.patches.into_iter().enumerate() {
@@ -141,7 +153,7 @@ fn place<'a>(
         } else {
             surface.name.clone()
         };
-        let patch = NamedPatch::new(name, shape).with_material(surface.material);
+        let patch = NamedPatch::new(name, shape).with_material(material.clone());
         list.push(patch.with_wholes(Arc::clone(&wholes)));
     }
     if face.is_split && !surface.obstructs {
@@ -234,7 +246,8 @@ fn rows(
         let is_split = own.is_split && !leads.contains(&lead);
         rows.push(lead, own.indices.len(), is_split);
         if known.insert(lead) {
-            rows.push_empty(surface.name.clone(), surface.material);
+            let material = surface.patch_material(source, own.row);
+            rows.push_empty(surface.name.clone(), material);
         }
     }
     rows

@@ -2,8 +2,8 @@
 
 use super::{obj, obj_with};
 use glam::DVec3;
-use infoscene::scene::Scene;
 use infoscene::scene::files::{NonPlanarFaces, Source, read, read_obj};
+use infoscene::scene::{Channels, Scene};
 use std::path::Path;
 
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -95,23 +95,38 @@ fn objects_and_groups_and_a_number_name_the_faces() {
     );
 }
 
-/// Kd and Ke, the mean of the three; black without a material; the last word counts.
+/// Kd and Ke, of three channels or of one for all; black without a material; the last word counts.
 #[test]
-fn materials_are_means_of_three_channels() {
+fn materials_have_three_channels() {
     let face = "f 1 2 3 4\n";
     let text = format!(
-        "mtllib all.mtl\n{SQUARE}{face}usemtl a\n{face}usemtl the lamp\n{face}usemtl grey\n{face}"
+        "mtllib all.mtl\n{SQUARE}{face}usemtl a\n{face}usemtl the lamp\n{face}usemtl grey\n{face}\
+         usemtl one\n{face}"
     );
     let materials = "# paints\nnewmtl a\nKd 0.25 0.5 0.75\nNs 10\nillum 2\n\
-        newmtl the lamp\nKe 1 2 6 # bright\nKd 0 0 0\nnewmtl grey\nkd 0.747 0.747 0.747\n";
+        newmtl the lamp\nKe 1 2 6 # bright\nKd 0 0 0\nnewmtl grey\nkd 0.747 0.747 0.747\n\
+        newmtl one\nKd 0.3\n";
     let loaded = obj_with(&text, materials).unwrap();
-    let found: Vec<(f64, f64)> = loaded
-        .scene
-        .patches()
-        .iter()
-        .map(|patch| (patch.material().reflectance(), patch.material().emittance()))
-        .collect();
-    assert_eq!(found, [(0.0, 0.0), (0.5, 0.0), (0.0, 3.0), (0.747, 0.0)]);
+    let found = loaded.scene.patches().iter().map(|patch| {
+        let material = patch.material();
+        let properties = [material.reflectance(), material.emittance()];
+        properties.map(|property| {
+            let Channels { r, g, b } = *property.unwrap();
+            [r, g, b]
+        })
+    });
+    let found: Vec<[[f64; 3]; 2]> = found.collect();
+    let dark = [0.0; 3];
+    assert_eq!(
+        found,
+        [
+            [dark, dark],
+            [[0.25, 0.5, 0.75], dark],
+            [dark, [1.0, 2.0, 6.0]],
+            [[0.747; 3], dark],
+            [[0.3; 3], dark],
+        ]
+    );
     assert!(loaded.notes.is_empty());
 }
 
@@ -206,7 +221,9 @@ fn libraries_lie_beside_the_file() {
     );
     let loaded = read(&folder.path().join("room.OBJ"), NonPlanarFaces::Refuse).unwrap();
     let patches = loaded.scene.patches().iter();
-    let found: Vec<f64> = patches.map(|p| p.material().reflectance()).collect();
+    let found: Vec<f64> = patches
+        .map(|patch| patch.material().grey().unwrap().reflectance())
+        .collect();
     assert_eq!(found, [0.1, 0.2, 0.3]);
 }
 

@@ -1,7 +1,7 @@
 //! Every bad file gets one message that names file, line, patch, the broken condition and what
 //! mends it.
 
-use super::{obj, obj_with, vs3};
+use super::{obj, vs3};
 use infoscene::scene::SceneError;
 use infoscene::scene::files::{FileErrors, NonPlanarFaces, OpenError, Source, open, read};
 use std::time::{Duration, Instant};
@@ -78,21 +78,6 @@ fn bad_lines_are_named() {
         ("v 1 2 1e999", &["z is \"1e999\"", "finite"]),
         ("v 1 2 1d-3", &["z is \"1d-3\"", "write a number"]),
         ("v 1 2 1,5", &["z is \"1,5\"", "write a number"]),
-        ("usemtl gold", &["there is no material gold", "define it"]),
-        (
-            "mtllib",
-            &[
-                "the name of the material file is missing",
-                "mtllib file.mtl",
-            ],
-        ),
-        (
-            "mtllib gold.mtl",
-            &[
-                "the material file /nowhere/gold.mtl: it cannot be read",
-                "name a file",
-            ],
-        ),
         (
             "curv 0 1 1 2",
             &[
@@ -119,53 +104,6 @@ fn bad_lines_are_named() {
             &obj(empty).unwrap_err(),
             &["room.obj: ", "no patch", "\"f a b c\""],
         );
-    }
-}
-
-#[test]
-fn bad_materials_are_named_in_their_own_file() {
-    for (materials, line, says) in [
-        (
-            "newmtl a\nKd 1 1 1",
-            2,
-            &["reflectance is 1:", "less than 1"] as &[&str],
-        ),
-        ("newmtl a\nKd .5 .5 1.5", 2, &["reflectance is 1.5"]),
-        (
-            "newmtl a\nKd -.1 .5 .5",
-            2,
-            &["reflectance is -0.1", "at least 0"],
-        ),
-        (
-            "newmtl a\n\nKe -1 9 9",
-            3,
-            &["emittance is -1", "at least 0"],
-        ),
-        (
-            "newmtl a\nKe nan 0 0",
-            2,
-            &["the first channel is \"nan\"", "finite"],
-        ),
-        (
-            "newmtl a\nKd .5 .5",
-            2,
-            &["the third channel is missing", "three numbers"],
-        ),
-        ("newmtl a\nKd .5 .5 .5 .5", 2, &["one value too many"]),
-        ("newmtl a\nKd", 2, &["the first channel is missing"]),
-        (
-            "newmtl a\nKd spectral file.rfl 1",
-            2,
-            &["\"spectral\" is not supported", "red, green and blue"],
-        ),
-        ("Kd .5 .5 .5", 1, &["is missing", "\"newmtl name\""]),
-        ("newmtl", 1, &["the name of the material is missing"]),
-        ("newmtl a\nf 1 2 3", 2, &["Wavefront MTL has no \"f\""]),
-    ] {
-        let refusal =
-            obj_with(&format!("mtllib paint.mtl\n{SQUARE}f 1 2 3\n"), materials).unwrap_err();
-        let place = format!("paint.mtl, line {line}: ");
-        assert_says(&refusal, &[&[place.as_str()], says].concat());
     }
 }
 
@@ -203,20 +141,6 @@ fn bad_lines_of_view3d_are_named() {
             &["surface 7 is defined already, in line 7"],
         ),
         ("S 8 1 2 3", &["the fourth vertex is missing"]),
-        ("S 8 1 2 3 4 0 0", &["emit is missing"]),
-        (
-            "S 8 1 2 3 4 0 0 0 mirror",
-            &["emissivity is 0", "greater than 0 and at most 1"],
-        ),
-        (
-            "S 8 1 2 3 4 0 0 1e-400 mirror",
-            &["emissivity is 0", "greater than 0"],
-        ),
-        (
-            "S 8 1 2 3 4 0 0 1.1 bright",
-            &["emissivity is 1.1", "at most 1"],
-        ),
-        ("S 8 1 2 3 4 0 0 nan x", &["emit is \"nan\"", "finite"]),
         ("W 1", &["View3D has no \"W\""]),
         ("v1 2 3", &["View3D has no \"v1\""]),
     ] {
@@ -323,19 +247,11 @@ fn files_that_are_not_there_are_refused() {
     let path = |name: &str| folder.path().join(name);
     std::fs::create_dir(path("folder.obj")).unwrap();
     std::fs::write(path("room.txt"), SQUARE).unwrap();
-    std::fs::write(
-        path("bare.obj"),
-        format!("mtllib gone.mtl\n{SQUARE}f 1 2 3\n"),
-    )
-    .unwrap();
-    std::fs::write(path("self.obj"), "mtllib self.obj\n").unwrap();
     for (name, says) in [
         ("missing.obj", "cannot be read"),
         ("missing.vs3", "cannot be read"),
         ("folder.obj", "it is a folder"),
-        ("room.txt", "Wavefront .obj or a View3D .vs3"),
-        ("bare.obj", "gone.mtl: it cannot be read"),
-        ("self.obj", "line 1: Wavefront MTL has no \"mtllib\""),
+        ("room.txt", "Wavefront .obj, a View3D .vs3 or an .stl"),
     ] {
         let path = path(name);
         let refusal = read(&path, NonPlanarFaces::Refuse).unwrap_err();

@@ -38,9 +38,15 @@ fn letters_may_be_of_any_case_and_lines_end_in_any_way() {
 /// 1 − emit as decimals are subtracted: 1 − 0.9 is 0.1, though 1.0 − 0.9 in f64 is not.
 #[test]
 fn reflectance_is_one_less_emissivity() {
-    for (emit, reflectance) in [("0.9", 0.1), ("1", 0.0), (".253", 0.747), ("1e-3", 0.999)] {
+    for (emit, reflectance) in [
+        ("0.9", 0.1),
+        ("1", 0.0),
+        (".253", 0.747),
+        ("1e-3", 0.999),
+        ("0", 1.0),
+    ] {
         let loaded = read(&format!("S 1 1 2 3 4 0 0 {emit} floor\n"));
-        let material = loaded.scene.patches()[0].material();
+        let material = loaded.scene.patches()[0].material().grey().unwrap();
         assert_eq!(
             (material.reflectance(), material.emittance()),
             (reflectance, 0.0)
