@@ -17,6 +17,7 @@ mod form_factors;
 mod fuzz;
 mod grid;
 mod light;
+mod lights;
 mod material_changes;
 mod measure;
 mod patch_name;
@@ -44,13 +45,14 @@ pub use form_factors::{
 pub use fuzz::{Fuzz, FuzzAnswer};
 pub use grid::{Grid, GridAnswer, GridEnclosures, GridLines, GridSample};
 pub use light::{Light, SceneChain};
+pub use lights::{ChannelLight, ChannelSolution, Power};
 pub use material_changes::MaterialChanges;
 pub use measure::{
     Contribution, FacePairRecord, Measure, MeasureAnswer, PairLossRecord, RowSumRecord,
 };
 pub use patch_name::{PatchName, PatchNameError};
 pub use patch_values::{PatchValue, PatchValueError};
-pub use radiosity::{ChannelLight, ChannelSolution, PatchLight, Power, Radiosity, RadiosityAnswer};
+pub use radiosity::{PatchLight, Radiosity, RadiosityAnswer};
 pub use reproduce::{JudgedClaim, Reproduce, ReproduceAnswer};
 pub use sample::{Sample, SampleAnswer};
 pub use sampled_information::SampledInformation;
