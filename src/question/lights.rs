@@ -108,7 +108,7 @@ impl Room<'_> {
 }
 
 /// A room in one channel.
-struct Lit {
+pub(super) struct Lit {
     radiosity: RadiositySolution,
     importance: Option<Importance>,
     power: Power,
