@@ -11,6 +11,7 @@
 mod built_in;
 mod channel;
 mod convex_room;
+mod edges;
 mod error;
 pub mod files;
 mod fronts;
@@ -23,6 +24,7 @@ mod subdivision;
 mod visibility;
 
 pub use channel::{Channel, Channels};
+pub use edges::{FreeEdge, Joints};
 pub use error::SceneError;
 pub use material::{Material, MaterialError, MaterialFault, PatchMaterial};
 pub(crate) use material::{checked_emittance, checked_reflectance};
