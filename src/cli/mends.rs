@@ -123,6 +123,7 @@ fn cause<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'stati
         _ => {}
     }
     match error.downcast_ref() {
+        Some(QuestionError::Open(inner)) => return Some(inner),
         Some(QuestionError::Scene(inner)) => return Some(inner),
         Some(QuestionError::Exchange(inner)) => return Some(inner),
         Some(QuestionError::Chain(inner)) => return Some(inner),
