@@ -16,9 +16,11 @@ use crate::scene::files::error::{Fault, FileError};
 use crate::scene::files::source::Source;
 use std::path::{Component, Path, PathBuf};
 
-/// Words that one name of a file may have, and words of a line that are looked at.
+/// Words that the name of one file may have.
 const MOST_WORDS: usize = 8;
-const MOST_NAMES: usize = 64;
+
+/// Words of a line that are looked at.
+const MOST_LOOKED_AT: usize = 64;
 
 /// The library that a file `scene` means by a name.
 ///
@@ -85,7 +87,7 @@ fn in_any_case(folder: &Path, name: &str) -> Result<Option<PathBuf>, FileError> 
     Ok(path.is_file().then_some(path))
 }
 
-/// What a folder has under a name: exactly, or but for the case of letters.
+/// The entry of a folder under a name: of this name exactly, or but for the case of letters.
 fn child(folder: &Path, name: &str) -> Result<Option<PathBuf>, FileError> {
     let exact = folder.join(name);
     if exact.exists() {
@@ -124,7 +126,7 @@ pub(crate) fn libraries(
     }
     let words = words(names);
     let (mut found, mut at) = (Vec::new(), 0);
-    while at < words.len() && at < MOST_NAMES {
+    while at < words.len() && at < MOST_LOOKED_AT {
         let end = words.len().min(at + MOST_WORDS);
         let text = |end: usize| &names[words[at].0..words[end - 1].1];
         let read = (at + 1..=end)

@@ -95,12 +95,15 @@ fn statements_without_a_material_are_noted() {
         &[
             "a.mtl, line 1: the material that this belongs to is missing",
             "a.mtl, line 2: the name of the material is missing",
-            "a.mtl: \"Kt\", \"Pfc\" are no words of Wavefront MTL",
+            "a.mtl: ignored, they change nothing here: Kt (2 times, first in line 4), Pfc (line 5)",
         ],
     );
     assert_eq!((grey(&loaded, 0), loaded.notes.len()), (0.0, 3));
     let loaded = obj_with(&text, &format!("{SQUARE}nothing\n")).unwrap();
     assert_noted(&loaded, &["a.mtl: it defines no material"]);
+    // what has no name is nobody's
+    let loaded = obj_with(&text, "newmtl a\nKd .5\nnewmtl\nKd .9\n").unwrap();
+    assert_eq!(grey(&loaded, 0), 0.5);
     assert!(material(&loaded, 0).reflectance().is_err());
 }
 
