@@ -66,7 +66,8 @@ impl Room<'_> {
     pub(super) fn lights(&self) -> Result<Lights, QuestionError> {
         let coloured = [self.reflectances, self.emittances].map(first_coloured);
         if coloured.iter().all(Option::is_none) {
-            return Ok(Lights::Grey(self.lit(Channel::Red, false)?));
+            let lit = self.lit(Channel::Red, false)?;
+            return Ok(Lights::Grey(Box::new(lit)));
         }
         let or_dark = self.emittances.iter().any(|colour| colour.largest() > 0.0);
         let lit = |channel| {
@@ -138,9 +139,9 @@ impl Lit {
 
 /// The light of a scene in all channels.
 pub(super) enum Lights {
-    /// The same in all of them.
-    Grey(Lit),
-    /// One for each.
+    /// One light for all of them.
+    Grey(Box<Lit>),
+    /// A light for each.
     Coloured(Box<Channels<Lit>>),
 }
 
