@@ -42,7 +42,11 @@ pub(crate) fn read_beside(scene: &Path, name: &str) -> Result<Source, FileError>
             return Source::read(&path);
         }
     }
-    Source::read(&folder.join(name))
+    // a folder, or nothing at all; what else is no file may have no end
+    let path = folder.join(name);
+    Source::check(&path)?;
+    let reason = "it is no file".to_owned();
+    Err(FileError::of_file(&path, Fault::CannotRead { reason }))
 }
 
 /// Whether a library was found where a name says.
