@@ -101,10 +101,10 @@ fn statements_without_a_material_are_noted() {
     assert_eq!((grey(&loaded, 0), loaded.notes.len()), (0.0, 3));
     let loaded = obj_with(&text, &format!("{SQUARE}nothing\n")).unwrap();
     assert_noted(&loaded, &["a.mtl: it defines no material"]);
+    assert!(material(&loaded, 0).reflectance().is_err());
     // what has no name is nobody's
     let loaded = obj_with(&text, "newmtl a\nKd .5\nnewmtl\nKd .9\n").unwrap();
     assert_eq!(grey(&loaded, 0), 0.5);
-    assert!(material(&loaded, 0).reflectance().is_err());
 }
 
 /// A library that is not there, and names that nothing defines.
