@@ -6,7 +6,7 @@
 //! by the allocator of this program, which is why it is one of its own.
 
 use infoscene::scene::files::{
-    FileErrors, LoadedScene, NonPlanarFaces, Source, read_obj, read_view3d,
+    FileErrors, LoadedScene, NonPlanarFaces, Source, read_obj, read_stl, read_view3d, write_stl,
 };
 use peak_alloc::PeakAlloc;
 use std::panic::catch_unwind;
@@ -28,22 +28,26 @@ const SMALLEST: usize = 1024;
 type Read = fn(&[u8], NonPlanarFaces) -> Result<LoadedScene, FileErrors>;
 
 struct Format {
-    seeds: &'static [&'static str],
+    seeds: fn() -> Vec<Vec<u8>>,
     read: Read,
 }
 
-const FORMATS: [Format; 3] = [
+const FORMATS: [Format; 4] = [
     Format {
-        seeds: &[OBJ, OUTLINES],
+        seeds: || [OBJ, OUTLINES].map(Vec::from).to_vec(),
         read: obj,
     },
     Format {
-        seeds: &[MTL],
+        seeds: || vec![MTL.into()],
         read: mtl,
     },
     Format {
-        seeds: &[VS3],
+        seeds: || vec![VS3.into()],
         read: vs3,
+    },
+    Format {
+        seeds: || vec![STL.into(), binary_stl()],
+        read: stl,
     },
 ];
 
@@ -60,6 +64,20 @@ const MTL: &str = "newmtl grey\nKd 0.5 .25 1\nKe 1 2 3\nNs 10\nmap_Kd a.png\n";
 const VS3: &str = "T title\nC encl=1 eps=1e-4\nF 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 1 0\nV 4 0 1 0\n\
     V 5 .5 .5 1e0\nS 1 1 2 3 4 0 0 .9 floor ! part\nS 2 1 2 3 0 1 0 .25 mat\nS 3 1 2 5 0 0 0 1 a\n\
     S 4 2 3 5 5 0 3 1 b\nS 5 1 2 2 1 0 0 1 thread\nO 6 3 4 5 0\nEnd of data\n";
+
+const STL: &str = "solid room\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n\
+    \x20  vertex 1 1 0\n  endloop\n endfacet\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 1\n\
+    \x20  vertex 1 0 1\n   vertex .5 0 1\n  endloop\n endfacet\nendsolid room\n";
+
+/// The same facets in binary.
+fn binary_stl() -> Vec<u8> {
+    let text = stl(STL.as_bytes(), NonPlanarFaces::Refuse).unwrap();
+    write_stl(&text.scene).unwrap().bytes
+}
+
+fn stl(bytes: &[u8], faces: NonPlanarFaces) -> Result<LoadedScene, FileErrors> {
+    read_stl("a.stl".as_ref(), bytes.to_vec(), faces)
+}
 
 fn obj(bytes: &[u8], faces: NonPlanarFaces) -> Result<LoadedScene, FileErrors> {
     let library = |_: &str| Ok(Source::new("a.mtl", MTL));
@@ -138,7 +156,7 @@ impl Random {
 }
 
 /// The file changed once.
-fn changed(file: &[u8], seeds: &[&str], random: &mut Random) -> Vec<u8> {
+fn changed(file: &[u8], seeds: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
     let at = random.below(file.len() + 1);
     let end = (at + 1 + random.below(12)).min(file.len());
     let (before, after) = (&file[..at], &file[at..]);
@@ -154,7 +172,7 @@ fn changed(file: &[u8], seeds: &[&str], random: &mut Random) -> Vec<u8> {
         2 => [before, rest].concat(),
         3 => before.to_vec(),
         4 => {
-            let other = seeds[random.below(seeds.len())].as_bytes();
+            let other = &seeds[random.below(seeds.len())];
             [before, &other[random.below(other.len())..]].concat()
         }
         5 => changed_words(file, random),
@@ -234,13 +252,12 @@ fn check(read: Read, bytes: &[u8]) -> Result<(), String> {
 }
 
 fn check_mutated(format: &Format, count: u64) {
+    let seeds = (format.seeds)();
     for case in 0..count {
         let mut random = Random(case);
-        let mut file = format.seeds[random.below(format.seeds.len())]
-            .as_bytes()
-            .to_vec();
+        let mut file = seeds[random.below(seeds.len())].clone();
         for _ in 0..1 + random.below(6) {
-            file = changed(&file, format.seeds, &mut random);
+            file = changed(&file, &seeds, &mut random);
         }
         if let Err(what) = check(format.read, &file) {
             panic!("case {case}: {what}\n{:?}", String::from_utf8_lossy(&file));
@@ -253,8 +270,8 @@ fn check_mutated(format: &Format, count: u64) {
 fn mutated_files_are_read_or_refused() {
     let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
     for format in &FORMATS {
-        for seed in format.seeds {
-            (format.read)(seed.as_bytes(), NonPlanarFaces::Triangulate).unwrap();
+        for seed in (format.seeds)() {
+            (format.read)(&seed, NonPlanarFaces::Triangulate).unwrap();
         }
         check_mutated(format, 10_000 / FORMATS.len() as u64);
     }
@@ -332,6 +349,24 @@ fn no_file_asks_for_more_memory_than_it_is_worth() {
             check(vs3, text.as_bytes()).unwrap_or_else(|what| panic!("{what}: {:.60}", text));
         }
     }
+    for text in [
+        many("solid\n", &|_| "facet normal 0 0 1\n".to_owned()),
+        many("solid\n", &|_| {
+            let corners = "vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n";
+            format!("facet\nouter loop\n{corners}endloop\nendfacet\n")
+        }),
+        format!("solid {name}\n{}", STL.split_once('\n').unwrap().1),
+    ] {
+        check(stl, text.as_bytes()).unwrap_or_else(|what| panic!("{what}: {:.60}", text));
+    }
+    let mut facets = binary_stl();
+    facets[80..84].copy_from_slice(&u32::MAX.to_le_bytes());
+    check(stl, &facets).unwrap();
+    facets[80..84].copy_from_slice(&1_200u32.to_le_bytes());
+    let facet = facets[84..134].to_vec();
+    facets.truncate(84);
+    facets.extend(facet.repeat(1_200));
+    check(stl, &facets).unwrap();
     let materials = [
         many("", &|number| format!("newmtl {number}\nKd 1 1 1\n")),
         many("", &|number| format!("w{number}\n")),

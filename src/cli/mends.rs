@@ -10,7 +10,7 @@ use infoscene::exchange::ExchangeError;
 use infoscene::geometry::GeometryError;
 use infoscene::question::{PatchValueError, QuestionError};
 use infoscene::scene::SceneError;
-use infoscene::scene::files::{Fault, FileError, FileErrors, OpenError};
+use infoscene::scene::files::{Fault, FileError, FileErrors, NotExpressible, OpenError};
 use infoscene::study::StudyError;
 use infoscene::transport::TransportError;
 use std::error::Error;
@@ -54,6 +54,9 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
                 .any(is_bent)
                 .then_some("\n--triangulate splits faces that are not planar into triangles"),
         };
+    }
+    if let Some(refusal) = error.downcast_ref::<NotExpressible>() {
+        return (refusal.mend == NotExpressible::SPLIT).then_some("; --triangulate does");
     }
     if let Some(DiscretizeError::NotEnclosed) = error.downcast_ref() {
         return Some("; leave out --precision");
@@ -125,6 +128,7 @@ fn cause<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'stati
     match error.downcast_ref() {
         Some(QuestionError::Open(inner)) => return Some(inner),
         Some(QuestionError::Scene(inner)) => return Some(inner),
+        Some(QuestionError::NotExpressible(inner)) => return Some(inner),
         Some(QuestionError::Exchange(inner)) => return Some(inner),
         Some(QuestionError::Chain(inner)) => return Some(inner),
         Some(QuestionError::Transport(inner)) => return Some(inner),

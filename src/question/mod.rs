@@ -13,6 +13,7 @@ mod curve;
 mod cut;
 mod decimals;
 mod error;
+mod form_factor_matrix;
 mod form_factors;
 #[cfg(all(feature = "proptest", feature = "report"))]
 mod fuzz;
@@ -40,9 +41,8 @@ pub use convert::{Convert, ConvertAnswer, SceneFormat};
 pub use curve::{Curve, CurveAnswer, CurvePoint};
 pub use cut::{Cut, CutAnswer, CutEnclosures, Cuts, CutsAnswer, IrradianceExponent};
 pub use error::QuestionError;
-pub use form_factors::{
-    FormFactorMatrix, FormFactorRecord, FormFactors, FormFactorsAnswer, PatchRecord,
-};
+pub use form_factor_matrix::{FormFactorMatrix, MatrixEntries, MatrixLine};
+pub use form_factors::{FormFactorRecord, FormFactors, FormFactorsAnswer, PatchRecord};
 #[cfg(all(feature = "proptest", feature = "report"))]
 pub use fuzz::{Fuzz, FuzzAnswer};
 pub use grid::{Grid, GridAnswer, GridEnclosures, GridLines, GridSample};

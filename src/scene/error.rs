@@ -15,7 +15,7 @@ pub enum SceneError {
     #[error(
         "there is no built-in scene \"{name}\": use cornell-box, two-squares, three-squares, \
          cube:N (N from 1 to {largest}), box:X,Y,Z, tetrahedron, octahedron, dodecahedron or \
-         icosahedron, or the path of a file that ends in .obj or .vs3"
+         icosahedron, or the path of a file that ends in .obj, .vs3 or .stl"
     )]
     UnknownName {
         /// The name as given.

@@ -15,6 +15,7 @@ mod edges;
 mod error;
 pub mod files;
 mod fronts;
+mod joined;
 mod material;
 mod overlap;
 mod parts;
@@ -227,11 +228,11 @@ impl Scene {
         }
     }
 
-    /// The refusal of a patch's shape, with its name.
+    /// The refusal of a surface's shape, with its name.
     pub(crate) fn refused(&self, index: usize, source: GeometryError) -> SceneError {
         SceneError::Patch {
             index,
-            name: self.patches[index].name.clone(),
+            name: self.surface(index).name.clone(),
             source,
         }
     }

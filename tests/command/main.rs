@@ -7,6 +7,7 @@
 
 mod answers;
 mod colours;
+mod conversions;
 #[cfg(feature = "proptest")]
 mod fuzzing;
 mod gradient_cuts;
@@ -14,6 +15,7 @@ mod grids;
 mod keys;
 mod light;
 mod materials;
+mod matrices;
 mod refusals;
 mod sampling;
 mod scene_files;

@@ -162,7 +162,7 @@ fn bad_files_are_refused_and_nothing_is_written() {
             String::new(),
             ["\"End of data\" is missing", "add it"],
         ),
-        ("room.stl", wall.to_owned(), [".obj", ".vs3"]),
+        ("room.step", wall.to_owned(), [".obj", ".stl"]),
     ] {
         assert_refused(&written(&folder, name, text), &parts);
     }
@@ -189,6 +189,7 @@ fn scenes_are_converted() {
     for refused in [
         ["convert", "cornell-box", &path("room.vs3")],
         ["convert", "cornell-box", &path("room.stl")],
+        ["convert", "cornell-box", &path("room.step")],
         ["convert", "cornell-box", &path("no folder/room.obj")],
         ["convert", "cornell-box", &path("room #1.obj")],
         ["convert", "nothing", &path("room.obj")],

@@ -154,10 +154,10 @@ pub enum Fault {
         /// Most bytes that are read.
         limit: u64,
     },
-    /// Neither of the two formats, to judge by its name.
+    /// None of the formats, to judge by its name.
     #[error(
-        "its name does not say what it is: a scene is a Wavefront .obj or a View3D .vs3 file, so \
-         rename or export it"
+        "its name does not say what it is: a scene is a Wavefront .obj, a View3D .vs3 or an .stl \
+         file, so rename or export it"
     )]
     UnknownFormat,
     /// Two bytes for each letter.
@@ -283,8 +283,39 @@ pub enum Fault {
         source: Box<SceneError>,
     },
     /// The last line is not there.
-    #[error("the line \"End of data\" is missing: add it, unless the file was cut short")]
-    NoEnd,
+    #[error("the line \"{last}\" is missing: add it, unless the file was cut short")]
+    NoEnd {
+        /// The beginning of that line.
+        last: &'static str,
+    },
+    /// A statement stands where it cannot.
+    #[error("\"{keyword}\" belongs {place}: move it there")]
+    Misplaced {
+        /// The statement.
+        keyword: String,
+        /// The place for it.
+        place: &'static str,
+    },
+    /// Too few bytes for the head of a binary STL file.
+    #[error(
+        "it has {bytes} bytes and does not begin with \"solid\": an STL file is such a text, or \
+         begins with a head of 84 bytes, so export the shape again"
+    )]
+    NoStlHead {
+        /// Bytes of the file.
+        bytes: usize,
+    },
+    /// The head of a binary STL file counts more facets than there are.
+    #[error(
+        "its head counts {counted} facets and {held} are there: it was cut short, or its head is \
+         wrong, so export the shape again"
+    )]
+    FacetsMissing {
+        /// Facets that the head counts.
+        counted: usize,
+        /// Whole facets in the file.
+        held: usize,
+    },
 }
 
 /// The format has no place for something that the scene has.
@@ -297,6 +328,11 @@ pub struct NotExpressible {
     pub what: String,
     /// The remedy.
     pub mend: &'static str,
+}
+
+impl NotExpressible {
+    /// The remedy of a patch with more corners than the format's faces have.
+    pub const SPLIT: &'static str = "cut it into triangles";
 }
 
 /// The remedy of a shape, as far as the geometry does not name it itself.

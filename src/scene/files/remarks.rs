@@ -6,6 +6,9 @@ use super::source::Source;
 use std::collections::BTreeMap;
 use std::path::Path;
 
+/// The letters of a name that count: each face has a copy.
+const LONGEST_NAME: usize = 64;
+
 /// The number of words without effect that are named.
 const MOST_WORDS: usize = 20;
 
@@ -22,6 +25,8 @@ pub(crate) enum Remark {
     AfterCoordinates,
     /// A name is cut.
     LongName,
+    /// The normal of a facet points to its back.
+    NormalToTheBack,
     /// A byte is not UTF-8.
     Latin1,
 }
@@ -45,6 +50,8 @@ pub(crate) struct Remarks {
     kinds: BTreeMap<Remark, Tally>,
     words: Vec<(String, Tally)>,
     more_words: Option<Tally>,
+    /// Whether places are numbers of facets, and not lines.
+    is_of_facets: bool,
 }
 
 impl Remarks {
@@ -55,6 +62,23 @@ impl Remarks {
             remarks.kinds.insert(Remark::Latin1, Tally { count, first });
         }
         remarks
+    }
+
+    /// Remarks about a file without lines, whose places are the numbers of facets.
+    pub(crate) fn of_facets() -> Self {
+        Self {
+            is_of_facets: true,
+            ..Self::default()
+        }
+    }
+
+    /// A name of bounded length.
+    pub(crate) fn short_name(&mut self, line: usize, mut name: String) -> String {
+        if let Some((end, _)) = name.char_indices().nth(LONGEST_NAME) {
+            name.truncate(end);
+            self.count(Remark::LongName, line);
+        }
+        name
     }
 
     /// Counts what was mended of a face.
@@ -91,10 +115,9 @@ impl Remarks {
     /// The remarks as sentences, each with the name of the file.
     pub(crate) fn into_notes(self, file: &Path) -> Vec<String> {
         let ignored = self.ignored();
-        let kinds = self
-            .kinds
-            .iter()
-            .map(|(kind, tally)| sentence(*kind, *tally));
+        let unit = if self.is_of_facets { "facet" } else { "line" };
+        let kinds = self.kinds.iter();
+        let kinds = kinds.map(|(kind, tally)| sentence(*kind, *tally, unit));
         let all = kinds.chain(ignored);
         all.map(|text| format!("{}: {text}", file.display()))
             .collect()
@@ -114,7 +137,7 @@ impl Remarks {
     }
 }
 
-fn sentence(kind: Remark, Tally { count, first }: Tally) -> String {
+fn sentence(kind: Remark, Tally { count, first }: Tally, unit: &str) -> String {
     let (one, several, rest) = match kind {
         Remark::Mended(Mend::Repeat) => (
             "face repeats a corner",
@@ -152,6 +175,11 @@ fn sentence(kind: Remark, Tally { count, first }: Tally) -> String {
             "names are very long",
             "; its beginning counts",
         ),
+        Remark::NormalToTheBack => (
+            "normal points to the back of its facet",
+            "normals point to the back of their facets",
+            "; the order of the corners says which side is the front",
+        ),
         Remark::Latin1 => (
             "byte is not UTF-8 and read as Latin-1",
             "bytes are not UTF-8 and read as Latin-1",
@@ -159,5 +187,5 @@ fn sentence(kind: Remark, Tally { count, first }: Tally) -> String {
         ),
     };
     let what = if count == 1 { one } else { several };
-    format!("{count} {what}{rest} (first: line {first})")
+    format!("{count} {what}{rest} (first: {unit} {first})")
 }

@@ -67,6 +67,14 @@ impl Source {
     /// # Errors
     /// [`Fault::CannotRead`], [`Fault::IsFolder`], [`Fault::TooLarge`], [`Fault::Utf16`].
     pub fn read(path: &Path) -> Result<Self, FileError> {
+        Self::from_bytes(path, Self::bytes(path)?)
+    }
+
+    /// The bytes of a file.
+    ///
+    /// # Errors
+    /// [`Fault::CannotRead`], [`Fault::IsFolder`], [`Fault::TooLarge`].
+    pub(crate) fn bytes(path: &Path) -> Result<Vec<u8>, FileError> {
         Self::check(path)?;
         let mut bytes = Vec::new();
         fs::File::open(path)
@@ -75,7 +83,7 @@ impl Source {
         if bytes.len() as u64 > LARGEST {
             return Err(FileError::of_file(path, Fault::TooLarge { limit: LARGEST }));
         }
-        Self::from_bytes(path, bytes)
+        Ok(bytes)
     }
 
     /// Checks that there is a file that could be read.

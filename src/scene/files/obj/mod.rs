@@ -41,9 +41,6 @@ const FACE: &str = "\"f a b c\", with a vertex number for each corner";
 /// Statements that give a name: all of the line, `#` included.
 const NAMING: [&str; 4] = ["o", "g", "usemtl", "mtllib"];
 
-/// The letters of a name that count: each face has a copy.
-const LONGEST_NAME: usize = 64;
-
 /// Numbers that may follow the coordinates of a vertex: a weight, or a colour and its opacity.
 const MOST_AFTER_COORDINATES: usize = 4;
 
@@ -198,11 +195,11 @@ impl Reader<'_> {
             }
             "f" | "F" | "fo" => self.face(line, rest)?,
             "o" => {
-                self.object = self.short(line, name());
+                self.object = self.remarks.short_name(line, name());
                 self.wholes = self.wholes();
             }
             "g" => {
-                let name = self.short(line, name());
+                let name = self.remarks.short_name(line, name());
                 self.group = if name == "default" {
                     String::new()
                 } else {
@@ -224,15 +221,6 @@ impl Reader<'_> {
             _ => self.remarks.ignore(keyword, line),
         }
         Ok(())
-    }
-
-    /// A name of bounded length.
-    fn short(&mut self, line: usize, mut name: String) -> String {
-        if let Some((end, _)) = name.char_indices().nth(LONGEST_NAME) {
-            name.truncate(end);
-            self.remarks.count(Remark::LongName, line);
-        }
-        name
     }
 
     fn face(&mut self, line: usize, rest: &str) -> Result<(), FileError> {

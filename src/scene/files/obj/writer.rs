@@ -1,10 +1,13 @@
 //! A scene as Wavefront OBJ and MTL.
 
 use crate::scene::files::error::{NotExpressible, excerpt};
-use crate::scene::{Channels, NamedPatch, PatchMaterial, Scene};
+use crate::scene::files::plain::plain_rows;
+use crate::scene::{Channels, PatchMaterial, Scene};
 use glam::DVec3;
 use std::collections::HashMap;
 use std::fmt::Write;
+
+const FORMAT: &str = "Wavefront OBJ";
 
 /// The two texts of a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -20,57 +23,42 @@ const UNKNOWN: &str = "unknown";
 
 /// Writes a scene whose materials go to a file of the name `library`.
 ///
-/// Shapes and materials read back exactly. Names do if they are a text and the number of the patch
-/// among those of that text, as the reader makes them; else the reader puts such a number after
-/// them. `#` and `\` in a name become `_`. Materials that are not known are named and not defined.
+/// Shapes and materials read back exactly; a row without area is a face that is one point. Names do
+/// if they are a text and the number of the patch among those of that text, as the reader makes
+/// them; else the reader puts such a number after them. `\` in a name becomes `_`. Materials that
+/// are not known are named and not defined.
 ///
 /// # Errors
 /// [`NotExpressible`] if polygons only obstruct, a patch lies in another one, or patches are
 /// summed; or if `library` is no name that such a file can hold.
 pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible> {
-    let not = |what: &str| NotExpressible {
-        format: "Wavefront OBJ",
-        what: what.to_owned(),
-        mend: "write View3D .vs3",
-    };
-    let count = scene.patches().len();
     if library.is_empty() || library.trim() != library || library.contains(['#', '\\', '\n']) {
         return Err(NotExpressible {
-            format: "Wavefront OBJ",
+            format: FORMAT,
             what: format!("its materials are in \"{}\"", excerpt(library)),
             mend: "choose a name without # and \\, and without spaces around it",
         });
     }
-    if !scene.obstructions().is_empty() {
-        return Err(not("a polygon only obstructs"));
-    }
-    if let Some(part) = (0..count).find(|index| scene.base_of(*index).is_some()) {
-        return Err(not(&format!("patch {part} lies in another one")));
-    }
-    if scene.group_count() < count {
-        return Err(not("patches are summed into one row"));
-    }
+    let rows = plain_rows(scene, FORMAT)?;
     let (mut obj, mut mtl) = (format!("mtllib {library}\n"), String::new());
     let mut vertices = VertexNumbers::default();
     let mut materials: Vec<PatchMaterial> = Vec::new();
     let mut named: HashMap<String, usize> = HashMap::new();
     let mut current = (String::new(), String::new());
-    for patch in scene.patches() {
-        let group = group_of(patch, &mut named);
-        let material = patch.material();
-        let material = if is_known(material) {
-            let place = materials.iter().position(|known| known == material);
+    for row in rows {
+        let group = group_of(row.name, &mut named);
+        let material = if is_known(row.material) {
+            let place = materials.iter().position(|known| known == row.material);
             let place = place.unwrap_or_else(|| {
-                materials.push(material.clone());
+                materials.push(row.material.clone());
                 materials.len() - 1
             });
             format!("m{place}")
         } else {
             UNKNOWN.to_owned()
         };
-        let corners: Vec<usize> = patch
-            .shape()
-            .corners()
+        let corners: Vec<usize> = row
+            .corners
             .iter()
             .map(|corner| {
                 vertices.number_or(*corner, |_| {
@@ -119,8 +107,8 @@ fn is_known(material: &PatchMaterial) -> bool {
 }
 
 /// The name without the number that the reader will put after it.
-fn group_of(patch: &NamedPatch, named: &mut HashMap<String, usize>) -> String {
-    let name = patch.name().replace(['#', '\\'], "_");
+fn group_of(name: &str, named: &mut HashMap<String, usize>) -> String {
+    let name = name.replace('\\', "_");
     let words: Vec<&str> = name.split_whitespace().collect();
     let without_number = words.split_last().and_then(|(last, group)| {
         let group = group.join(" ");

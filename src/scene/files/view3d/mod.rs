@@ -65,7 +65,8 @@ pub fn read_view3d(source: &Source, faces: NonPlanarFaces) -> Result<LoadedScene
         }
     }
     if !has_end {
-        faults.push(FileError::of_file(source.file(), Fault::NoEnd));
+        let last = "End of data";
+        faults.push(FileError::of_file(source.file(), Fault::NoEnd { last }));
     }
     let scene = assemble(source, &mut reader, faces.into(), faults)?;
     let mut notes = reader.remarks.into_notes(source.file());

@@ -34,12 +34,17 @@ pub fn write_view3d(scene: &Scene) -> Result<String, NotExpressible> {
             let lead = leads.entry(scene.group_of(index)).or_insert(index);
             combined = if *lead < index { *lead + 1 } else { 0 };
         }
-        let reflectance = patch.material().reflectance().map_or(0.0, Channels::mean);
-        let emissivity = complement(&format!("{reflectance:?}")).unwrap_or_else(|| "1".to_owned());
+        let reflectance = patch.material().reflectance();
+        let emissivity = emissivity(reflectance.map_or(0.0, Channels::mean));
         let name = word_by_word(patch.name());
         let _ = writeln!(surfaces, " {base} {combined} {emissivity} {name}");
     }
     Ok(format!("F 3\n{points}{surfaces}End of data\n"))
+}
+
+/// The emissivity of a surface with this reflectance, as a decimal: 1 − reflectance, not rounded.
+pub(crate) fn emissivity(reflectance: f64) -> String {
+    complement(&format!("{reflectance:?}")).unwrap_or_else(|| "1".to_owned())
 }
 
 /// Notes on what [`write_view3d`] leaves out of a scene.
@@ -54,7 +59,11 @@ pub(crate) fn left_out_of_view3d(scene: &Scene) -> Vec<String> {
         (unknown, "whose material is not known are written as black"),
         (coloured, "are coloured and have the mean of their channels"),
     ];
-    let notes = notes.into_iter().filter(|(patches, _)| *patches > 0);
+    let without_area = scene.empty_rows().len();
+    let notes = notes
+        .into_iter()
+        .chain([(without_area, "without an area are left out")]);
+    let notes = notes.filter(|(patches, _)| *patches > 0);
     notes
         .map(|(patches, what)| format!("{patches} patches {what}"))
         .collect()
@@ -86,7 +95,7 @@ fn corners(
             patch.name(),
             given.len()
         );
-        return Err(not(what, "cut it into triangles or quadrilaterals"));
+        return Err(not(what, NotExpressible::SPLIT));
     }
     let mut numbers = [0; 4];
     for (number, corner) in numbers.iter_mut().zip(given) {

@@ -8,15 +8,17 @@ mod obj;
 mod outlines;
 mod refusals;
 mod round_trip;
+mod stl;
 mod view3d;
 
 use infoscene::scene::files::{
-    FileError, FileErrors, LoadedScene, NonPlanarFaces, Source, read_obj, read_view3d,
+    FileError, FileErrors, LoadedScene, NonPlanarFaces, Source, read_obj, read_stl, read_view3d,
 };
+use std::path::Path;
 
 /// A library that no file is in.
 fn no_library(name: &str) -> Result<Source, FileError> {
-    Source::read(&std::path::Path::new("/nowhere").join(name))
+    Source::read(&Path::new("/nowhere").join(name))
 }
 
 fn obj(text: &str) -> Result<LoadedScene, FileErrors> {
@@ -36,4 +38,8 @@ fn obj_with(text: &str, materials: &str) -> Result<LoadedScene, FileErrors> {
 
 fn vs3(text: &str) -> Result<LoadedScene, FileErrors> {
     read_view3d(&Source::new("room.vs3", text), NonPlanarFaces::Refuse)
+}
+
+fn stl(bytes: impl Into<Vec<u8>>) -> Result<LoadedScene, FileErrors> {
+    read_stl(Path::new("room.stl"), bytes.into(), NonPlanarFaces::Refuse)
 }

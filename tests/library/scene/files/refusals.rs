@@ -251,7 +251,7 @@ fn files_that_are_not_there_are_refused() {
         ("missing.obj", "cannot be read"),
         ("missing.vs3", "cannot be read"),
         ("folder.obj", "it is a folder"),
-        ("room.txt", "Wavefront .obj or a View3D .vs3"),
+        ("room.txt", "Wavefront .obj, a View3D .vs3 or an .stl"),
     ] {
         let path = path(name);
         let refusal = read(&path, NonPlanarFaces::Refuse).unwrap_err();
