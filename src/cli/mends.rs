@@ -126,6 +126,7 @@ fn cause<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'stati
         _ => {}
     }
     match error.downcast_ref() {
+        Some(QuestionError::Open(inner)) => return Some(inner),
         Some(QuestionError::Scene(inner)) => return Some(inner),
         Some(QuestionError::NotExpressible(inner)) => return Some(inner),
         Some(QuestionError::Exchange(inner)) => return Some(inner),

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 /// The letters of a name that count: each face has a copy.
-const LONGEST_NAME: usize = 100;
+const LONGEST_NAME: usize = 64;
 
 /// The number of words without effect that are named.
 const MOST_WORDS: usize = 20;

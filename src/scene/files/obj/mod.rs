@@ -91,11 +91,16 @@ pub fn read_obj(
         group: String::new(),
         wholes: Arc::default(),
         faces: 0,
+        faulty: 0,
         faces_named: HashMap::new(),
         patches: Vec::new(),
         rows: Rows::default(),
         remarks: Remarks::of(source),
     };
+    // a list that grows takes its memory twice for a moment
+    let may_be_face = |text: &str| text.starts_with('f') && text.len() >= "f 1 2 3".len();
+    let faces = source.lines().filter(|(_, text)| may_be_face(text));
+    reader.patches.reserve(faces.count());
     let mut faults = FileErrors::default();
     for (line, text) in logical_lines(source) {
         faults.keep(reader.statement(line, &text));
@@ -163,8 +168,10 @@ struct Reader<'a> {
     group: String,
     /// The names of object and group, which those of their faces begin with.
     wholes: Arc<[String]>,
-    /// The number of faces so far.
+    /// The number of faces with patches so far.
     faces: usize,
+    /// The number of faces that are at fault.
+    faulty: usize,
     faces_named: HashMap<String, usize>,
     patches: Vec<NamedPatch>,
     rows: Rows,
@@ -222,18 +229,20 @@ impl Reader<'_> {
         let number = self.faces_named.entry(group.clone()).or_insert(0);
         let name = format!("{group} {number}");
         *number += 1;
-        let index = self.rows.len();
-        let at = |fault| {
-            let patch = format!("{index} ({})", excerpt(&name));
-            self.source.patch_fault(line, patch, fault)
+        let index = self.rows.len() + self.faulty;
+        let face = self.corners(rest).and_then(|corners| {
+            // the fault of a vertex is told already
+            let is_known = corners.iter().all(|corner| corner.is_finite());
+            let face = is_known.then(|| face_of(corners, self.rules)).transpose();
+            face.map_err(|source| Fault::Geometry { source })
+        });
+        let Ok(Some(face)) = face else {
+            self.faulty += 1;
+            return face.map(|_| ()).map_err(|fault| {
+                let patch = format!("{index} ({})", excerpt(&name));
+                self.source.patch_fault(line, patch, fault)
+            });
         };
-        let corners = self.corners(rest).map_err(at)?;
-        if corners.iter().any(|corner| !corner.is_finite()) {
-            // the fault of a vertex, which is told already
-            return Ok(());
-        }
-        let face = face_of(corners, self.rules);
-        let face = face.map_err(|source| at(Fault::Geometry { source }))?;
         self.remarks.count_face(&face, line);
         self.add(name, face);
         Ok(())

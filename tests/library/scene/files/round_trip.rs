@@ -112,7 +112,8 @@ proptest! {
                 let [r, g, b] = channels
                     .map(|(reflectance, emittance)| Material::try_new(reflectance, emittance))
                     .map(Result::unwrap);
-                NamedPatch::new(name, shape).with_material(Channels { r, g, b })
+                let patch = NamedPatch::new(name, shape).with_material(Channels { r, g, b });
+                patch.with_wholes([label.to_owned()].into())
             });
         let scene = Scene::try_new(patches.collect()).unwrap();
         let back = read_back_obj(&scene);
