@@ -6,7 +6,7 @@
 //! by the allocator of this program, which is why it is one of its own.
 
 use infoscene::scene::files::{
-    FileErrors, LoadedScene, NonPlanarFaces, Source, read_obj, read_view3d,
+    FileErrors, LoadedScene, NonPlanarFaces, Source, read_obj, read_stl, read_view3d,
 };
 use peak_alloc::PeakAlloc;
 use std::panic::catch_unwind;
@@ -28,22 +28,26 @@ const SMALLEST: usize = 1024;
 type Read = fn(&[u8], NonPlanarFaces) -> Result<LoadedScene, FileErrors>;
 
 struct Format {
-    seeds: &'static [&'static str],
+    seeds: fn() -> Vec<Vec<u8>>,
     read: Read,
 }
 
-const FORMATS: [Format; 3] = [
+const FORMATS: [Format; 4] = [
     Format {
-        seeds: &[OBJ, OUTLINES],
+        seeds: || vec![OBJ.into(), OUTLINES.into()],
         read: obj,
     },
     Format {
-        seeds: &[MTL],
+        seeds: || vec![MTL.into()],
         read: mtl,
     },
     Format {
-        seeds: &[VS3],
+        seeds: || vec![VS3.into()],
         read: vs3,
+    },
+    Format {
+        seeds: || vec![STL.into(), binary_stl(3)],
+        read: stl,
     },
 ];
 
@@ -61,6 +65,28 @@ const VS3: &str = "T title\nC encl=1 eps=1e-4\nF 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 
     V 5 .5 .5 1e0\nS 1 1 2 3 4 0 0 .9 floor ! part\nS 2 1 2 3 0 1 0 .25 mat\nS 3 1 2 5 0 0 0 1 a\n\
     S 4 2 3 5 5 0 3 1 b\nS 5 1 2 2 1 0 0 1 thread\nO 6 3 4 5 0\nEnd of data\n";
 
+const STL: &str = "solid room\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n\
+    vertex 1 1 0.0\n  endloop\n endfacet\n facet normal 0 0 -1\n  outer loop\n   vertex 0 0 0\n\
+    vertex 1 1 0\n   vertex 0 1 0\n  endloop\n endfacet\nendsolid room\nsolid\n facet normal 1 0 0\n\
+    outer loop\n vertex 0 0 0\n vertex 0 1 0\n vertex 0 .5 1e0\n endloop\n endfacet\nendsolid\n";
+
+/// So many facets, one of which has no area.
+fn binary_stl(facets: u8) -> Vec<u8> {
+    let mut bytes = vec![b' '; 80];
+    bytes.extend([facets, 0, 0, 0]);
+    for facet in 0..facets {
+        let x = f32::from(facet);
+        let numbers = [0.0, 0.0, 1.0, x, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.5];
+        bytes.extend(numbers.into_iter().flat_map(f32::to_le_bytes));
+        bytes.extend([0, 0]);
+    }
+    bytes
+}
+
+fn stl(bytes: &[u8], faces: NonPlanarFaces) -> Result<LoadedScene, FileErrors> {
+    read_stl("a.stl".as_ref(), bytes.to_vec(), faces)
+}
+
 fn obj(bytes: &[u8], faces: NonPlanarFaces) -> Result<LoadedScene, FileErrors> {
     let library = |_: &str| Ok(Source::new("a.mtl", MTL));
     let source = Source::from_bytes("a.obj", bytes.to_vec())?;
@@ -77,7 +103,12 @@ fn vs3(bytes: &[u8], faces: NonPlanarFaces) -> Result<LoadedScene, FileErrors> {
 }
 
 /// Words that a file may have where it should not, most of them at the ends of what is allowed.
-const WORDS: [&str; 44] = [
+const WORDS: [&str; 49] = [
+    "solid",
+    "facet",
+    "vertex",
+    "endfacet",
+    "endsolid",
     "v",
     "f",
     "o",
@@ -138,7 +169,7 @@ impl Random {
 }
 
 /// The file changed once.
-fn changed(file: &[u8], seeds: &[&str], random: &mut Random) -> Vec<u8> {
+fn changed(file: &[u8], seeds: &[Vec<u8>], random: &mut Random) -> Vec<u8> {
     let at = random.below(file.len() + 1);
     let end = (at + 1 + random.below(12)).min(file.len());
     let (before, after) = (&file[..at], &file[at..]);
@@ -154,7 +185,7 @@ fn changed(file: &[u8], seeds: &[&str], random: &mut Random) -> Vec<u8> {
         2 => [before, rest].concat(),
         3 => before.to_vec(),
         4 => {
-            let other = seeds[random.below(seeds.len())].as_bytes();
+            let other = &seeds[random.below(seeds.len())];
             [before, &other[random.below(other.len())..]].concat()
         }
         5 => changed_words(file, random),
@@ -234,13 +265,12 @@ fn check(read: Read, bytes: &[u8]) -> Result<(), String> {
 }
 
 fn check_mutated(format: &Format, count: u64) {
+    let seeds = (format.seeds)();
     for case in 0..count {
         let mut random = Random(case);
-        let mut file = format.seeds[random.below(format.seeds.len())]
-            .as_bytes()
-            .to_vec();
+        let mut file = seeds[random.below(seeds.len())].clone();
         for _ in 0..1 + random.below(6) {
-            file = changed(&file, format.seeds, &mut random);
+            file = changed(&file, &seeds, &mut random);
         }
         if let Err(what) = check(format.read, &file) {
             panic!("case {case}: {what}\n{:?}", String::from_utf8_lossy(&file));
@@ -253,8 +283,8 @@ fn check_mutated(format: &Format, count: u64) {
 fn mutated_files_are_read_or_refused() {
     let _turn = TURN.lock().unwrap_or_else(PoisonError::into_inner);
     for format in &FORMATS {
-        for seed in format.seeds {
-            (format.read)(seed.as_bytes(), NonPlanarFaces::Triangulate).unwrap();
+        for seed in (format.seeds)() {
+            (format.read)(&seed, NonPlanarFaces::Triangulate).unwrap();
         }
         check_mutated(format, 10_000 / FORMATS.len() as u64);
     }
@@ -331,6 +361,23 @@ fn no_file_asks_for_more_memory_than_it_is_worth() {
         for text in [text.clone(), format!("{text}End of data\n")] {
             check(vs3, text.as_bytes()).unwrap_or_else(|what| panic!("{what}: {:.60}", text));
         }
+    }
+    let facet = "facet\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendfacet\n";
+    for text in [
+        many("solid\n", &|_| facet.to_owned()),
+        many(&format!("solid {name}\n"), &|_| facet.to_owned()),
+        many("solid\n", &|_| facet.replace("0 1 0", "0 0 0")),
+        many("", &|number| format!("solid {number}\n{facet}endsolid\n")),
+        many("", &|number| format!("solid {number}\nendsolid\n")),
+        many("solid\n", &|_| "facet\n".to_owned()),
+        many("solid\n", &|_| "vertex x\n".to_owned()),
+    ] {
+        for text in [text.clone(), format!("{text}endsolid\n")] {
+            check(stl, text.as_bytes()).unwrap_or_else(|what| panic!("{what}: {:.60}", text));
+        }
+    }
+    for facets in [1, 255] {
+        check(stl, &binary_stl(facets)).unwrap();
     }
     let materials = [
         many("", &|number| format!("newmtl {number}\nKd 1 1 1\n")),
