@@ -228,11 +228,11 @@ impl Scene {
         }
     }
 
-    /// The refusal of a patch's shape, with its name.
+    /// The refusal of a surface's shape, with its name.
     pub(crate) fn refused(&self, index: usize, source: GeometryError) -> SceneError {
         SceneError::Patch {
             index,
-            name: self.patches[index].name.clone(),
+            name: self.surface(index).name.clone(),
             source,
         }
     }
