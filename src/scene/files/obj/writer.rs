@@ -25,7 +25,8 @@ const UNKNOWN: &str = "unknown";
 ///
 /// Shapes and materials read back exactly; a row without area is a face that is one point. Names do
 /// if they are a text and the number of the patch among those of that text, as the reader makes
-/// them; else the reader puts such a number after them. `#` and `\` in a name become `_`. Materials that are not known are named and not defined.
+/// them; else the reader puts such a number after them. `\` in a name becomes `_`. Materials that
+/// are not known are named and not defined.
 ///
 /// # Errors
 /// [`NotExpressible`] if polygons only obstruct, a patch lies in another one, or patches are
@@ -107,7 +108,7 @@ fn is_known(material: &PatchMaterial) -> bool {
 
 /// The name without the number that the reader will put after it.
 fn group_of(name: &str, named: &mut HashMap<String, usize>) -> String {
-    let name = name.replace(['#', '\\'], "_");
+    let name = name.replace('\\', "_");
     let words: Vec<&str> = name.split_whitespace().collect();
     let without_number = words.split_last().and_then(|(last, group)| {
         let group = group.join(" ");

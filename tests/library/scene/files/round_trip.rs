@@ -106,7 +106,7 @@ proptest! {
         let patches = patches
             .into_iter()
             .map(|(shape, channels, name)| {
-                let label = ["floor", "side wall", "a 1"][name];
+                let label = ["floor", "side wall", "a # 1"][name];
                 counts[name] += 1;
                 let name = format!("{label} {}", counts[name] - 1);
                 let [r, g, b] = channels
