@@ -19,6 +19,7 @@ mod form_factors;
 mod fuzz;
 mod grid;
 mod light;
+mod lights;
 mod material_changes;
 mod measure;
 mod patch_name;
@@ -46,13 +47,14 @@ pub use form_factors::{FormFactorRecord, FormFactors, FormFactorsAnswer, PatchRe
 pub use fuzz::{Fuzz, FuzzAnswer};
 pub use grid::{Grid, GridAnswer, GridEnclosures, GridLines, GridSample};
 pub use light::{Light, SceneChain};
+pub use lights::{ChannelLight, ChannelSolution, Power};
 pub use material_changes::MaterialChanges;
 pub use measure::{
     Contribution, FacePairRecord, Measure, MeasureAnswer, PairLossRecord, RowSumRecord,
 };
 pub use patch_name::{PatchName, PatchNameError};
 pub use patch_values::{PatchValue, PatchValueError};
-pub use radiosity::{ChannelLight, ChannelSolution, PatchLight, Power, Radiosity, RadiosityAnswer};
+pub use radiosity::{PatchLight, Radiosity, RadiosityAnswer};
 pub use reproduce::{JudgedClaim, Reproduce, ReproduceAnswer};
 pub use sample::{Sample, SampleAnswer};
 pub use sampled_information::SampledInformation;

@@ -79,7 +79,7 @@ impl<T> Channels<T> {
 }
 
 impl<T: Copy + PartialEq> Channels<T> {
-    /// The same value for all channels.
+    /// One value for all channels.
     #[must_use]
     pub const fn grey(value: T) -> Self {
         Self {

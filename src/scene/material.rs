@@ -208,7 +208,7 @@ impl PatchMaterial {
 }
 
 impl From<Material> for PatchMaterial {
-    /// The same material in all channels.
+    /// One material for all channels.
     fn from(material: Material) -> Self {
         Channels::grey(material).into()
     }

@@ -138,8 +138,9 @@ fn a_room_without_a_sink_is_refused_by_name() {
         RadiositySystem::of_matrix(&both, (0..12).map(reflectance).collect())
     };
     assert!(with(&[3, 7]).is_ok());
-    for (absorber, expected) in [(3, 6..12), (7, 0..6)] {
-        let refusal = with(&[absorber]).unwrap_err();
+    let none: &[usize] = &[];
+    for (absorbers, expected) in [(&[3][..], 6..12), (&[7], 0..6), (none, 0..6)] {
+        let refusal = with(absorbers).unwrap_err();
         let TransportError::NoSink { group } = refusal else {
             panic!("{refusal}");
         };

@@ -16,9 +16,11 @@ use crate::scene::files::error::{Fault, FileError};
 use crate::scene::files::source::Source;
 use std::path::{Component, Path, PathBuf};
 
-/// Words that one name of a file may have, and words of a line that are looked at.
+/// Words that the name of one file may have.
 const MOST_WORDS: usize = 8;
-const MOST_NAMES: usize = 64;
+
+/// Words of a line that are looked at.
+const MOST_LOOKED_AT: usize = 64;
 
 /// The library that a file `scene` means by a name.
 ///
@@ -40,7 +42,11 @@ pub(crate) fn read_beside(scene: &Path, name: &str) -> Result<Source, FileError>
             return Source::read(&path);
         }
     }
-    Source::read(&folder.join(name))
+    // a folder, or nothing at all; what else is no file may have no end
+    let path = folder.join(name);
+    Source::check(&path)?;
+    let reason = "it is no file".to_owned();
+    Err(FileError::of_file(&path, Fault::CannotRead { reason }))
 }
 
 /// Whether a library was found where a name says.
@@ -85,7 +91,7 @@ fn in_any_case(folder: &Path, name: &str) -> Result<Option<PathBuf>, FileError> 
     Ok(path.is_file().then_some(path))
 }
 
-/// What a folder has under a name: exactly, or but for the case of letters.
+/// The entry of a folder under a name: of this name exactly, or but for the case of letters.
 fn child(folder: &Path, name: &str) -> Result<Option<PathBuf>, FileError> {
     let exact = folder.join(name);
     if exact.exists() {
@@ -124,7 +130,7 @@ pub(crate) fn libraries(
     }
     let words = words(names);
     let (mut found, mut at) = (Vec::new(), 0);
-    while at < words.len() && at < MOST_NAMES {
+    while at < words.len() && at < MOST_LOOKED_AT {
         let end = words.len().min(at + MOST_WORDS);
         let text = |end: usize| &names[words[at].0..words[end - 1].1];
         let read = (at + 1..=end)
@@ -154,52 +160,4 @@ fn words(text: &str) -> Vec<(usize, usize)> {
     text.split_whitespace()
         .map(|word| (start(word), start(word) + word.len()))
         .collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Fault, FileError, Source, libraries};
-    use std::path::Path;
-
-    fn names(line: &str, files: &[&str]) -> Vec<(String, bool)> {
-        let open = |name: &str| {
-            let reason = "not there".to_owned();
-            let missing = FileError::of_file(Path::new(name), Fault::CannotRead { reason });
-            files
-                .contains(&name)
-                .then(|| Source::new(name, ""))
-                .ok_or(missing)
-        };
-        let found = libraries(line, open).into_iter();
-        found
-            .map(|(name, read)| (name.to_owned(), read.is_ok()))
-            .collect()
-    }
-
-    /// The words of a line are cut where files are, and missing names end in `.mtl`.
-    #[test]
-    fn a_line_is_cut_into_the_files_that_are_there() {
-        let found = |names: &[(&str, bool)]| -> Vec<(String, bool)> {
-            let names = names.iter();
-            names.map(|(name, is)| ((*name).to_owned(), *is)).collect()
-        };
-        let files = ["a.mtl", "my paint.mtl", "b c.mtl", "c.mtl", "d #1.mtl"];
-        for (line, expected) in [
-            ("my paint.mtl", &[("my paint.mtl", true)] as &[_]),
-            (
-                "a.mtl my paint.mtl",
-                &[("a.mtl", true), ("my paint.mtl", true)],
-            ),
-            ("b c.mtl  a.mtl", &[("b c.mtl", true), ("a.mtl", true)]),
-            (
-                "gone far.mtl a.mtl",
-                &[("gone far.mtl", false), ("a.mtl", true)],
-            ),
-            ("a.mtl # paints", &[("a.mtl", true)]),
-            ("d #1.mtl", &[("d #1.mtl", true)]),
-            ("no extension", &[("no extension", false)]),
-        ] {
-            assert_eq!(names(line, &files), found(expected), "{line}");
-        }
-    }
 }

@@ -89,9 +89,7 @@ impl<'a> Materials<'a> {
                 "{place}, line {line}: \"{name}\" is read from {file}"
             ));
         }
-        let Library {
-            definitions, notes, ..
-        } = Library::read(library);
+        let Library { definitions, notes } = Library::read(library);
         self.notes.extend(notes);
         for definition in definitions {
             self.names.add(&definition.name, self.definitions.len());
@@ -147,7 +145,7 @@ impl<'a> Materials<'a> {
         }
     }
 
-    /// What there is to say of libraries and names.
+    /// The notes on libraries and names.
     pub(crate) fn into_notes(self) -> Vec<String> {
         self.notes
     }

@@ -6,13 +6,14 @@
 //!
 //! A name is all that follows on its line. A reflectance or emittance that cannot be read, or that
 //! none can have, makes that property of the material unknown and nothing else. What says nothing
-//! about diffuse light is read over; gloss, transparency, textures and unknown words are noted as
-//! left out.
+//! about diffuse light is read over; gloss, transparency, textures and words that nobody knows are noted
+//! as left out.
 //!
 //! **Not covered**: spectral curves and CIEXYZ values, which leave the property unknown.
 
 use crate::scene::channel::Channels;
 use crate::scene::files::error::{Fault, excerpt};
+use crate::scene::files::remarks::Remarks;
 use crate::scene::files::source::{Source, number};
 use crate::scene::material::{
     MaterialFault, PatchMaterial, Property, checked_emittance, checked_reflectance,
@@ -29,13 +30,13 @@ const LEFT_OUT: [&str; 17] = [
     "aniso", "anisor", "map_kd", "map_ke",
 ];
 
-/// Unknown words that a note lists.
-const MOST_LISTED: usize = 8;
+/// Notes of a library that are told.
+const MOST_NOTES: usize = 20;
 
 /// A material as a library defines it.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Definition {
-    /// The name.
+    /// The name; empty if it is missing, so that nothing has it.
     pub name: String,
     /// The file and the line of the name.
     pub place: String,
@@ -50,44 +51,44 @@ pub(crate) struct Library {
     pub definitions: Vec<Definition>,
     /// Statements without effect, a sentence each.
     pub notes: Vec<String>,
-    unknown: Vec<String>,
 }
 
 impl Library {
     /// The library with this text.
     pub(crate) fn read(source: &Source) -> Self {
         let mut library = Self::default();
+        let mut remarks = Remarks::of(source);
         for (line, text) in source.lines() {
-            library.statement(source, line, text.trim());
+            if let Some(word) = library.statement(source, line, text.trim()) {
+                remarks.ignore(word, line);
+            }
         }
         if library.definitions.is_empty() {
             let file = source.file().display();
             library.notes = vec![format!("{file}: it defines no material")];
-        } else if !library.unknown.is_empty() {
-            let note = library.unknown_words(source);
-            library.notes.push(note);
+        } else {
+            library.notes.extend(remarks.into_notes(source.file()));
         }
         library
     }
 
-    fn statement(&mut self, source: &Source, line: usize, text: &str) {
+    /// Reads a line; if nobody knows its first word, that is returned.
+    fn statement<'t>(&mut self, source: &Source, line: usize, text: &'t str) -> Option<&'t str> {
         let (keyword, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
         match keyword.to_ascii_lowercase().as_str() {
             "" => {}
             key if key.starts_with('#') => {}
-            "newmtl" if rest.trim().is_empty() => {
-                let (what, form) = ("the name of the material", "\"newmtl name\"");
-                self.note(
-                    source
-                        .fault(line, Fault::Missing { what, form })
-                        .to_string(),
-                );
+            "newmtl" => {
+                if rest.trim().is_empty() {
+                    let (what, form) = ("the name of the material", "\"newmtl name\"");
+                    self.missing(source, line, what, form);
+                }
+                self.definitions.push(Definition {
+                    name: rest.trim().to_owned(),
+                    place: format!("{}, line {line}", source.file().display()),
+                    material: PatchMaterial::BLACK,
+                });
             }
-            "newmtl" => self.definitions.push(Definition {
-                name: rest.trim().to_owned(),
-                place: format!("{}, line {line}", source.file().display()),
-                material: PatchMaterial::BLACK,
-            }),
             key @ ("kd" | "ke") => {
                 let is_reflectance = key == "kd";
                 let values = rest.split('#').next().unwrap_or_default();
@@ -104,13 +105,9 @@ impl Library {
                     source.file().display()
                 ));
             }
-            _ => {
-                let word = format!("\"{}\"", excerpt(keyword));
-                if self.unknown.len() <= MOST_LISTED && !self.unknown.contains(&word) {
-                    self.unknown.push(word);
-                }
-            }
+            _ => return Some(keyword),
         }
+        None
     }
 
     /// Gives the material that is being defined a property.
@@ -121,31 +118,20 @@ impl Library {
             None => {
                 let what = "the material that this belongs to";
                 let form = "\"newmtl name\" before it";
-                self.note(
-                    source
-                        .fault(line, Fault::Missing { what, form })
-                        .to_string(),
-                );
+                self.missing(source, line, what, form);
             }
         }
     }
 
-    fn note(&mut self, note: String) {
-        if !self.notes.contains(&note) {
-            self.notes.push(note);
-        }
+    fn missing(&mut self, source: &Source, line: usize, what: &'static str, form: &'static str) {
+        let fault = source.fault(line, Fault::Missing { what, form });
+        self.note(fault.to_string());
     }
 
-    fn unknown_words(&self, source: &Source) -> String {
-        let listed = self.unknown.len().min(MOST_LISTED);
-        let more = if self.unknown.len() > listed {
-            " and more"
-        } else {
-            ""
-        };
-        let words = self.unknown[..listed].join(", ");
-        let file = source.file().display();
-        format!("{file}: {words}{more} are no words of Wavefront MTL and are left out")
+    fn note(&mut self, note: String) {
+        if self.notes.len() < MOST_NOTES && !self.notes.contains(&note) {
+            self.notes.push(note);
+        }
     }
 }
 

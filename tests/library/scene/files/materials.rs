@@ -1,8 +1,11 @@
 //! Materials never stand in the way of shapes: what is wrong with them is a note, and unknown.
 
 use super::{obj, obj_with, vs3};
-use infoscene::scene::files::{LoadedScene, NonPlanarFaces, read};
+use infoscene::scene::files::{
+    Fault, FileError, LoadedScene, NonPlanarFaces, Source, read, read_obj,
+};
 use infoscene::scene::{Material, PatchMaterial};
+use std::path::Path;
 
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 const FACE: &str = "f 1 2 3 4\n";
@@ -92,13 +95,16 @@ fn statements_without_a_material_are_noted() {
         &[
             "a.mtl, line 1: the material that this belongs to is missing",
             "a.mtl, line 2: the name of the material is missing",
-            "a.mtl: \"Kt\", \"Pfc\" are no words of Wavefront MTL",
+            "a.mtl: ignored, they change nothing here: Kt (2 times, first in line 4), Pfc (line 5)",
         ],
     );
     assert_eq!((grey(&loaded, 0), loaded.notes.len()), (0.0, 3));
     let loaded = obj_with(&text, &format!("{SQUARE}nothing\n")).unwrap();
     assert_noted(&loaded, &["a.mtl: it defines no material"]);
     assert!(material(&loaded, 0).reflectance().is_err());
+    // what has no name is nobody's
+    let loaded = obj_with(&text, "newmtl a\nKd .5\nnewmtl\nKd .9\n").unwrap();
+    assert_eq!(grey(&loaded, 0), 0.5);
 }
 
 /// A library that is not there, and names that nothing defines.
@@ -298,4 +304,42 @@ fn a_library_is_read_once() {
     let text = format!("{named}{SQUARE}usemtl a\n{FACE}");
     let loaded = obj_with(&text, "newmtl a\nKs 1\nKd .5\n").unwrap();
     assert_eq!((grey(&loaded, 0), loaded.notes.len()), (0.5, 1));
+}
+
+/// The words of a line are cut where files are; missing names end in `.mtl`.
+#[test]
+fn a_line_is_cut_into_the_files_that_are_there() {
+    let files = ["a.mtl", "my paint.mtl", "b c.mtl", "c.mtl", "d #1.mtl"];
+    let library = |name: &str| {
+        let reason = "not there".to_owned();
+        let missing = FileError::of_file(Path::new(name), Fault::CannotRead { reason });
+        let is_there = files.contains(&name);
+        let text = format!("newmtl {name}\nKd .5\n");
+        is_there.then(|| Source::new(name, text)).ok_or(missing)
+    };
+    for (line, found, missing) in [
+        ("my paint.mtl", &["my paint.mtl"][..], None),
+        ("a.mtl my paint.mtl", &["a.mtl", "my paint.mtl"], None),
+        ("b c.mtl  a.mtl", &["b c.mtl", "a.mtl"], None),
+        ("gone far.mtl a.mtl", &["a.mtl"], Some("gone far.mtl")),
+        ("a.mtl # paints", &["a.mtl"], None),
+        ("d #1.mtl", &["d #1.mtl"], None),
+        ("no extension", &[], Some("no extension")),
+    ] {
+        let uses = files.map(|file| format!("usemtl {file}\n{FACE}")).concat();
+        let source = Source::new("room.obj", format!("mtllib {line}\n{SQUARE}{uses}"));
+        let loaded = read_obj(&source, &library, NonPlanarFaces::Refuse).unwrap();
+        for (patch, file) in files.iter().enumerate() {
+            let is_known = material(&loaded, patch).reflectance().is_ok();
+            assert_eq!(is_known, found.contains(file), "{line}: {file}");
+        }
+        let notes = loaded.notes.join("\n");
+        let says = |name: &str| notes.contains(&format!("the material file {name}: it cannot"));
+        assert_eq!(
+            missing.is_none(),
+            !notes.contains("it cannot be read"),
+            "{notes}"
+        );
+        assert!(missing.is_none_or(says), "{notes}");
+    }
 }
