@@ -28,7 +28,7 @@ pub use polygon::cut_lines::CutLines;
 pub(crate) use polygon::outline::{CleanOutline, is_on_one_line};
 pub use polygon::quarters::quartered;
 pub(crate) use polygon::triangulation::{triangles_of, triangulated};
-pub(crate) use polygon::weakly_simple::FlatOutline;
+pub(crate) use polygon::weakly_simple::{FlatOutline, united};
 #[doc(hidden)]
 pub use rectangle::aligned::{AlignedRectangle, FlatBox};
 pub(crate) use rectangle::offsets::Offsets;

@@ -118,7 +118,8 @@ impl Convert {
                 .iter()
                 .map(|parent| scene.group_of(*parent))
                 .collect();
-            return split.with_groups(&rows);
+            let split = split.with_groups(&rows)?;
+            return split.with_empty_rows(scene.empty_rows().to_vec());
         }
         Ok(split)
     }

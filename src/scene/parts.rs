@@ -215,8 +215,8 @@ impl Scene {
         let mut patches = self.patches_of_group(row);
         match (patches.next(), patches.next()) {
             (Some(patch), None) => Ok(patch),
-            (Some(index), Some(_)) => {
-                let what = "is summed with others";
+            (Some(_), Some(_)) => {
+                let (index, what) = (row, "is summed of several");
                 Err(SceneError::NotAPatchOfItsOwn { index, what })
             }
             (None, _) => Err(match self.empty_row(row) {

@@ -137,7 +137,7 @@ fn what_changes_the_geometry_is_refused() {
         ("obstructed", "O 2 1 2 3 0\n", "a polygon only obstructs"),
         (
             "summed",
-            "S 2 1 3 4 0 0 1 .5 b\n",
+            "V 5 0 0 1\nS 2 1 4 5 0 0 1 .5 b\n",
             "patches are summed into one row",
         ),
     ] {

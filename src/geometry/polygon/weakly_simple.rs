@@ -48,14 +48,8 @@ impl FlatOutline {
         let across = normal.any_orthonormal_vector();
         let up = normal.cross(across);
         let flat = local.iter().map(|c| DVec2::new(c.dot(across), c.dot(up)));
-        let mut first = HashMap::new();
-        let places = corners.iter().enumerate().map(|(index, corner)| {
-            // zero has no sign here
-            let key = (*corner + DVec3::ZERO).to_array().map(f64::to_bits);
-            *first.entry(key).or_insert(index)
-        });
         Self {
-            places: places.collect(),
+            places: first_places(corners),
             flat: flat.collect(),
             local,
         }
@@ -273,6 +267,42 @@ impl FlatOutline {
         }
         Ok(pieces.into_iter().map(|(_, piece)| piece).collect())
     }
+}
+
+/// The outline around polygons that share edges, bridged around what they leave open; none if they
+/// do not hang together.
+pub(crate) fn united(polygons: &[&[DVec3]]) -> Option<Vec<DVec3>> {
+    let corners = polygons.concat();
+    let places = first_places(&corners);
+    let mut start = 0;
+    let outlines = polygons.iter().map(|polygon| {
+        start += polygon.len();
+        places[start - polygon.len()..start].to_vec()
+    });
+    let mut outlines: Vec<Vec<usize>> = outlines.collect();
+    let mut whole = outlines.pop()?;
+    while !outlines.is_empty() {
+        let shared = outlines.iter().enumerate().find_map(|(index, outline)| {
+            let next = outline.iter().cycle().skip(1);
+            let mut edges = outline.iter().zip(next).map(|(a, b)| [*b, *a]);
+            let edge = edges.find(|edge| place_of(&whole, *edge).is_some())?;
+            Some((index, edge))
+        });
+        let (index, edge) = shared?;
+        whole = union(&whole, &outlines.remove(index), edge);
+    }
+    Some(whole.into_iter().map(|place| corners[place]).collect())
+}
+
+/// For each corner the index of the first one at its place.
+fn first_places(corners: &[DVec3]) -> Vec<usize> {
+    let mut first = HashMap::new();
+    let places = corners.iter().enumerate().map(|(index, corner)| {
+        // zero has no sign here
+        let key = (*corner + DVec3::ZERO).to_array().map(f64::to_bits);
+        *first.entry(key).or_insert(index)
+    });
+    places.collect()
 }
 
 /// The place at which an outline runs along an edge.

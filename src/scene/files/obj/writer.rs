@@ -1,7 +1,7 @@
 //! A scene as Wavefront OBJ and MTL.
 
 use crate::scene::files::error::{NotExpressible, excerpt};
-use crate::scene::files::plain::plain_rows;
+use crate::scene::files::plain::{SummedRows, plain_rows};
 use crate::scene::{Channels, PatchMaterial, Scene};
 use glam::DVec3;
 use std::collections::HashMap;
@@ -23,14 +23,15 @@ const UNKNOWN: &str = "unknown";
 
 /// Writes a scene whose materials go to a file of the name `library`.
 ///
-/// Shapes and materials read back exactly; a row without area is a face that is one point. Names do
+/// Shapes and materials read back exactly; a row without area is a face that is one point, and
+/// patches of one row that make up a face are that face, bridged around its openings. Names do
 /// if they are a text and the number of the patch among those of that text, as the reader makes
 /// them; else the reader puts such a number after them. `\` in a name becomes `_`. Materials that
 /// are not known are named and not defined.
 ///
 /// # Errors
-/// [`NotExpressible`] if polygons only obstruct, a patch lies in another one, or patches are
-/// summed; or if `library` is no name that such a file can hold.
+/// [`NotExpressible`] if polygons only obstruct, a patch lies in another one, or patches are summed
+/// that do not make up one face; or if `library` is no name that such a file can hold.
 pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible> {
     if library.is_empty() || library.trim() != library || library.contains(['#', '\\', '\n']) {
         return Err(NotExpressible {
@@ -39,7 +40,7 @@ pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible
             mend: "choose a name without # and \\, and without spaces around it",
         });
     }
-    let rows = plain_rows(scene, FORMAT)?;
+    let rows = plain_rows(scene, FORMAT, SummedRows::Unite)?;
     let (mut obj, mut mtl) = (format!("mtllib {library}\n"), String::new());
     let mut vertices = VertexNumbers::default();
     let mut materials: Vec<PatchMaterial> = Vec::new();

@@ -2,7 +2,7 @@
 
 use crate::geometry::Patch;
 use crate::scene::files::error::NotExpressible;
-use crate::scene::files::plain::{PlainRow, plain_rows};
+use crate::scene::files::plain::{PlainRow, SummedRows, plain_rows};
 use crate::scene::{PatchMaterial, Scene};
 use glam::DVec3;
 
@@ -27,7 +27,7 @@ pub struct StlFile {
 /// none after rounding; if polygons only obstruct, a patch lies in another one, or patches are
 /// summed.
 pub fn write_stl(scene: &Scene) -> Result<StlFile, NotExpressible> {
-    let rows = plain_rows(scene, FORMAT)?;
+    let rows = plain_rows(scene, FORMAT, SummedRows::Refuse)?;
     let count = u32::try_from(rows.len()).map_err(|_| NotExpressible {
         format: FORMAT,
         what: format!("there are {} patches", rows.len()),

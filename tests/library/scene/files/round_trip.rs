@@ -229,3 +229,23 @@ fn what_a_format_cannot_say_is_refused() {
     let refusal = write_view3d(&scene).unwrap_err().to_string();
     assert!(refusal.contains("patch 0 (p) has 5 corners"), "{refusal}");
 }
+
+/// A wall with two openings is one face again, whatever it was divided into; so are two halves.
+#[test]
+fn rows_that_are_one_face_are_written_as_one() {
+    let points = "v 0 0 0\nv 7 0 0\nv 7 3 0\nv 0 3 0\nv 1 1 0\nv 1 2 0\nv 2 2 0\nv 2 1 0\n\
+        v 4 1 0\nv 4 2 0\nv 6 2 0\nv 6 1 0\nv 0 0 5\n";
+    let text =
+        format!("{points}g wall\nf 1 2 3 4 1 5 6 7 8 9 10 11 12 9 8 5\nf 1 13 1\nf 1 13 2\n");
+    let read = |text: &str| super::obj(text).unwrap().scene;
+    let scene = read(&text);
+    assert!(scene.patches().len() > 2);
+    let back = read_back_obj(&scene);
+    assert_eq!(back.row_areas(), [18.0, 0.0, 17.5]);
+    assert_eq!(back.group_names(), scene.group_names());
+    let other = |scene: &Scene| scene.exchange_areas().unwrap().get(0, 2).exchange.value;
+    assert!((other(&back) - other(&scene)).abs() < 1e-13);
+    let halves = read("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+    let halves = read_back_obj(&halves.with_groups(&[0, 0]).unwrap());
+    assert_eq!((halves.row_areas(), halves.patches().len()), (vec![1.0], 1));
+}
