@@ -11,7 +11,8 @@
 //! A reader tells all faults of a file, where each is and what would mend it ([`FileErrors`]). What
 //! is clear it mends, what has no effect it ignores, and says so once for each kind
 //! ([`LoadedScene::notes`]). Faults of materials are notes, too, and leave the material of the
-//! patches concerned [unknown](super::PatchMaterial). Numbers are written so that they read back to the same `f64`.
+//! patches concerned [unknown](super::PatchMaterial). Numbers are written so that they read back to
+//! the same `f64`.
 //!
 //! Open `obj`, `view3d` or `stl` for a format (each with its `writer`), `source` for lines and their
 //! numbers, `faces` for the way from an outline to patches, `rows` for their rows, `remarks` for
