@@ -17,8 +17,8 @@
 //! are taken with 106 bits. Rooms that absorb 1e-15 of the light, rooms that see 1e-100 of each
 //! other, and emission over thirty orders of magnitude therefore keep all their digits, where
 //! elimination and iterated bounces lose some or all. `infoscene study stability` compares the
-//! three, judged by enclosures of 256 bits; `stiff_scenes_keep_their_digits` holds it. `cargo bench
-//! --bench transport` times 5,046 patches.
+//! three, judged by enclosures of 256 bits; `stiff_scenes_keep_their_digits` holds it.
+//! `cargo bench --bench transport` times 5,046 patches.
 //!
 //! ```
 //! use infoscene::chain::brightness_chain;

@@ -7,8 +7,8 @@
 //!
 //! with exchange areas `J_ij = A_i F_ij` and `e_i = A_i − Σ_j J_ij` of what escapes. Patches with
 //! `R_i = 1` absorb nothing; what they reflect ends elsewhere, or the system is refused
-//! ([`sinks`]). In a closed scene e is 0 by construction, with `A_i = Σ_j J_ij`: the usual form `B
-//! = E + R F B` moves B by δ/(1−R) when a row sum is off by δ, this one does not.
+//! ([`sinks`]). In a closed scene e is 0 by construction, with `A_i = Σ_j J_ij`: the usual form
+//! `B = E + R F B` moves B by δ/(1−R) when a row sum is off by δ, this one does not.
 //!
 //! **Solution**: conjugate gradients, the residual anew with 106 bits, and again for the remainder.
 //!
