@@ -8,13 +8,17 @@ use infoscene::scene::files::NonPlanarFaces;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct SceneArgument {
-    /// A scene file (Wavefront .obj or View3D .vs3), or a built-in scene: two-squares,
+    /// A scene file (Wavefront .obj, View3D .vs3 or .stl), or a built-in scene: two-squares,
     /// three-squares, cube:N, box:X,Y,Z, tetrahedron, octahedron, dodecahedron, icosahedron or
     /// cornell-box.
     scene: String,
     /// Split faces that are not planar into triangles.
     #[arg(long)]
     triangulate: bool,
+    /// Join patches that share an edge and lie in one plane, as the triangles of a wall do, if they
+    /// have the same material and are of the same object.
+    #[arg(long)]
+    merge: bool,
     /// Quarter every patch so many times: triangles and quadrilaterals into four alike.
     #[arg(long, value_name = "TIMES", default_value_t = 0,
         value_parser = clap::value_parser!(u32).range(0..=8))]
@@ -36,6 +40,7 @@ impl SceneArgument {
             } else {
                 NonPlanarFaces::Refuse
             },
+            join: self.merge,
             reverse: self.reverse,
             subdivide: self.subdivide,
             occlusion: if self.unoccluded {

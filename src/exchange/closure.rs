@@ -7,10 +7,12 @@
 //! The 4 ε are for the area and the quotient; where an area is a sum or a difference, they are
 //! relative to the areas that it is made of.
 //!
-//! In an open scene the rest of the light of a row, one less its sum, escapes.
+//! In an open scene the rest of the light of a row, one less its sum, escapes. A row without area
+//! has no light: its sum is 0, nothing escapes, and it leaves a scene closed.
 //!
 //! **Not covered**: the state outside that takes this rest; it belongs to the chains.
 
+use super::row_pair::per_area;
 use super::{ExchangeAreas, ExchangeError, ScenePairs};
 use crate::numeric::CompensatedSum;
 use std::sync::Arc;
@@ -30,6 +32,7 @@ pub struct RowSum {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Closure {
     rows: Vec<RowSum>,
+    has_area: Vec<bool>,
     names: Arc<[String]>,
     is_turned_away: bool,
 }
@@ -48,12 +51,14 @@ impl Closure {
             .enumerate()
             .map(|(row, ([exchange, bound], (area, area_bound)))| RowSum {
                 row,
-                sum: exchange / area,
-                error: bound / area + area_bound / area,
+                sum: per_area(exchange, *area),
+                error: per_area(bound, *area) + per_area(*area_bound, *area),
             })
             .collect();
+        let has_area = areas.iter().map(|area| *area > 0.0).collect();
         Self {
             rows,
+            has_area,
             names,
             is_turned_away,
         }
@@ -110,27 +115,33 @@ impl Closure {
         &self.rows
     }
 
-    /// The row farthest from one.
+    /// The rows that have an area, in order.
+    fn with_area(&self) -> impl Iterator<Item = &RowSum> {
+        let rows = self.rows.iter().zip(&self.has_area);
+        rows.filter_map(|(row, has_area)| has_area.then_some(row))
+    }
+
+    /// The row farthest from one, of those with an area.
     ///
     /// # Panics
     /// If there are no rows; a scene has one at least.
     #[must_use]
     pub fn worst(&self) -> RowSum {
         let off = |row: &RowSum| (row.sum - 1.0).abs();
-        let mut worst = self.rows[0];
-        for row in &self.rows[1..] {
-            if off(row) > off(&worst) {
-                worst = *row;
+        let mut rows = self.with_area();
+        let mut worst = rows.next().unwrap_or(&self.rows[0]);
+        for row in rows {
+            if off(row) > off(worst) {
+                worst = row;
             }
         }
-        worst
+        *worst
     }
 
     /// Whether every row sums to one within its bound.
     #[must_use]
     pub fn is_closed(&self) -> bool {
-        self.rows
-            .iter()
+        self.with_area()
             .all(|row| (row.sum - 1.0).abs() <= row.error)
     }
 
@@ -178,13 +189,17 @@ impl Closure {
     }
 
     /// The part of the power of row i that meets no patch; 0 where the row sums to one within its
-    /// bound.
+    /// bound, or has no area.
     ///
     /// # Panics
     /// If there is no row i.
     #[must_use]
     pub fn escaping(&self, i: usize) -> f64 {
         let RowSum { sum, error, .. } = self.rows[i];
-        if 1.0 - sum > error { 1.0 - sum } else { 0.0 }
+        if self.has_area[i] && 1.0 - sum > error {
+            1.0 - sum
+        } else {
+            0.0
+        }
     }
 }

@@ -24,6 +24,8 @@ pub struct SceneSource {
     pub origin: SceneOrigin,
     /// The treatment of faces of a file that are not planar.
     pub faces: NonPlanarFaces,
+    /// Whether neighbours in one plane are joined ([`Scene::joined`]).
+    pub join: bool,
     /// Whether the front of every patch is turned to its other side.
     pub reverse: bool,
     /// The number of times that every patch is quartered.
@@ -46,6 +48,7 @@ impl SceneSource {
         Self {
             origin,
             faces: NonPlanarFaces::default(),
+            join: false,
             reverse: false,
             subdivide: 0,
             occlusion: Occlusion::default(),
@@ -65,6 +68,14 @@ impl SceneSource {
                 notes: Vec::new(),
             },
         };
+        if self.join {
+            let before = loaded.scene.patches().len();
+            (loaded.scene, _) = loaded.scene.joined()?;
+            let after = loaded.scene.patches().len();
+            let note =
+                format!("{before} patches are joined with neighbours in their planes: {after}");
+            loaded.notes.push(note);
+        }
         if self.reverse {
             loaded.scene = loaded.scene.reversed();
         }

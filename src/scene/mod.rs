@@ -9,21 +9,27 @@
 //! ([`Occlusion`]).
 
 mod built_in;
+mod channel;
 mod convex_room;
 mod edges;
 mod error;
 pub mod files;
 mod fronts;
+mod joined;
 mod material;
 mod overlap;
 mod parts;
 mod planes;
+mod row_materials;
 mod subdivision;
 mod visibility;
 
+pub use channel::{Channel, Channels};
 pub use edges::{FreeEdge, Joints};
 pub use error::SceneError;
-pub use material::{Material, MaterialError};
+pub use material::{Material, MaterialError, MaterialFault, PatchMaterial};
+pub(crate) use material::{checked_emittance, checked_reflectance};
+pub use parts::EmptyRow;
 pub use visibility::blockers::{Blocker, Blockers};
 pub use visibility::grid_lines::GridLines;
 pub use visibility::lines::{Chord, Passage, SceneLines};
@@ -41,7 +47,7 @@ pub struct NamedPatch {
     /// The names of what it is a piece of: objects, groups, a face that was divided.
     wholes: Arc<[String]>,
     shape: Patch,
-    material: Material,
+    material: PatchMaterial,
 }
 
 impl NamedPatch {
@@ -52,14 +58,17 @@ impl NamedPatch {
             name,
             wholes: Arc::default(),
             shape,
-            material: Material::BLACK,
+            material: PatchMaterial::BLACK,
         }
     }
 
-    /// Gives the patch this material.
+    /// Gives the patch this material, a [`Material`] being that of all channels.
     #[must_use]
-    pub fn with_material(self, material: Material) -> Self {
-        Self { material, ..self }
+    pub fn with_material(self, material: impl Into<PatchMaterial>) -> Self {
+        Self {
+            material: material.into(),
+            ..self
+        }
     }
 
     /// Makes the patch a piece of what has these names: of an object, of a face.
@@ -94,10 +103,10 @@ impl NamedPatch {
         &self.shape
     }
 
-    /// The material.
+    /// The material, as far as it is known.
     #[must_use]
-    pub const fn material(&self) -> Material {
-        self.material
+    pub const fn material(&self) -> &PatchMaterial {
+        &self.material
     }
 }
 
@@ -110,6 +119,8 @@ pub struct Scene {
     bases: Vec<Option<usize>>,
     /// The row of each patch, numbered in the order of their first patches.
     groups: Vec<usize>,
+    /// The rows without a patch, in order.
+    empty_rows: Vec<EmptyRow>,
     /// Planes and trees of the surfaces, found when first asked for and dropped when surfaces
     /// change.
     prepared: Prepared,
@@ -131,6 +142,7 @@ impl Scene {
             obstructions: Vec::new(),
             bases,
             groups,
+            empty_rows: Vec::new(),
             prepared: Prepared::default(),
         })
     }
@@ -216,11 +228,11 @@ impl Scene {
         }
     }
 
-    /// The refusal of a patch's shape, with its name.
+    /// The refusal of a surface's shape, with its name.
     pub(crate) fn refused(&self, index: usize, source: GeometryError) -> SceneError {
         SceneError::Patch {
             index,
-            name: self.patches[index].name.clone(),
+            name: self.surface(index).name.clone(),
             source,
         }
     }

@@ -91,9 +91,13 @@ fn discrete_lines(answer: &MeasureAnswer) -> Vec<Line> {
             format!("{} ({})", scientific(error), answer.error_grade.name()),
         ),
     ];
+    let channel = answer
+        .channel
+        .map(|channel| ("channel", channel.name().to_owned()));
+    let lines = channel.into_iter().chain(lines);
     lines
         .map(|(quantity, value)| (quantity.to_owned(), value))
-        .to_vec()
+        .collect()
 }
 
 /// The rows that stand out: by their sum, and by their weight.

@@ -1,35 +1,51 @@
-//! Scene files: Wavefront OBJ with MTL, and View3D `.vs3`; read and written.
+//! Scene files: Wavefront OBJ with MTL, View3D `.vs3`, and STL; read and written.
 //!
 //! ```text
 //!   .obj   v x y z | f v…                 one face, one patch    o g: names
-//!          mtllib usemtl: Kd reflectance, Ke emittance
+//!          mtllib usemtl: Kd reflectance, Ke emittance, of three channels
 //!   .vs3   V n x y z | S n v1 v2 v3 v4 base cmb emit name        O: obstructs only
 //!          reflectance = 1 − emit
+//!   .stl   binary or text: one facet, one patch; no materials
 //! ```
 //!
-//! A reader stops at the first fault and says where it is and what would mend it ([`FileError`]).
-//! Numbers are written so that they read back to the same `f64`.
+//! A reader tells all faults of a file, where each is and what would mend it ([`FileErrors`]). What
+//! is clear it mends, what has no effect it ignores, and says so once for each kind
+//! ([`LoadedScene::notes`]). Faults of materials are notes, too, and leave the material of the
+//! patches concerned [unknown](super::PatchMaterial). Numbers are written so that they read back to
+//! the same `f64`.
 //!
-//! Open `obj` or `view3d` for a format (each with its `writer`), `source` for lines and their
-//! numbers, `faces` for the triangulation of faces that are not planar, `decimal` for emissivities,
+//! Open `obj`, `view3d` or `stl` for a format (each with its `writer`), `source` for lines and their
+//! numbers, `faces` for the way from an outline to patches, `rows` for their rows, `remarks` for
+//! what is mended or ignored, `unknown_materials` for notes on these, `decimal` for emissivities,
+//! `plain` for what OBJ and STL cannot say,
 //! and `error` for the refusals.
 //!
-//! Both readers are our own: the libraries for OBJ keep coordinates in 32 bits or cut polygons into
-//! triangles, and none says in which line a number is wrong, or which patch is not planar; for
-//! `.vs3` there is none.
+//! All readers are our own: the libraries for OBJ and STL keep coordinates in 32 bits or cut
+//! polygons into triangles, and none says in which line a number is wrong, or which patch is not
+//! planar; for `.vs3` there is none.
 
 pub(crate) mod decimal;
 pub(crate) mod error;
 pub(crate) mod faces;
 pub(crate) mod obj;
+pub(crate) mod plain;
+pub(crate) mod remarks;
+pub(crate) mod rows;
 pub(crate) mod source;
+pub(crate) mod stl;
+pub(crate) mod unknown_materials;
 pub(crate) mod view3d;
 
-pub use error::{Fault, FileError, NotExpressible, OpenError};
+pub use error::{Fault, FileError, FileErrors, NotExpressible, OpenError};
+use obj::library;
 pub use obj::read_obj;
+pub(crate) use obj::writer::left_out_of_obj;
 pub use obj::writer::{ObjText, write_obj};
 pub use source::Source;
+pub use stl::read_stl;
+pub use stl::writer::{StlFile, write_stl};
 pub use view3d::read_view3d;
+pub(crate) use view3d::writer::left_out_of_view3d;
 pub use view3d::writer::write_view3d;
 
 use super::{Scene, SceneError};
@@ -52,7 +68,7 @@ pub enum NonPlanarFaces {
 pub struct LoadedScene {
     /// The scene.
     pub scene: Scene,
-    /// Statements that were read and have no effect, a sentence each.
+    /// Mends, and statements that were read and have no effect: a sentence for each kind.
     pub notes: Vec<String>,
 }
 
@@ -82,8 +98,8 @@ fn is_path(name: &str) -> bool {
 /// Reads a scene file; what follows the last dot of its name says of which format it is.
 ///
 /// # Errors
-/// A [`FileError`] at the first fault.
-pub fn read(path: &Path, faces: NonPlanarFaces) -> Result<LoadedScene, FileError> {
+/// All faults of the file.
+pub fn read(path: &Path, faces: NonPlanarFaces) -> Result<LoadedScene, FileErrors> {
     let extension = path
         .extension()
         .map(|extension| extension.to_string_lossy());
@@ -93,13 +109,15 @@ pub fn read(path: &Path, faces: NonPlanarFaces) -> Result<LoadedScene, FileError
             .is_some_and(|extension| extension.eq_ignore_ascii_case(format))
     };
     if is("obj") {
-        let beside = |name: &str| Source::read(&path.with_file_name(name));
+        let beside = |name: &str| library::read_beside(path, name);
         read_obj(&Source::read(path)?, &beside, faces)
     } else if is("vs3") {
         read_view3d(&Source::read(path)?, faces)
+    } else if is("stl") {
+        read_stl(path, Source::bytes(path)?, faces)
     } else {
         Source::check(path)?;
-        Err(FileError::of_file(path, Fault::UnknownFormat))
+        Err(FileError::of_file(path, Fault::UnknownFormat).into())
     }
 }
 
