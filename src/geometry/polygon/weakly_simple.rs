@@ -265,9 +265,9 @@ impl FlatOutline {
             if first == second {
                 continue;
             }
-            let union = union(&pieces[first].0, &pieces[second].0, [a, b]);
-            if let Ok(whole) = of(&union) {
-                pieces[first.min(second)] = (union, whole);
+            let around = union(&pieces[first].0, &pieces[second].0, [a, b]);
+            if let Ok(whole) = of(&around) {
+                pieces[first.min(second)] = (around, whole);
                 pieces.remove(first.max(second));
             }
         }
