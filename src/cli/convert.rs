@@ -11,8 +11,8 @@ use std::path::PathBuf;
 pub(super) struct Convert {
     #[command(flatten)]
     scene: SceneArgument,
-    /// The file to write: a View3D .vs3, a Wavefront .obj with its .mtl beside it, or an .stl, which
-    /// holds triangles only (with --triangulate all are).
+    /// The file to write: a View3D .vs3, a Wavefront .obj with its .mtl beside it, or an .stl,
+    /// which holds triangles only (with --triangulate all are).
     #[arg(value_name = "OUT")]
     out: PathBuf,
 }

@@ -21,9 +21,9 @@ pub(super) struct FormFactor {
     /// Only to this patch, likewise.
     #[arg(long, value_name = "PATCH")]
     to: Option<PatchName>,
-    /// Write the whole matrix here, too, one row per patch that sends. The end of the name says how:
-    /// .npy (NumPy), .mtx (Matrix Market, zeros left out), .array.mtx (Matrix Market, all entries),
-    /// .txt (lines "i j F", counted from 1) or .vf (as View3D writes).
+    /// Write the whole matrix here, too, one row per patch that sends. The end of the name says
+    /// how: .npy (NumPy), .mtx (Matrix Market, zeros left out), .array.mtx (Matrix Market, all
+    /// entries), .txt (lines "i j F", counted from 1) or .vf (as View3D writes).
     #[arg(long, value_name = "OUT")]
     matrix: Option<PathBuf>,
     /// Write the matrix of the bounds on the errors here, in any of these formats but .vf.

@@ -12,7 +12,8 @@ pub(super) struct SceneArgument {
     /// three-squares, cube:N, box:X,Y,Z, tetrahedron, octahedron, dodecahedron, icosahedron or
     /// cornell-box.
     scene: String,
-    /// Split faces that are not planar into triangles.
+    /// Split faces that are not planar into triangles; when a scene is converted, also those of
+    /// more corners than the format holds.
     #[arg(long)]
     triangulate: bool,
     /// Join patches that share an edge and lie in one plane, as the triangles of a wall do, if they

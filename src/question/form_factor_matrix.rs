@@ -4,8 +4,8 @@
 //!   F_ij = x_ij / A_i ,   |error of F_ij| ≤ e_ij / A_i + b_i / A_i · F_ij
 //! ```
 //!
-//! `x ± e` is the exchange area, the same both ways; `A ± b` the area of a row. So the exchange areas
-//! of one row give a row of the matrix and a column, whichever a file wants.
+//! `x ± e` is the exchange area, the same both ways; `A ± b` the area of a row. So the exchange
+//! areas of one row give a row of the matrix and a column, whichever a file wants.
 
 use super::unreached::Unreached;
 use crate::exchange::{ExchangeAreas, ExchangeError, PassSummary, ScenePairs, per_area};

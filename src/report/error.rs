@@ -18,8 +18,8 @@ pub enum ReportError {
     Write(#[from] std::io::Error),
     /// The name of a file does not say in which format a matrix is written.
     #[error(
-        "{}: a matrix is written as .npy, .mtx, .array.mtx, .txt or .vf, so let its name end in one \
-         of them", file.display()
+        "{}: a matrix is written as .npy, .mtx, .array.mtx, .txt or .vf, so let its name end in \
+         one of them", file.display()
     )]
     UnknownMatrixFormat {
         /// The file as named.

@@ -7,9 +7,9 @@
 //!                               and what they make up together is a simple polygon
 //! ```
 //!
-//! A region grows from its largest patch. Its outline is kept as a ring of corners; a neighbour joins
-//! if it meets the ring along one chain of edges and at no other corner. So a region without an
-//! opening ends as one polygon (a triangulation of a disc can be put together in any order:
+//! A region grows from its largest patch. Its outline is kept as a ring of corners; a neighbour
+//! joins if it meets the ring along one chain of edges and at no other corner. So a region without
+//! an opening ends as one polygon (a triangulation of a disc can be put together in any order:
 //! Danaraj and Klee 1978), and one with openings as several, none of which has any. Corners count
 //! as shared only if they are equal; on an outline, those that are straight are left out.
 //!

@@ -11,13 +11,13 @@
 //! # Accuracy
 //!
 //! Reflectances may be any up to 1, as long as light from everywhere comes to a patch that absorbs
-//! some or to an opening ([`Sinkless`]). Each value has two bounds: one on the solution for the form
-//! factors as computed, and one on the effect of the form factors' own errors. A closed scene is
-//! solved in a form in which it is closed, so that no error is divided by 1 − R, and residuals are
-//! taken with 106 bits. Rooms that absorb 1e-15 of the light, rooms that see 1e-100 of each other,
-//! and emission over thirty orders of magnitude therefore keep all their digits, where elimination
-//! and iterated bounces lose some or all. `infoscene study stability` compares the three, judged by
-//! enclosures of 256 bits; `stiff_scenes_keep_their_digits` holds it.
+//! some or to an opening ([`Sinkless`]). Each value has two bounds: one on the solution for the
+//! form factors as computed, and one on the effect of the form factors' own errors. A closed scene
+//! is solved in a form in which it is closed, so that no error is divided by 1 − R, and residuals
+//! are taken with 106 bits. Rooms that absorb 1e-15 of the light, rooms that see 1e-100 of each
+//! other, and emission over thirty orders of magnitude therefore keep all their digits, where
+//! elimination and iterated bounces lose some or all. `infoscene study stability` compares the
+//! three, judged by enclosures of 256 bits; `stiff_scenes_keep_their_digits` holds it.
 //! `cargo bench --bench transport` times 5,046 patches.
 //!
 //! ```

@@ -5,12 +5,12 @@
 //!   i exchanges with j:  J_ij > δ_ij
 //! ```
 //!
-//! Rows of the matrix M with `R_i = 1` and `e_i = 0` sum to 0. M is regular, with an inverse without
-//! negative entries, if and only if each of its patches comes to a sink by steps of exchange
-//! (symmetric, weakly diagonally dominant, and strictly so in each connected part). Both conditions
-//! are asked with the bounds δ, so that they hold for the exact exchange areas, too: the bounds of
-//! a solution then hold as they do for R < 1. Patches that come to no sink share a brightness that
-//! nothing determines.
+//! Rows of the matrix M with `R_i = 1` and `e_i = 0` sum to 0. M is regular, with an inverse
+//! without negative entries, if and only if each of its patches comes to a sink by steps of
+//! exchange (symmetric, weakly diagonally dominant, and strictly so in each connected part). Both
+//! conditions are asked with the bounds δ, so that they hold for the exact exchange areas, too: the
+//! bounds of a solution then hold as they do for R < 1. Patches that come to no sink share a
+//! brightness that nothing determines.
 //!
 //! The patches that come to a sink are found set by set: patch i joins if
 //! `Σ_j J_ij > Σ_j δ_ij` over the set, as then one of the terms is.

@@ -6,16 +6,16 @@
 //! ```
 //!
 //! with exchange areas `J_ij = A_i F_ij` and `e_i = A_i − Σ_j J_ij` of what escapes. Patches with
-//! `R_i = 1` absorb nothing; what they reflect ends elsewhere, or the system is refused ([`sinks`]). In a closed
-//! scene e is 0 by construction, with `A_i = Σ_j J_ij`: the usual form `B = E + R F B` moves B by
-//! δ/(1−R) when a row sum is off by δ, this one does not.
+//! `R_i = 1` absorb nothing; what they reflect ends elsewhere, or the system is refused
+//! ([`sinks`]). In a closed scene e is 0 by construction, with `A_i = Σ_j J_ij`: the usual form
+//! `B = E + R F B` moves B by δ/(1−R) when a row sum is off by δ, this one does not.
 //!
 //! **Solution**: conjugate gradients, the residual anew with 106 bits, and again for the remainder.
 //!
 //! **Error of the solution**, a *bound*, of each B_i relative to itself. The matrix M has an
-//! inverse without negative entries, as all light comes to a sink. With its diagonal D, its other entries −D T and right sides b,
-//! light that bounced less than K times is `C = Σ_{k<K} T^k D⁻¹b`. For a residual r of B̂ with its
-//! rounding ρ,
+//! inverse without negative entries, as all light comes to a sink. With its diagonal D, its other
+//! entries −D T and right sides b, light that bounced less than K times is `C = Σ_{k<K} T^k D⁻¹b`.
+//! For a residual r of B̂ with its rounding ρ,
 //!
 //! ```text
 //!   S = Σ_{k<K} T^k D⁻¹(|r| + ρ) ≤ τ C
@@ -32,8 +32,9 @@
 //!   |f_i| ≤ Σ_j δ_ij B_j + δ_ii B_i = g_i(B)                                (open)
 //! ```
 //!
-//! and any x with `M x − g(x) ≥ θ g(B)`, θ > 0, gives `|B* − B| ≤ x/θ`, as M* has an inverse without
-//! negative entries, too. Signs of f are not used, so that it is pessimistic by up to 1/(1−R).
+//! and any x with `M x − g(x) ≥ θ g(B)`, θ > 0, gives `|B* − B| ≤ x/θ`, as M* has an inverse
+//! without negative entries, too. Signs of f are not used, so that it is pessimistic by up to
+//! 1/(1−R).
 //!
 //! [`sinks`]: super::sinks
 

@@ -11,13 +11,13 @@
 //! A reader tells all faults of a file, where each is and what would mend it ([`FileErrors`]). What
 //! is clear it mends, what has no effect it ignores, and says so once for each kind
 //! ([`LoadedScene::notes`]). Faults of materials are notes, too, and leave the material of the
-//! patches concerned [unknown](super::PatchMaterial). Numbers are written so that they read back to the same `f64`.
+//! patches concerned [unknown](super::PatchMaterial). Numbers are written so that they read back to
+//! the same `f64`.
 //!
-//! Open `obj`, `view3d` or `stl` for a format (each with its `writer`), `source` for lines and their
-//! numbers, `faces` for the way from an outline to patches, `rows` for their rows, `remarks` for
-//! what is mended or ignored, `unknown_materials` for notes on these, `decimal` for emissivities,
-//! `plain` for what OBJ and STL cannot say,
-//! and `error` for the refusals.
+//! Open `obj`, `view3d` or `stl` for a format (each with its `writer`), `source` for lines and
+//! their numbers, `faces` for the way from an outline to patches, `rows` for their rows, `remarks`
+//! for what is mended or ignored, `unknown_materials` for notes on these, `decimal` for
+//! emissivities, `plain` for what OBJ and STL cannot say, and `error` for the refusals.
 //!
 //! All readers are our own: the libraries for OBJ and STL keep coordinates in 32 bits or cut
 //! polygons into triangles, and none says in which line a number is wrong, or which patch is not

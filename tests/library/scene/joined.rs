@@ -203,7 +203,8 @@ fn parts_and_summed_rows_stay_as_they_are() {
     let text = "F 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 1 0\nV 4 0 1 0\nV 5 2 0 0\nV 6 2 1 0\nV 7 3 0 0\n\
         V 8 3 1 0\nV 9 4 0 0\nV 10 4 1 0\nV 11 5 0 0\nV 12 5 1 0\n\
         S 1 1 2 3 4 0 0 .5 floor\nS 2 2 5 6 3 0 0 .5 floor\nS 3 1 2 3 0 1 0 .5 mat\n\
-        S 4 5 7 8 6 0 0 .5 floor\nS 5 7 9 10 8 0 4 .5 floor\nS 6 9 11 12 10 0 0 .5 floor\nO 7 1 2 3 0\nEnd of data\n";
+        S 4 5 7 8 6 0 0 .5 floor\nS 5 7 9 10 8 0 4 .5 floor\n\
+        S 6 9 11 12 10 0 0 .5 floor\nO 7 1 2 3 0\nEnd of data\n";
     let source = Source::new("room.vs3", text);
     let scene = infoscene::scene::files::read_view3d(&source, NonPlanarFaces::Refuse)
         .unwrap()
@@ -225,8 +226,8 @@ fn parts_and_summed_rows_stay_as_they_are() {
 /// Faces without area keep their places among the rows.
 #[test]
 fn rows_without_area_stay() {
-    let text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 0 1 1\nf 1 1 2\nf 1 2 3\nf 2 2 3\nf 1 3 4\n\
-        f 3 3 3\nf 1 4 6 5\nf 4 4 4\n";
+    let text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 0 1 1\nf 1 1 2\n\
+        f 1 2 3\nf 2 2 3\nf 1 3 4\nf 3 3 3\nf 1 4 6 5\nf 4 4 4\n";
     let library = |_: &str| Ok(Source::new("a.mtl", ""));
     let loaded = read_obj(
         &Source::new("a.obj", text),

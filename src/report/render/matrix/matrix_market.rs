@@ -10,8 +10,8 @@
 //! Coordinates leave out the entries that are exactly zero: pairs of patches that see nothing of
 //! each other.
 //!
-//! Reference: Boisvert, Pozo, Remington, *The Matrix Market Exchange Formats: Initial Design*, NISTIR
-//! 5935 (1996).
+//! Reference: Boisvert, Pozo, Remington, *The Matrix Market Exchange Formats: Initial Design*,
+//! NISTIR 5935 (1996).
 
 use crate::question::MatrixEntries;
 use std::io::{self, Write};

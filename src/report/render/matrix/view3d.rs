@@ -10,9 +10,9 @@
 //! ```
 //!
 //! `encl` is 0, since rows are not adjusted so that their sums are 1, and so is `emit`, since the
-//! factors are those of black patches; a material that is not known is written as black. View3D prints six decimals of F and three of ε, which its
-//! readers do not count; here are all. The readers take the program's name and version for words of
-//! up to 15 and 7 characters.
+//! factors are those of black patches; a material that is not known is written as black. View3D
+//! prints six decimals of F and three of ε, which its readers do not count; here are all. The
+//! readers take the program's name and version for words of up to 15 and 7 characters.
 //!
 //! # Source
 //! View3D 3.3 manual, §6.1, and the program's `SaveVF` and `ReadVF`.

@@ -6,8 +6,8 @@
 //!
 //! A name is all that follows on its line. A reflectance or emittance that cannot be read, or that
 //! none can have, makes that property of the material unknown and nothing else. What says nothing
-//! about diffuse light is read over; gloss, transparency, textures and words that nobody knows are noted
-//! as left out.
+//! about diffuse light is read over; gloss, transparency, textures and words that nobody knows are
+//! noted as left out.
 //!
 //! **Not covered**: spectral curves and CIEXYZ values, which leave the property unknown.
 

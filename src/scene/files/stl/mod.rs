@@ -18,17 +18,16 @@
 //! 0; `facet` where the solid has no name, as in every binary file.
 //!
 //! The front is the side from which the corners run counter-clockwise. Normals are not used, but
-//! those that point to the back are counted in a note; a facet without area keeps its number. Attributes (some programs keep colours there)
-//! are read over; patches are black.
+//! those that point to the back are counted in a note; a facet without area keeps its number.
+//! Attributes (some programs keep colours there) are read over; patches are black.
 //!
 //! The numbers of a text are decimals and are kept as such in 64 bits; those of a binary file have
 //! 24 bits, so that each coordinate may be off by 2⁻²⁴ of itself.
 //!
-//! The reader is our own, since the crates for STL (`stl_io` 0.11, `mesh-loader` 0.1, `nom_stl` 0.2)
-//! round the decimals of a text to 32 bits, by which a wall of two facets is no longer planar, and
-//! name neither line nor facet when they refuse; `stl_io`, otherwise the best kept, also stops after
-//! the first solid and takes a binary file that begins with `solid` for a text. It judges this
-//! reader in the tests.
+//! The reader is our own, since the crates for STL (`stl_io` 0.11, `mesh-loader` 0.1) round the
+//! decimals of a text to 32 bits, by which a wall of two facets is no longer planar. `stl_io`, the
+//! best kept, also names no line when it refuses, stops after the first solid, and takes a binary
+//! file that begins with `solid` for a text; it judges this reader in the tests.
 //!
 //! **Not covered**: facets of more than three corners, which are refused.
 //!

@@ -15,10 +15,10 @@ const VS3: &str = "T title\nC encl=1 eps=1e-4\nF 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 
     S 4 2 3 5 0 0 3 1 b\nO 5 3 4 5 0\n\
     End of data\n";
 
-const STL: &str = "solid room\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n\
-       vertex 1 1 0.0\n  endloop\n endfacet\n facet normal 0 0 -1\n  outer loop\n   vertex 0 0 0\n\
-       vertex 1 1 0\n   vertex 0 1 0\n  endloop\n endfacet\nendsolid room\nsolid\n facet normal 1 0 0\n\
-      outer loop\n   vertex 0 0 0\n   vertex 0 1 0\n   vertex 0 .5 1e0\n  endloop\n endfacet\nendsolid\n";
+const STL: &str = "solid room\nfacet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n\
+    vertex 1 1 0.0\n endloop\nendfacet\nfacet normal 0 0 -1\nouter loop\nvertex 0 0 0\n\
+    vertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid room\nsolid\nfacet normal 1 0 0\n\
+    outer loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 0 .5 1e0\nendloop\nendfacet\nendsolid\n";
 /// The number of formats that are text, and of all.
 const TEXTS: usize = 4;
 const FORMATS: usize = 5;
