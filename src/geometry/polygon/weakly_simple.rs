@@ -151,7 +151,8 @@ impl FlatOutline {
         candidates.sort_by(|one, other| length(*one).total_cmp(&length(*other)));
         let mut edges = boundary.clone();
         for [a, b] in candidates {
-            let is_free = edges.iter().all(|edge| !self.meet(*edge, [a, b]));
+            // the longest edges are the last, and most likely in the way
+            let is_free = edges.iter().rev().all(|edge| !self.meet(*edge, [a, b]));
             if is_free && self.winding([a, b], &boundary) == 1 {
                 edges.extend([[a, b], [b, a]]);
             }
