@@ -188,7 +188,8 @@ pub(super) fn in_own_unit<'p>(
     let unit = crate::numeric::power_of_two_near(total_area.sqrt());
     let scaled = polygons.enumerate().map(|(index, polygon)| {
         let corners = polygon.corners().iter().map(|corner| *corner / unit);
-        Patch::try_new(corners.collect()).map_err(|source| (index, source))
+        let resolution = polygon.resolution() / unit;
+        Patch::within(corners.collect(), resolution).map_err(|source| (index, source))
     });
     scaled.collect()
 }

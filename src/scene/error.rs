@@ -113,6 +113,17 @@ pub enum SceneError {
         /// Their names.
         names: [String; 2],
     },
+    /// The resolution is no length below that of the surfaces.
+    #[error(
+        "a resolution of {resolution:e} does not tell the surfaces of this scene apart: it must be \
+         0 or more, and less than {largest:.1e}"
+    )]
+    Resolution {
+        /// The resolution as given.
+        resolution: f64,
+        /// The length that it must be below.
+        largest: f64,
+    },
     /// A label for each patch was needed.
     #[error("{labels} labels for {patches} patches: one for each is needed")]
     LabelCount {

@@ -2,7 +2,8 @@
 //!
 //! The paper's own scenes are built in ([`Scene::built_in`]), others are read from [`files`] or
 //! made from patches. A scene also says what only obstructs, which patches lie in another one, and
-//! which are summed into one row ([`Scene::base_of`], [`Scene::group_of`]).
+//! which are summed into one row ([`Scene::base_of`], [`Scene::group_of`]), and to which length its
+//! coordinates are known ([`Scene::resolution`]).
 //!
 //! **Not covered**: computing with occlusion. What may stand between two patches is found
 //! ([`Scene::blocker`]), and such a scene is refused unless unoccluded values are asked for
@@ -16,6 +17,7 @@ mod material;
 mod overlap;
 mod parts;
 mod planes;
+mod resolution;
 mod subdivision;
 mod visibility;
 
@@ -83,6 +85,8 @@ pub struct Scene {
     bases: Vec<Option<usize>>,
     /// The row of each patch, numbered in the order of their first patches.
     groups: Vec<usize>,
+    /// The length by which each coordinate may be off.
+    resolution: f64,
     /// Planes and trees of the surfaces, found when first asked for and dropped when surfaces
     /// change.
     prepared: Prepared,
@@ -104,6 +108,7 @@ impl Scene {
             obstructions: Vec::new(),
             bases,
             groups,
+            resolution: 0.0,
             prepared: Prepared::default(),
         })
     }

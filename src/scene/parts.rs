@@ -27,6 +27,7 @@
 
 use super::{Material, NamedPatch, Scene, SceneError};
 use crate::geometry::{NotContained, check_contained};
+use crate::numeric::tolerance;
 use crate::scene::visibility::surfaces::Prepared;
 use std::collections::HashMap;
 use std::hash::Hash;
@@ -48,7 +49,7 @@ impl Scene {
     /// # Errors
     /// [`SceneError::NoSuchPatch`]; [`SceneError::BaseCycle`] if the base lies in the part;
     /// [`SceneError::PartOffPlane`] beyond [`PLANARITY`](crate::numeric::tolerance::PLANARITY) of
-    /// the base's diameter; [`SceneError::PartFacesAway`]; [`SceneError::PartOutside`];
+    /// the base's diameter, or the noise of a resolution; [`SceneError::PartFacesAway`]; [`SceneError::PartOutside`];
     /// [`SceneError::NothingLeft`] if the parts leave no area to the base.
     pub fn with_base(mut self, part: usize, base: usize) -> Result<Self, SceneError> {
         self.check(part)?;
@@ -60,7 +61,8 @@ impl Scene {
             }
             above = self.bases[index];
         }
-        check_contained(&self.patches[part].shape, &self.patches[base].shape)
+        let [inner, outer] = [part, base].map(|patch| &self.patches[patch].shape);
+        check_contained(inner, outer, self.part_noise())
             .map_err(|reason| refusal(part, base, reason))?;
         self.bases[part] = Some(base);
         let left = self.net_area(base);
@@ -70,6 +72,11 @@ impl Scene {
             return Err(SceneError::NothingLeft { base, left });
         }
         Ok(self)
+    }
+
+    /// The distance by which a part may leave its base for all that the coordinates say.
+    pub(crate) fn part_noise(&self) -> f64 {
+        tolerance::RESOLVED_NOISE * self.resolution
     }
 
     /// Sums patches with equal labels into one row.

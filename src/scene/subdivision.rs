@@ -49,7 +49,10 @@ impl Scene {
             }
         }
         let labels: Vec<usize> = parents.iter().map(|index| self.group_of(*index)).collect();
-        let scene = Self::try_new(patches)?.with_obstructions(self.obstructions.clone());
+        let scene = Self {
+            resolution: self.resolution,
+            ..Self::try_new(patches)?.with_obstructions(self.obstructions.clone())
+        };
         let is_grouped = self.group_count() < self.patches.len();
         let scene = if is_grouped {
             scene.with_groups(&labels)?

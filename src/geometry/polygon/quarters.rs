@@ -60,5 +60,6 @@ pub fn quartered(patch: &Patch) -> Result<Vec<Patch>, GeometryError> {
             .map(|triangle| triangle.map(|i| corners[i]).to_vec())
             .collect()
     };
-    parts.into_iter().map(Patch::try_new).collect()
+    let part = |corners| Patch::within(corners, patch.resolution());
+    parts.into_iter().map(part).collect()
 }

@@ -12,15 +12,17 @@
 use crate::geometry::{EarClipper, GeometryError, Patch};
 use glam::{DVec2, DVec3};
 
-/// The patches of a face: itself if it is planar, else, if asked for, its triangles.
+/// The patches of a face: itself if it is planar, as far as the resolution of its coordinates goes,
+/// else, if asked for, its triangles.
 ///
 /// # Errors
 /// The errors of [`Patch::try_new`], of the face or of a triangle.
 pub(crate) fn patches_of_face(
     corners: Vec<DVec3>,
     faces: super::NonPlanarFaces,
+    resolution: f64,
 ) -> Result<Vec<Patch>, GeometryError> {
-    match Patch::try_new(corners.clone()) {
+    match Patch::within(corners.clone(), resolution) {
         Ok(patch) => Ok(vec![patch]),
         Err(GeometryError::NotPlanar { .. }) if faces == super::NonPlanarFaces::Triangulate => {
             triangulated(&corners)

@@ -11,8 +11,8 @@
 //! Numbers are written so that they read back to the same `f64`.
 //!
 //! Open `obj` or `view3d` for a format (each with its `writer`), `source` for lines and their
-//! numbers, `faces` for the triangulation of faces that are not planar, `decimal` for emissivities,
-//! and `error` for the refusals.
+//! numbers, `faces` for the triangulation of faces that are not planar, `last_place` for the decimals
+//! of coordinates, `decimal` for emissivities, and `error` for the refusals.
 //!
 //! Both readers are our own: the libraries for OBJ keep coordinates in 32 bits or cut polygons into
 //! triangles, and none says in which line a number is wrong, or which patch is not planar; for
@@ -21,6 +21,7 @@
 pub(crate) mod decimal;
 pub(crate) mod error;
 pub(crate) mod faces;
+pub(crate) mod last_place;
 pub(crate) mod obj;
 pub(crate) mod source;
 pub(crate) mod view3d;
@@ -47,6 +48,36 @@ pub enum NonPlanarFaces {
     Triangulate,
 }
 
+/// The choices of a reader. A [`NonPlanarFaces`] alone is one, too.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Reading {
+    /// The treatment of faces that are not planar.
+    pub faces: NonPlanarFaces,
+    /// The length by which each coordinate may be off, 0 for none; if it is not given, the decimals
+    /// of the file say it, where surfaces miss each other on that scale
+    /// ([`Scene::resolution`]).
+    pub resolution: Option<f64>,
+}
+
+impl From<NonPlanarFaces> for Reading {
+    fn from(faces: NonPlanarFaces) -> Self {
+        Self {
+            faces,
+            resolution: None,
+        }
+    }
+}
+
+impl Reading {
+    /// The scene of a file whose coordinates were written to half a unit in the last place.
+    fn resolved(self, scene: Scene, half_unit: f64) -> Result<Scene, SceneError> {
+        match self.resolution {
+            Some(resolution) => scene.with_resolution(resolution),
+            None => Ok(scene.with_last_place(half_unit)),
+        }
+    }
+}
+
 /// A scene, and what its reader has to say about it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadedScene {
@@ -60,13 +91,14 @@ pub struct LoadedScene {
 ///
 /// # Errors
 /// [`SceneError::UnknownName`] if it is neither; [`OpenError::File`] if the file is at fault.
-pub fn open(name: &str, faces: NonPlanarFaces) -> Result<LoadedScene, OpenError> {
+pub fn open(name: &str, reading: impl Into<Reading>) -> Result<LoadedScene, OpenError> {
+    let reading = reading.into();
     match Scene::built_in(name) {
         Ok(scene) => Ok(LoadedScene {
-            scene,
+            scene: reading.resolved(scene, 0.0)?,
             notes: Vec::new(),
         }),
-        Err(SceneError::UnknownName { .. }) if is_path(name) => Ok(read(Path::new(name), faces)?),
+        Err(SceneError::UnknownName { .. }) if is_path(name) => Ok(read(Path::new(name), reading)?),
         Err(error) => Err(error.into()),
     }
 }
@@ -83,7 +115,8 @@ fn is_path(name: &str) -> bool {
 ///
 /// # Errors
 /// A [`FileError`] at the first fault.
-pub fn read(path: &Path, faces: NonPlanarFaces) -> Result<LoadedScene, FileError> {
+pub fn read(path: &Path, reading: impl Into<Reading>) -> Result<LoadedScene, FileError> {
+    let reading = reading.into();
     let extension = path
         .extension()
         .map(|extension| extension.to_string_lossy());
@@ -94,9 +127,9 @@ pub fn read(path: &Path, faces: NonPlanarFaces) -> Result<LoadedScene, FileError
     };
     if is("obj") {
         let beside = |name: &str| Source::read(&path.with_file_name(name));
-        read_obj(&Source::read(path)?, &beside, faces)
+        read_obj(&Source::read(path)?, &beside, reading)
     } else if is("vs3") {
-        read_view3d(&Source::read(path)?, faces)
+        read_view3d(&Source::read(path)?, reading)
     } else {
         Source::check(path)?;
         Err(FileError::of_file(path, Fault::UnknownFormat))
@@ -115,7 +148,11 @@ pub(crate) fn cornell_box() -> Result<Scene, SceneError> {
             include_str!("../../../data/scenes/cornell-box.mtl"),
         ))
     };
-    match read_obj(&source, &materials, NonPlanarFaces::Refuse) {
+    let exact = Reading {
+        resolution: Some(0.0),
+        ..Reading::default()
+    };
+    match read_obj(&source, &materials, exact) {
         Ok(loaded) => Ok(loaded.scene),
         Err(error) => Err(SceneError::BuiltIn {
             name: "cornell-box",

@@ -20,8 +20,9 @@ pub(crate) mod writer;
 
 use super::error::{Fault, FileError, excerpt};
 use super::faces::patches_of_face;
+use super::last_place::LastPlaces;
 use super::source::{Source, number};
-use super::{LoadedScene, NonPlanarFaces};
+use super::{LoadedScene, NonPlanarFaces, Reading};
 use crate::scene::{Material, NamedPatch, Scene};
 use glam::DVec3;
 use mtl::read_mtl;
@@ -62,12 +63,15 @@ const FREE_FORM: [&str; 17] = [
 pub fn read_obj(
     source: &Source,
     library: &dyn Fn(&str) -> Result<Source, FileError>,
-    faces: NonPlanarFaces,
+    reading: impl Into<Reading>,
 ) -> Result<LoadedScene, FileError> {
+    let reading = reading.into();
+    let half_unit = last_places(source).half_unit();
     let mut reader = Reader {
         source,
         library,
-        faces,
+        faces: reading.faces,
+        resolution: reading.resolution.unwrap_or(half_unit),
         vertices: Vec::new(),
         materials: HashMap::new(),
         material: Material::BLACK,
@@ -84,7 +88,25 @@ pub fn read_obj(
     let mend = "a face is a line \"f a b c\"";
     let scene = Scene::try_new(patches)
         .map_err(|_| FileError::of_file(source.file(), Fault::NoPatch { mend }))?;
+    let scene = reading.resolved(scene, half_unit).map_err(|error| {
+        let error = Box::new(error);
+        FileError::of_file(source.file(), Fault::Scene { source: error })
+    })?;
     Ok(LoadedScene { scene, notes })
+}
+
+/// The last places of all vertices, which faces are judged by from the first one on.
+fn last_places(source: &Source) -> LastPlaces {
+    let mut places = LastPlaces::default();
+    for (_, text) in logical_lines(source) {
+        let mut words = text.split_whitespace();
+        if words.next() == Some("v") {
+            for word in words.take(3) {
+                places.note(word, word.parse().unwrap_or(0.0));
+            }
+        }
+    }
+    places
 }
 
 /// Lines without comments; those that end in a backslash are joined with the next.
@@ -114,6 +136,7 @@ struct Reader<'a> {
     source: &'a Source,
     library: &'a dyn Fn(&str) -> Result<Source, FileError>,
     faces: NonPlanarFaces,
+    resolution: f64,
     vertices: Vec<DVec3>,
     materials: HashMap<String, Material>,
     material: Material,
@@ -220,7 +243,7 @@ impl Reader<'_> {
             self.source.patch_fault(line, patch, fault)
         };
         let corners = self.corners(rest).map_err(at)?;
-        let patches = patches_of_face(corners, self.faces)
+        let patches = patches_of_face(corners, self.faces, self.resolution)
             .map_err(|source| at(Fault::Geometry { source }))?;
         let parts = patches.len();
         for (part, shape) in patches.into_iter().enumerate() {

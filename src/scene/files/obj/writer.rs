@@ -63,7 +63,7 @@ pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible
         });
         let corners: Vec<usize> = patch
             .shape()
-            .corners()
+            .given_corners()
             .iter()
             .map(|corner| {
                 vertices.number_or(*corner, |_| {

@@ -29,8 +29,9 @@ pub(crate) mod writer;
 
 use super::decimal::complement;
 use super::error::{Fault, FileError, excerpt};
+use super::last_place::LastPlaces;
 use super::source::{Source, number};
-use super::{LoadedScene, NonPlanarFaces};
+use super::{LoadedScene, Reading};
 use crate::scene::{Material, MaterialError};
 use glam::DVec3;
 use std::collections::HashMap;
@@ -50,7 +51,11 @@ const CONTROL: [&str; 14] = [
 ///
 /// # Errors
 /// A [`FileError`] at the first fault.
-pub fn read_view3d(source: &Source, faces: NonPlanarFaces) -> Result<LoadedScene, FileError> {
+pub fn read_view3d(
+    source: &Source,
+    reading: impl Into<Reading>,
+) -> Result<LoadedScene, FileError> {
+    let reading = reading.into();
     let mut reader = Reader::default();
     for (line, text) in source.lines() {
         let words: Vec<&str> = uncommented(text).split_whitespace().collect();
@@ -58,7 +63,8 @@ pub fn read_view3d(source: &Source, faces: NonPlanarFaces) -> Result<LoadedScene
         match reader.statement(line, &words).map_err(at)? {
             Statement::Read => {}
             Statement::End => {
-                let scene = assemble(source, &reader.vertices, &reader.surfaces, faces)?;
+                let known = (reading, reader.places.half_unit());
+                let scene = assemble(source, &reader.vertices, &reader.surfaces, known)?;
                 let notes = reader.notes(source);
                 return Ok(LoadedScene { scene, notes });
             }
@@ -93,6 +99,7 @@ struct Reader {
     vertices: HashMap<usize, (usize, DVec3)>,
     surfaces: Vec<Surface>,
     surface_lines: HashMap<usize, usize>,
+    places: LastPlaces,
     ignored: Vec<&'static str>,
 }
 
@@ -166,6 +173,9 @@ impl Reader {
                 given: excerpt(given),
                 form: VERTEX,
             });
+        }
+        for (text, value) in values[1..].iter().zip(vertex.to_array()) {
+            self.places.note(text, value);
         }
         match self.vertices.insert(index, (line, vertex)) {
             None => Ok(()),

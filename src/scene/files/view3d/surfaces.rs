@@ -1,7 +1,7 @@
 //! The surfaces of a View3D file made into a scene.
 
 use crate::geometry::check_contained;
-use crate::scene::files::NonPlanarFaces;
+use crate::scene::files::Reading;
 use crate::scene::files::error::{Fault, FileError, excerpt};
 use crate::scene::files::faces::patches_of_face;
 use crate::scene::files::source::Source;
@@ -60,13 +60,14 @@ impl Surface {
     }
 }
 
-/// The scene of these surfaces.
+/// The scene of these surfaces, whose coordinates were written to half a unit in the last place.
 pub(crate) fn assemble(
     source: &Source,
     vertices: &HashMap<usize, (usize, DVec3)>,
     surfaces: &[Surface],
-    faces: NonPlanarFaces,
+    (reading, half_unit): (Reading, f64),
 ) -> Result<Scene, FileError> {
+    let resolution = reading.resolution.unwrap_or(half_unit);
     let (mut patches, mut obstructions) = (Vec::new(), Vec::new());
     let mut placed = HashMap::new();
     for surface in surfaces {
@@ -78,8 +79,8 @@ pub(crate) fn assemble(
         let start = list.len();
         let at = |fault| surface.fault(source, start, fault);
         let corners = surface.corners(vertices).map_err(at)?;
-        let shapes =
-            patches_of_face(corners, faces).map_err(|source| at(Fault::Geometry { source }))?;
+        let shapes = patches_of_face(corners, reading.faces, resolution)
+            .map_err(|source| at(Fault::Geometry { source }))?;
         let parts = shapes.len();
         for (part, shape) in shapes.into_iter().enumerate() {
             let name = if parts == 1 {
@@ -92,11 +93,16 @@ pub(crate) fn assemble(
         let indices = start..list.len();
         placed.insert(surface.number, Placed { surface, indices });
     }
-    let mut scene = Scene::try_new(patches).map_err(|_| {
+    let scene = Scene::try_new(patches).map_err(|_| {
         let mend = "a patch is a line \"S n v1 v2 v3 v4 base cmb emit name\"";
         FileError::of_file(source.file(), Fault::NoPatch { mend })
     })?;
-    scene = scene.with_obstructions(obstructions);
+    let refused = |error| {
+        let error = Box::new(error);
+        FileError::of_file(source.file(), Fault::Scene { source: error })
+    };
+    let scene = scene.with_obstructions(obstructions);
+    let mut scene = reading.resolved(scene, half_unit).map_err(refused)?;
     for surface in surfaces.iter().filter(|surface| surface.base > 0) {
         let own = &placed[&surface.number].indices;
         let at = |fault| surface.fault(source, own.start, fault);
@@ -133,7 +139,7 @@ pub(crate) fn assemble(
 fn in_obstruction(scene: Scene, part: usize, base: &Placed) -> Result<Scene, Fault> {
     let index = base.indices.start;
     let (inner, outer) = (&scene.patches[part], &scene.obstructions[index]);
-    match check_contained(&inner.shape, &outer.shape) {
+    match check_contained(&inner.shape, &outer.shape, scene.part_noise()) {
         Ok(()) => Ok(scene),
         Err(_) => Err(Fault::NotSupported {
             what: format!(

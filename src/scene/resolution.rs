@@ -1,0 +1,177 @@
+//! The resolution of a scene: the length below which its coordinates say nothing.
+//!
+//! ```text
+//!   r                      every coordinate is right to ± r
+//!   δ = √3 r               so a corner is off by δ at most
+//!   noise = 8 δ            what reaches over, behind or into something by less counts as touching
+//!   plane: within 4 δ      corners of one plane lie between two planes so far apart
+//! ```
+//!
+//! Scenes made in a program, and the built-in ones, are exact: r = 0. A file gives a candidate, half
+//! a unit of its last decimal; but decimals are no proof of rounding, as a cube with corners 0 and 1
+//! has none. So the scene asks whether anything *misses* on that scale:
+//!
+//! ```text
+//!   a face    is bent                         beyond the rounding of f64
+//!   a plane   is left by surfaces in it       that are not exactly parallel
+//!   a corner  lies beside an edge or corner   that runs along none of its own edges exactly
+//! ```
+//!
+//! If nothing does, the scene is exact, whatever its decimals. Gaps between exactly parallel planes
+//! or edges are no misses: a plate 1e-6 above a wall was put there. The resolution is never larger
+//! than a small part of the narrowest surface ([`tolerance::RESOLVED`]).
+//!
+//! All that is judged by comparing coordinates is judged on this scale: planes, overlap, blockers,
+//! convex rooms, parts of a base. The coordinates stay as they are. What their inaccuracy can change
+//! of an exchange area is a bound of its own ([`ScenePairs::resolution_error`]).
+//!
+//! **Not covered**: resolutions that differ from surface to surface.
+//!
+//! [`ScenePairs::resolution_error`]: crate::exchange::ScenePairs::resolution_error
+
+use super::planes::ScenePlanes;
+use super::visibility::surfaces::Prepared;
+use super::{NamedPatch, Scene, SceneError};
+use crate::numeric::tolerance;
+use glam::DVec3;
+use rstar::primitives::{GeomWithData, Line};
+use rstar::{PointDistance, RTree};
+
+impl Scene {
+    /// The length by which each coordinate may be off; 0 if they are exact.
+    #[must_use]
+    pub const fn resolution(&self) -> f64 {
+        self.resolution
+    }
+
+    /// The scene with coordinates that are known to ± `resolution`; 0 takes them as exact.
+    ///
+    /// # Errors
+    /// [`SceneError::Resolution`] unless it is a number ≥ 0, far enough below the width of every
+    /// surface for the noise to be below it.
+    ///
+    /// # Examples
+    /// ```
+    /// use infoscene::scene::Scene;
+    /// let cube = Scene::built_in("cube:2")?;
+    /// assert_eq!(cube.resolution(), 0.0);
+    /// assert_eq!(cube.clone().with_resolution(1e-6)?.resolution(), 1e-6);
+    /// assert!(cube.with_resolution(0.5).is_err());
+    /// # Ok::<(), infoscene::scene::SceneError>(())
+    /// ```
+    pub fn with_resolution(self, resolution: f64) -> Result<Self, SceneError> {
+        let width = self.narrowest();
+        let largest = width / tolerance::RESOLVED_NOISE;
+        if !(resolution >= 0.0 && resolution < largest) {
+            return Err(SceneError::Resolution {
+                resolution,
+                largest,
+            });
+        }
+        Ok(self.resolved(resolution))
+    }
+
+    fn resolved(self, resolution: f64) -> Self {
+        Self {
+            resolution,
+            prepared: Prepared::default(),
+            ..self
+        }
+    }
+
+    /// The scene whose coordinates were written with so much as half a unit in the last place: they
+    /// are known to that if surfaces miss each other on this scale, else they are exact.
+    pub(crate) fn with_last_place(self, half_unit: f64) -> Self {
+        let width = self.narrowest();
+        // coordinates of no use for such surfaces were not rounded
+        if !(half_unit > 0.0) || half_unit > width / tolerance::RESOLVED_NOISE {
+            return self.resolved(0.0);
+        }
+        let candidate = half_unit.min(tolerance::RESOLVED * width);
+        let exact = self.resolved(0.0);
+        let rounding = exact.rounding();
+        if candidate <= rounding {
+            return exact;
+        }
+        let resolved = exact.clone().resolved(candidate);
+        let is_bent = resolved.surfaces().any(|surface| surface.shape().moved() > 0.0);
+        if is_bent || resolved.planes_miss(rounding) || resolved.corners_miss(rounding) {
+            resolved
+        } else {
+            exact
+        }
+    }
+
+    /// The smallest width of a surface.
+    fn narrowest(&self) -> f64 {
+        let widths = self.surfaces().map(|surface| surface.shape().width());
+        widths.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The length that roundings of `f64` explain.
+    fn rounding(&self) -> f64 {
+        let corners = self.surfaces().flat_map(|surface| surface.shape().corners());
+        let sizes = corners.map(|corner| corner.abs().max_element());
+        tolerance::TOUCHING * sizes.fold(0.0, f64::max)
+    }
+
+    /// Whether surfaces lie in one plane at this resolution that are neither in one to the last bit
+    /// nor exactly parallel.
+    fn planes_miss(&self, rounding: f64) -> bool {
+        let planes: &ScenePlanes = self.planes();
+        let unit = planes.unit();
+        let mut first: Vec<Option<&NamedPatch>> = vec![None; planes.planes().len()];
+        for (index, surface) in self.surfaces().enumerate() {
+            let plane = planes.plane_of(index).plane;
+            if planes.planes()[plane].thickness() * unit <= rounding {
+                continue;
+            }
+            let Some(other) = first[plane] else {
+                first[plane] = Some(surface);
+                continue;
+            };
+            let [one, two] = [surface.shape(), other.shape()];
+            let sine = one.normal().cross(two.normal()).length();
+            if sine > rounding / one.width().min(two.width()) {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Whether a corner lies beside an edge or a corner of another surface, off it by more than
+    /// rounding and less than two corners of this resolution, and no edge there is parallel.
+    fn corners_miss(&self, rounding: f64) -> bool {
+        let nearby = 2.0 * tolerance::SQRT_3 * self.resolution;
+        let surfaces: Vec<&NamedPatch> = self.surfaces().collect();
+        let edges = surfaces.iter().enumerate().flat_map(|(index, surface)| {
+            let corners = surface.shape().corners();
+            let next = corners.iter().cycle().skip(1);
+            let ends = corners.iter().zip(next);
+            ends.map(move |(from, to)| {
+                GeomWithData::new(Line::new(from.to_array(), to.to_array()), index)
+            })
+        });
+        let edges = RTree::bulk_load(edges.collect());
+        surfaces.iter().enumerate().any(|(index, surface)| {
+            let corners = surface.shape().corners();
+            let n = corners.len();
+            (0..n).any(|place| {
+                let corner = corners[place];
+                let own = [n - 1, 1].map(|step| corners[(place + step) % n] - corner);
+                let near = edges.locate_within_distance(corner.to_array(), nearby * nearby);
+                near.filter(|edge| edge.data != index).any(|edge| {
+                    let distance = edge.geom().distance_2(&corner.to_array()).sqrt();
+                    let ends = [edge.geom().from, edge.geom().to].map(DVec3::from_array);
+                    let along = ends[1] - ends[0];
+                    let is_parallel = |own: &DVec3| {
+                        let shorter = own.length().min(along.length());
+                        let sine = own.cross(along).length() / (own.length() * along.length());
+                        sine * shorter <= rounding
+                    };
+                    distance > rounding && !own.iter().any(is_parallel)
+                })
+            })
+        })
+    }
+}
