@@ -14,7 +14,7 @@
 
 use super::{SharedPlane, centred, through_far_corners};
 use crate::geometry::Plane;
-use crate::numeric::tolerance;
+use crate::numeric::{real, tolerance};
 use glam::DVec3;
 
 /// A surface that waits for its plane.
@@ -36,9 +36,7 @@ impl Panel {
         corners: Vec<DVec3>,
         [width, delta]: [f64; 2],
     ) -> Self {
-        let low = corners.iter().copied().fold(DVec3::INFINITY, DVec3::min);
-        let high = corners.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
-        let centre = 0.5 * (low + high);
+        let centre = corners.iter().sum::<DVec3>() / real(corners.len());
         let distances = corners.iter().map(|corner| corner.distance(centre));
         Self {
             surface,
@@ -155,7 +153,7 @@ impl Wall {
 
 /// The mean of points, put into a plane.
 fn middle(points: &[DVec3], plane: &Plane) -> DVec3 {
-    let mean = points.iter().sum::<DVec3>() / crate::numeric::real(points.len());
+    let mean = points.iter().sum::<DVec3>() / real(points.len());
     mean - plane.height(mean) * plane.normal
 }
 
@@ -189,7 +187,7 @@ fn thinnest(corners: &[DVec3]) -> Option<SharedPlane> {
 
 /// The plane from which squared heights are least, among those near a given one.
 fn least_squares(points: &[DVec3], near: &Plane) -> Plane {
-    let mean = points.iter().sum::<DVec3>() / crate::numeric::real(points.len());
+    let mean = points.iter().sum::<DVec3>() / real(points.len());
     let (across, up) = near.normal.any_orthonormal_pair();
     let [mut xx, mut xy, mut yy, mut xh, mut yh] = [0.0; 5];
     for point in points {

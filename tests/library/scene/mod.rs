@@ -6,4 +6,5 @@ mod files;
 mod overlap;
 mod parts;
 mod refusals;
+mod resolution;
 mod shafts;
