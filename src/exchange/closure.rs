@@ -1,8 +1,11 @@
 //! The sums of the rows of form factors, which are one in a closed scene.
 //!
 //! ```text
-//!   closed:  |Σ_j F_ij − 1| ≤ Σ_j bound_ij / A_i + 4 ε  for every i
+//!   closed:  |Σ_j F_ij − 1| ≤ Σ_j bound_ij / A_i + 4 ε + ρ_i  for every i
 //! ```
+//!
+//! ρ is what the resolution of the coordinates can change
+//! ([`ScenePairs::resolution_error`]), 0 where they are exact.
 //!
 //! The 4 ε are for the area and the quotient; where an area is a sum or a difference, they are
 //! relative to the areas that it is made of.
@@ -24,6 +27,16 @@ pub struct RowSum {
     pub sum: f64,
     /// A bound on the error of the sum.
     pub error: f64,
+    /// A bound on what the resolution of the coordinates can change of a sum of one.
+    pub resolution_error: f64,
+}
+
+impl RowSum {
+    /// The distance from one up to which the row counts as closed.
+    #[must_use]
+    pub fn tolerance(&self) -> f64 {
+        self.error + self.resolution_error
+    }
 }
 
 /// The rows of a scene's form factors.
@@ -49,9 +62,20 @@ impl Closure {
                 row,
                 sum: exchange / area,
                 error: bound / area + area_bound / area,
+                resolution_error: 0.0,
             })
             .collect();
         Self { rows, names }
+    }
+
+    /// The closure of rows whose exchange areas sum to their areas, each with what the resolution
+    /// can change of either.
+    #[must_use]
+    pub(crate) fn resolved(mut self, areas: &[f64], errors: impl Iterator<Item = f64>) -> Self {
+        for ((row, area), error) in self.rows.iter_mut().zip(areas).zip(errors) {
+            row.resolution_error = error / area;
+        }
+        self
     }
 
     /// Computes the row sums of a scene's form factors.
@@ -59,13 +83,19 @@ impl Closure {
     /// # Errors
     /// [`ExchangeError::Pair`] if two patches are refused.
     pub fn of(pairs: &ScenePairs<'_>) -> Result<Self, ExchangeError> {
-        let (sums, _) = pairs.row_sums(|_, _, exchange| [exchange.value, exchange.error])?;
-        Ok(Self::new(
+        let (sums, _) = pairs.row_sums(|i, j, exchange| {
+            [exchange.value, exchange.error, pairs.resolution_error(i, j)]
+        })?;
+        let known = sums.iter().map(|[value, error, _]| [*value, *error]);
+        let closure = Self::new(
             pairs.shared_names(),
             pairs.areas(),
             pairs.area_bounds(),
-            sums,
-        ))
+            known,
+        );
+        let errors = sums.iter().zip(pairs.area_resolution_errors());
+        let errors = errors.map(|([.., error], of_area)| error + of_area);
+        Ok(closure.resolved(pairs.areas(), errors))
     }
 
     /// Sums the rows of exchange areas that are held.
@@ -91,12 +121,16 @@ impl Closure {
             sums[i] = row;
         }
         let sums = sums.iter().map(|row| row.map(|sum| sum.total()));
-        Self::new(
+        let closure = Self::new(
             exchange.shared_names(),
             exchange.areas(),
             exchange.area_bounds(),
             sums,
-        )
+        );
+        match exchange.resolution_errors() {
+            Some(errors) => closure.resolved(exchange.areas(), errors.of_rows()),
+            None => closure,
+        }
     }
 
     /// All rows, in order.
@@ -121,12 +155,24 @@ impl Closure {
         worst
     }
 
-    /// Whether every row sums to one within its bound.
+    /// The row farthest beyond its tolerance.
+    fn farthest(&self) -> RowSum {
+        let beyond = |row: &RowSum| (row.sum - 1.0).abs() - row.resolution_error;
+        let mut worst = self.rows[0];
+        for row in &self.rows[1..] {
+            if beyond(row) > beyond(&worst) {
+                worst = *row;
+            }
+        }
+        worst
+    }
+
+    /// Whether every row sums to one within its bound, and what the resolution can change.
     #[must_use]
     pub fn is_closed(&self) -> bool {
         self.rows
             .iter()
-            .all(|row| (row.sum - 1.0).abs() <= row.error)
+            .all(|row| (row.sum - 1.0).abs() <= row.tolerance())
     }
 
     /// Refuses a scene that is not closed.
@@ -138,12 +184,13 @@ impl Closure {
         if self.is_closed() {
             return Ok(());
         }
-        let RowSum { row, sum, error } = self.worst();
+        let worst = self.farthest();
         Err(ExchangeError::OpenScene {
-            row,
-            name: self.names[row].clone(),
-            sum,
-            tolerance: error,
+            row: worst.row,
+            name: self.names[worst.row].clone(),
+            sum: worst.sum,
+            tolerance: worst.error,
+            resolution_error: worst.resolution_error,
         })
     }
 
@@ -154,7 +201,7 @@ impl Closure {
     pub fn require_at_most_one(&self) -> Result<(), ExchangeError> {
         let mut worst: Option<&RowSum> = None;
         for row in &self.rows {
-            if row.sum - 1.0 > row.error && worst.is_none_or(|worst| row.sum > worst.sum) {
+            if row.sum - 1.0 > row.tolerance() && worst.is_none_or(|worst| row.sum > worst.sum) {
                 worst = Some(row);
             }
         }
@@ -164,6 +211,7 @@ impl Closure {
                 name: self.names[row.row].clone(),
                 sum: row.sum,
                 tolerance: row.error,
+                resolution_error: row.resolution_error,
             })
         })
     }
@@ -175,7 +223,12 @@ impl Closure {
     /// If there is no row i.
     #[must_use]
     pub fn escaping(&self, i: usize) -> f64 {
-        let RowSum { sum, error, .. } = self.rows[i];
-        if 1.0 - sum > error { 1.0 - sum } else { 0.0 }
+        let row = self.rows[i];
+        let escaping = 1.0 - row.sum;
+        if escaping > row.tolerance() {
+            escaping
+        } else {
+            0.0
+        }
     }
 }

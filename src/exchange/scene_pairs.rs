@@ -16,6 +16,7 @@
 use super::ExchangeError;
 use super::plan::{Congruence, Plan};
 use super::progress::{Listener, Progress, Unheard};
+use super::resolution::Resolution;
 use crate::exchange::plan::base_offsets::BaseOffsets;
 use crate::exchange::plan::counts::{PassCounts, PassSummary};
 use crate::exchange::plan::facing::{Facing, FacingPlanes};
@@ -34,6 +35,8 @@ pub struct ScenePairs<'p> {
     terms: RowTerms,
     plane_sets: PlaneSets,
     base_offsets: BaseOffsets,
+    /// None if coordinates are exact.
+    resolution: Option<Resolution>,
     listener: Listener<'p>,
     polygons: Vec<Polygon>,
     /// The names of the rows.
@@ -92,6 +95,7 @@ impl<'p> ScenePairs<'p> {
         let mut pairs = Self {
             plane_sets: PlaneSets::of(&terms, plan.facings()),
             base_offsets: BaseOffsets::of(scene, terms.patches()),
+            resolution: Resolution::of(scene, &shapes),
             listener: Listener(&Unheard),
             names: scene.group_names().into_iter().map(str::to_owned).collect(),
             plan,
@@ -214,6 +218,11 @@ impl ScenePairs<'_> {
     /// A bound on the change of an exchange area when a part is moved into its base's plane.
     pub(crate) fn offset_allowance(&self, part: usize, other: usize) -> f64 {
         self.base_offsets.allowance(part, other)
+    }
+
+    /// The polygons whose corners may be off; none if coordinates are exact.
+    pub(crate) const fn loose(&self) -> Option<&Resolution> {
+        self.resolution.as_ref()
     }
 
     /// Tells the listener that so many more pairs are done.

@@ -10,6 +10,7 @@
 //! error of the answer is an *estimate*.
 
 use super::SceneInformation;
+use super::resolution::InformationResolution;
 use super::chain::{pair_divergence, positional_entropy};
 use super::scene::divergence_error;
 use crate::chain::{ChainError, brightness_chain};
@@ -95,6 +96,7 @@ pub fn brightness_information(
         positional_entropy,
         entropy_rate: (positional_entropy - mutual_information).max(0.0),
         mutual_information: Bounded::estimate(mutual_information, error + rounding),
+        resolution: InformationResolution::default(),
         contributions,
         outside_contribution: None,
         weights: (0..n).map(|i| chain.stationary_probability(i)).collect(),

@@ -99,6 +99,7 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
     let (faces, face_of) = scene.convex_room()?;
     Occlusion::Refuse.check(scene)?;
     let first_patch = |face: usize| face_of.iter().position(|of| *of == face).unwrap_or(0);
+    let unscaled = faces.iter().map(Patch::area).collect::<Vec<_>>();
     let faces = in_own_unit(faces.iter())
         .map_err(|(face, source)| scene.refused(first_patch(face), source))?;
     let total_area = compensated_sum(faces.iter().map(Patch::area));
@@ -122,7 +123,9 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
             bound.add(pair.exchange.error);
         }
     }
-    let unclosed = deviation_from_closure(&rows, &faces, |face| {
+    let scale = (total_area / compensated_sum(unscaled.iter().copied())).sqrt();
+    let seam = tolerance::RESOLVED_NOISE * scene.resolution() * scale;
+    let unclosed = deviation_from_closure(&rows, &faces, seam, |face| {
         let row = first_patch(face);
         (row, scene.patches()[row].name())
     })?;
@@ -154,16 +157,18 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
 /// The sum `Σ_i |Σ_j C_ij + A_i/2|` over the faces, each of which must receive all that it sends.
 ///
 /// **Arguments** `rows`: for each face its exchange areas, its C and the bounds of the first,
-/// summed; `first_patch`: the index and the name of a face's first patch.
+/// summed; `seam`: the width of what neighbours may leave open; `first_patch`: the index and the name of a face's first patch.
 fn deviation_from_closure<'s>(
     rows: &[[CompensatedSum; 3]],
     faces: &[Patch],
+    seam: f64,
     first_patch: impl Fn(usize) -> (usize, &'s str),
 ) -> Result<f64, ExchangeError> {
     let mut unclosed = 0.0;
     for (face, (row, patch)) in rows.iter().zip(faces).enumerate() {
         let [received, cosines, bound] = row.each_ref().map(CompensatedSum::total);
-        let allowed = bound / patch.area() + tolerance::COVERED;
+        let open = seam * patch.perimeter() / patch.area();
+        let allowed = bound / patch.area() + tolerance::COVERED + open;
         let sum = received / patch.area();
         if (sum - 1.0).abs() > allowed {
             let (row, name) = first_patch(face);
@@ -172,6 +177,7 @@ fn deviation_from_closure<'s>(
                 name: name.to_owned(),
                 sum,
                 tolerance: allowed,
+                resolution_error: 0.0,
             });
         }
         unclosed += (cosines + 0.5 * patch.area()).abs();

@@ -18,6 +18,7 @@ mod chain;
 mod continuous;
 mod gain;
 mod pair_losses;
+mod resolution;
 mod sampled;
 mod scene;
 
@@ -27,6 +28,7 @@ pub use chain::{entropy_rate, mutual_information, positional_entropy};
 pub use continuous::{ContinuousInformation, FacePair, continuous_information};
 pub use gain::{divergence, refinement_gain, relative_entropy, subdivision_bound};
 pub use pair_losses::{PairLoss, pair_losses};
+pub use resolution::InformationResolution;
 pub use sampled::chords::ChordInformation;
 pub use sampled::expected_bias::{
     expected_bias, expected_bias_of_scene, expected_deviation, scene_information_and_bias,
