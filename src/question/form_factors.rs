@@ -13,6 +13,7 @@ use crate::form_factor::{Answer, DEFAULT_TOLERANCE};
 use crate::scene::{Occlusion, Scene};
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
+use std::rc::Rc;
 
 /// The question for the form factors of a scene.
 ///
@@ -71,22 +72,40 @@ pub struct FormFactorRecord {
     pub to: usize,
     /// `F`, from 0 to 1.
     pub value: f64,
-    /// A bound on its absolute error.
+    /// A bound on its absolute error, for the coordinates as they are.
     pub error: f64,
+    /// A bound on what the resolution of the coordinates can change beside it.
+    pub resolution_error: f64,
     /// The name of the route by which it was found.
     pub route: &'static str,
 }
 
 impl FormFactorRecord {
-    /// The form factor from a patch of this area, with the bound on its rounding and the
-    /// quotient's.
-    fn new([from, to]: [usize; 2], [area, bound]: [f64; 2], answer: &Answer) -> Self {
+    /// The form factor from a patch of this area, with the bound on its rounding and the quotient's.
+    ///
+    /// **Arguments** `changes`: the bounds on what the resolution can change of the exchange area
+    /// and of the area.
+    fn new(
+        [from, to]: [usize; 2],
+        [area, bound]: [f64; 2],
+        answer: &Answer,
+        changes: [f64; 2],
+    ) -> Self {
         let value = answer.exchange.value / area;
+        let [of_exchange, of_area] = changes;
+        let change = (of_exchange + value * of_area) / (area - of_area).max(0.0);
+        let most = value.max(1.0 - value);
         Self {
             from,
             to,
             value,
             error: answer.exchange.error / area + bound / area * value,
+            // 0/0 is of an area that says nothing
+            resolution_error: if of_exchange + of_area > 0.0 {
+                if change < most { change } else { most }
+            } else {
+                0.0
+            },
             route: answer.route.name(),
         }
     }
@@ -109,6 +128,8 @@ pub struct PatchRecord {
 pub struct FormFactorsAnswer<'p> {
     /// The rows.
     pub patches: Vec<PatchRecord>,
+    /// The length by which each coordinate may be off.
+    pub resolution: f64,
     /// The pairs that were left out, shared and computed.
     pub plan: PlanSummary,
     /// The pairs that miss the tolerance, if some do; those of the matrix's pass come with it.
@@ -177,6 +198,7 @@ impl FormFactors {
         });
         Ok(FormFactorsAnswer {
             patches: patches.collect(),
+            resolution: scene.resolution(),
             plan: plan.unwrap_or_default(),
             unreached,
             notes: loaded.notes,
@@ -210,22 +232,31 @@ impl FormFactorsAnswer<'_> {
         let areas = self.pairs.areas().iter().zip(self.pairs.area_bounds());
         let areas: Vec<[f64; 2]> = areas.map(|(area, bound)| [*area, *bound]).collect();
         let part = self.part.iter().flatten();
+        let moved = self.pairs.area_resolution_errors();
         let part = part.map({
-            let areas = areas.clone();
+            let (areas, moved) = (areas.clone(), moved.clone());
             move |Entry { from, to, answer }| {
-                FormFactorRecord::new([*from, *to], areas[*from], answer)
+                let change = self.pairs.resolution_error(*from, *to);
+                let changes = [change, moved[*from]];
+                FormFactorRecord::new([*from, *to], areas[*from], answer, changes)
             }
         });
         let all = 0..self.patches.len();
         let held = self.held.iter().filter(|_| self.part.is_none());
         let held = held.flat_map(move |held| {
-            let (areas, others) = (areas.clone(), all.clone());
+            let (areas, others, moved) = (areas.clone(), all.clone(), moved.clone());
+            let record = move |from: usize, to: usize| {
+                let change = held.resolution_error(from, to);
+                let changes = [change, moved[from]];
+                FormFactorRecord::new([from, to], areas[from], &held.get(from, to), changes)
+            };
+            let record = Rc::new(record);
             all.clone().flat_map(move |from| {
-                let area = areas[from];
+                let record = Rc::clone(&record);
                 others
                     .clone()
                     .filter(move |to| *to != from || held.sees_itself(from))
-                    .map(move |to| FormFactorRecord::new([from, to], area, &held.get(from, to)))
+                    .map(move |to| record(from, to))
             })
         });
         part.chain(held)
@@ -246,9 +277,10 @@ impl Serialize for FormFactorsAnswer<'_> {
                 serializer.collect_seq(self.0.records())
             }
         }
-        let mut record = serializer.serialize_struct("FormFactorsAnswer", 3)?;
+        let mut record = serializer.serialize_struct("FormFactorsAnswer", 4)?;
         record.serialize_field("patches", &self.patches)?;
         record.serialize_field("form_factors", &Records(self))?;
+        record.serialize_field("resolution", &self.resolution)?;
         record.serialize_field("plan", &self.plan)?;
         record.end()
     }

@@ -71,6 +71,8 @@ pub struct RadiosityAnswer {
     pub relative_error: f64,
     /// Do all rows of form factors sum to one?
     pub closed: bool,
+    /// The length by which each coordinate may be off.
+    pub resolution: f64,
     /// The balance of power.
     pub power: Power,
     /// The pairs that were left out, shared and computed.
@@ -99,6 +101,9 @@ pub struct PatchLight {
     /// A bound on the error that the form factors' errors bring to the radiosity; none where no
     /// bound is known.
     pub form_factor_error: Option<f64>,
+    /// A bound on what the resolution of the coordinates can change of the radiosity, beside the
+    /// errors; none where no bound is known.
+    pub resolution_error: Option<f64>,
 }
 
 /// The balance of power: emitted light is absorbed or escapes.
@@ -153,6 +158,10 @@ impl Radiosity {
         };
         let names = scene.group_names();
         let errors = radiosity.form_factor_errors.as_ref();
+        let moved = match exchange.resolution_errors() {
+            None => Some(vec![0.0; names.len()]),
+            Some(bounds) => room.resolution_errors(bounds, &radiosity.values, &emittances),
+        };
         let patches = names.iter().enumerate().map(|(index, name)| PatchLight {
             index,
             name: (*name).to_owned(),
@@ -160,6 +169,7 @@ impl Radiosity {
             irradiance: radiosity.received[index],
             importance: importance.as_ref().map(|found| found.values[index]),
             form_factor_error: errors.map(|errors| errors[index]),
+            resolution_error: moved.as_ref().map(|errors| errors[index]),
         });
         let closure = Closure::of_held(&exchange);
         Ok(RadiosityAnswer {
@@ -168,6 +178,7 @@ impl Radiosity {
             iterations: radiosity.iterations,
             relative_error: radiosity.relative_error,
             closed: closure.is_closed(),
+            resolution: scene.resolution(),
             power: Power::of(&materials, exchange.areas(), &closure, &radiosity),
             plan: exchange.summary().plan.clone(),
             unreached: self.unreached(&names, &exchange, &radiosity),

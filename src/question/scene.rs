@@ -1,7 +1,7 @@
 //! The scene that a question is about.
 
 use crate::exchange::{Congruence, ExchangeError, Progress, ScenePairs};
-use crate::scene::files::{LoadedScene, NonPlanarFaces, OpenError, open};
+use crate::scene::files::{LoadedScene, NonPlanarFaces, OpenError, Reading, open};
 use crate::scene::{Occlusion, Scene};
 
 /// A scene that a question is about, and how it is prepared.
@@ -20,6 +20,9 @@ pub struct SceneSource {
     pub origin: SceneOrigin,
     /// The treatment of faces of a file that are not planar.
     pub faces: NonPlanarFaces,
+    /// The length by which each coordinate may be off, 0 for none; if it is not given, the decimals
+    /// of a file say it ([`Scene::resolution`]).
+    pub resolution: Option<f64>,
     /// The number of times that every patch is quartered.
     pub subdivide: u32,
     /// The policy for scenes in which something may stand between two patches.
@@ -40,6 +43,7 @@ impl SceneSource {
         Self {
             origin,
             faces: NonPlanarFaces::default(),
+            resolution: None,
             subdivide: 0,
             occlusion: Occlusion::default(),
         }
@@ -51,12 +55,22 @@ impl SceneSource {
     /// [`OpenError::Scene`] if the name is neither a built-in scene nor a path, or if a patch
     /// cannot be quartered; [`OpenError::File`] if the file is at fault.
     pub fn open(&self) -> Result<LoadedScene, OpenError> {
+        let reading = Reading {
+            faces: self.faces,
+            resolution: self.resolution,
+        };
         let mut loaded = match &self.origin {
-            SceneOrigin::Named(name) => open(name, self.faces)?,
-            SceneOrigin::Made(scene) => LoadedScene {
-                scene: Scene::clone(scene),
-                notes: Vec::new(),
-            },
+            SceneOrigin::Named(name) => open(name, reading)?,
+            SceneOrigin::Made(scene) => {
+                let scene = Scene::clone(scene);
+                LoadedScene {
+                    scene: match self.resolution {
+                        Some(resolution) => scene.with_resolution(resolution)?,
+                        None => scene,
+                    },
+                    notes: Vec::new(),
+                }
+            }
         };
         if self.subdivide > 0 {
             (loaded.scene, _) = loaded.scene.subdivided(self.subdivide)?;

@@ -285,7 +285,9 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
             if reflectance <= 0.0 {
                 0.0
             } else if self.escaping[i].is_some() {
-                from_others[i]
+                // the area counts on its own: A (B − E)/R
+                let gained = (x[i] - sources[i]).max(0.0) / reflectance;
+                from_others[i] + self.open_area_bounds[i] * gained
             } else {
                 let (lost, gained) = ((1.0 - reflectance) * x[i], sources[i]);
                 // the differences are those of numbers that are rounded themselves
@@ -297,7 +299,12 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
         Some((0..x.len()).map(row).collect())
     }
 
-    fn form_factor_errors(&self, values: &[f64], sources: &[f64]) -> Option<Vec<f64>> {
+    /// The bounds that the errors of the form factors bring.
+    pub(super) fn form_factor_errors(
+        &self,
+        values: &[f64],
+        sources: &[f64],
+    ) -> Option<Vec<f64>> {
         let forces = self.perturbation(values, sources)?;
         let none = vec![0.0; values.len()];
         if forces.iter().all(|force| *force <= 0.0) {

@@ -122,6 +122,20 @@ impl ExchangeAreas {
         self.resolution.as_ref()
     }
 
+    /// A bound on what the resolution of the coordinates can change of the exchange area of two rows
+    /// ([`ScenePairs::resolution_error`]).
+    ///
+    /// # Panics
+    /// If there is no row i or j.
+    #[must_use]
+    pub fn resolution_error(&self, i: usize, j: usize) -> f64 {
+        match &self.resolution {
+            None => 0.0,
+            Some(errors) if i == j => errors.own()[i],
+            Some(errors) => *errors.exchange().get(i, j),
+        }
+    }
+
     /// The full matrix `A_i F_ij`, for which the bounds are given up.
     #[must_use]
     pub fn into_values(self) -> DMatrix<f64> {

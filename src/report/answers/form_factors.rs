@@ -16,6 +16,7 @@ const MOST_ROWS: usize = 1000;
 struct Document<'p, R> {
     patches: &'p [PatchRecord],
     form_factors: R,
+    resolution: f64,
     plan: &'p PlanSummary,
 }
 
@@ -43,7 +44,32 @@ impl<I: Iterator<Item = Result<FormFactorRecord, ReportError>>> Serialize for Re
     }
 }
 
+/// A record of a scene with exact coordinates.
+#[derive(Serialize)]
+struct ExactRecord {
+    from: usize,
+    to: usize,
+    value: f64,
+    error: f64,
+    route: &'static str,
+}
+
+impl From<FormFactorRecord> for ExactRecord {
+    fn from(record: FormFactorRecord) -> Self {
+        Self {
+            from: record.from,
+            to: record.to,
+            value: record.value,
+            error: record.error,
+            route: record.route,
+        }
+    }
+}
+
 /// Writes form factors in any format.
+///
+/// **Arguments** `resolution`: that of the scene; tables and CSV have a column for what it can
+/// change unless it is 0.
 ///
 /// # Errors
 /// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite: what was written
@@ -52,7 +78,7 @@ impl<I: Iterator<Item = Result<FormFactorRecord, ReportError>>> Serialize for Re
 pub fn write_form_factors(
     patches: &[PatchRecord],
     records: impl Iterator<Item = FormFactorRecord>,
-    plan: &PlanSummary,
+    (resolution, plan): (f64, &PlanSummary),
     format: Format,
     mut text: impl Write,
 ) -> Result<(), ReportError> {
@@ -72,6 +98,7 @@ pub fn write_form_factors(
                     records: RefCell::new(Some(records)),
                     refusal: &refusal,
                 },
+                resolution,
                 plan,
             };
             let written = serde_json::to_writer_pretty(&mut text, &document);
@@ -81,12 +108,16 @@ pub fn write_form_factors(
         Format::Csv => {
             let mut writer = csv::Writer::from_writer(text);
             for record in records {
-                writer.serialize(record?)?;
+                if resolution > 0.0 {
+                    writer.serialize(record?)?;
+                } else {
+                    writer.serialize(ExactRecord::from(record?))?;
+                }
             }
             writer.flush()?;
         }
         Format::Table | Format::Markdown | Format::Latex => {
-            let table = table(patches, records, plan)?;
+            let table = table(patches, records, resolution, plan)?;
             let lines = match format {
                 Format::Markdown => table.to_markdown(),
                 Format::Latex => table.to_latex(),
@@ -101,17 +132,20 @@ pub fn write_form_factors(
 fn table(
     patches: &[PatchRecord],
     mut records: impl Iterator<Item = Result<FormFactorRecord, ReportError>>,
+    resolution: f64,
     plan: &PlanSummary,
 ) -> Result<Table, ReportError> {
     let line = |record: FormFactorRecord| {
         let name = |index: usize| format!("{index} ({})", patches[index].name);
-        vec![
+        let moved = (resolution > 0.0).then(|| scientific(record.resolution_error));
+        let known = [
             name(record.from),
             name(record.to),
             certain_digits(record.value, record.error),
             scientific(record.error),
-            record.route.to_owned(),
-        ]
+        ];
+        let route = record.route.to_owned();
+        known.into_iter().chain(moved).chain([route]).collect()
     };
     let shown = records.by_ref().take(MOST_ROWS);
     let rows = shown.map(|record| record.map(line));
@@ -122,8 +156,11 @@ fn table(
         let note = format!("{more}: --format csv or json lists all, --from and --to choose");
         notes.insert(0, ("pairs not shown".to_owned(), note));
     }
+    let mut columns = vec!["from", "to", "form factor", "±"];
+    columns.extend((resolution > 0.0).then_some("± resolution"));
+    columns.push("route");
     Ok(Table {
-        columns: vec!["from", "to", "form factor", "±", "route"],
+        columns,
         rows,
         notes,
         ..Table::default()

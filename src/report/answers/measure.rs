@@ -91,9 +91,17 @@ fn discrete_lines(answer: &MeasureAnswer) -> Vec<Line> {
             format!("{} ({})", scientific(error), answer.error_grade.name()),
         ),
     ];
-    lines
+    let mut lines = lines
         .map(|(quantity, value)| (quantity.to_owned(), value))
-        .to_vec()
+        .to_vec();
+    if answer.resolution > 0.0 {
+        let change = scientific(answer.resolution_error);
+        lines.push((
+            "what the resolution can change, bits".to_owned(),
+            format!("{change} (coordinates ± {:e})", answer.resolution),
+        ));
+    }
+    lines
 }
 
 /// The rows that stand out: by their sum, and by their weight.
