@@ -52,6 +52,10 @@ const PIECES: u32 = 4;
 /// Polygons that are apart by so many of their radii are taken as a whole.
 const FAR: f64 = 2.0;
 
+/// The part of what the resolution can change that an error of the computation may be, whatever the
+/// tolerance: nobody sees more digits than that.
+const UNFELT: f64 = 1e-3;
+
 /// The polygons of a scene, ready for these bounds.
 #[derive(Debug, Clone)]
 pub(crate) struct Resolution {
@@ -285,9 +289,15 @@ impl ScenePairs<'_> {
         times * self.terms().pairs(first, second).map(change).sum::<f64>()
     }
 
-    /// Whether the plan leaves out all that two rows could exchange.
-    pub(crate) fn are_left_out(&self, first: usize, second: usize) -> bool {
-        self.facing(first, second) != Facing::Visible
+    /// The error of the computation that nobody feels beside what the resolution can change of the
+    /// exchange area of two rows.
+    pub(crate) fn unfelt(&self, first: usize, second: usize) -> f64 {
+        UNFELT * self.resolution_error(first, second)
+    }
+
+    /// Whether the plan leaves out two rows as one lies behind the other's plane.
+    pub(crate) fn is_behind(&self, first: usize, second: usize) -> bool {
+        self.facing(first, second) == Facing::BackFacing
     }
 
     /// Bounds on what the resolution of the scene can change of the rows' areas.
@@ -332,7 +342,7 @@ impl ResolutionErrors {
         let areas = pairs.area_resolution_errors();
         let mut rows: Vec<f64> = own.iter().zip(&areas).map(|(own, area)| own + area).collect();
         for i in 0..n {
-            for j in (0..i).filter(|j| !pairs.are_left_out(i, *j)) {
+            for j in (0..i).filter(|j| pairs.facing(i, *j) == Facing::Visible) {
                 let change = *exchange.get(i, j);
                 rows[i] += change;
                 rows[j] += change;

@@ -85,7 +85,9 @@ impl ScenePairs<'_> {
             Some([one, other]) => self.polygon_pair(one, other, counts)?,
             None => self.summed_row_pair(first.min(second), first.max(second), counts)?,
         };
-        counts.rows([first, second], &answer, self.tolerance());
+        if answer.exchange.error > self.unfelt(first, second) {
+            counts.rows([first, second], &answer, self.tolerance());
+        }
         Ok(answer)
     }
 

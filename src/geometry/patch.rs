@@ -132,14 +132,7 @@ impl Patch {
                     resolution: bent.resolution(),
                 });
             }
-            bend = Some(Box::new(Bend {
-                given: corners.clone(),
-                moved: bent.half(),
-                resolution,
-            }));
-            for (corner, height) in corners.iter_mut().zip(&heights) {
-                *corner -= (height - bent.middle) * normal;
-            }
+            bend = Some(put_flat(&mut corners, &heights, &bent, (normal, resolution)));
         }
         let patch = Self {
             corners,
@@ -176,6 +169,18 @@ impl Patch {
         let next = self.corners.iter().cycle().skip(1);
         let edges = self.corners.iter().zip(next);
         edges.map(|(from, to)| from.distance(*to)).sum()
+    }
+
+    /// Puts a polygon that is plane within [`tolerance::PLANARITY`] into its plane, as the resolution
+    /// is coarser than that.
+    pub(crate) fn flatten(&mut self, resolution: f64) {
+        let heights = self.corners.iter().map(|c| (*c - self.corners[0]).dot(self.normal));
+        let heights: Vec<f64> = heights.collect();
+        let bent = Bent::of(&heights, self.width());
+        if self.corners.len() > 3 && bent.span > 0.0 && self.bend.is_none() {
+            let known = (self.normal, resolution);
+            self.bend = Some(put_flat(&mut self.corners, &heights, &bent, known));
+        }
     }
 
     /// The area over the diameter: half the altitude of a triangle, or more.
@@ -218,6 +223,24 @@ impl Patch {
             .filter(|(i, j)| j - i > 1 && (*i > 0 || *j < n - 1)) // neighbours share a corner
             .find(|(i, j)| segments_meet(edge(*i), edge(*j)))
     }
+}
+
+/// Puts corners at these heights into the plane in the middle.
+fn put_flat(
+    corners: &mut [DVec3],
+    heights: &[f64],
+    bent: &Bent,
+    (normal, resolution): (DVec3, f64),
+) -> Box<Bend> {
+    let given = corners.to_vec();
+    for (corner, height) in corners.iter_mut().zip(heights) {
+        *corner -= (height - bent.middle) * normal;
+    }
+    Box::new(Bend {
+        given,
+        moved: bent.half(),
+        resolution,
+    })
 }
 
 /// The heights of a polygon's corners over its mean plane.

@@ -6,7 +6,8 @@
 //!
 //! Exchange areas change by `ρ_ij` at most and areas by `a_i`
 //! ([`ScenePairs::resolution_error`]). So every f changes by what it does between `J ± ρ`, for all
-//! pairs, those that are left out included; then q changes by `q t` with
+//! pairs but those of surfaces that are taken to lie in one plane, which exchange nothing if they
+//! do; then q changes by `q t` with
 //!
 //! ```text
 //!   |t_ij| ≤ (η_i + η_j + η) (1 + max η)/(1 − η),      η_i = a_i/A_i,  η = Σ a_i/A_T
@@ -57,7 +58,7 @@ impl Changes {
         let total = compensated_sum(weights.iter().copied());
         let of_areas = pairs.area_resolution_errors().into_iter();
         let unseen = parallel_map(weights.len(), &|i| {
-            let hidden = (0..i).filter(|j| pairs.are_left_out(i, *j));
+            let hidden = (0..i).filter(|j| pairs.is_behind(i, *j));
             let changes = hidden.map(|j| {
                 let change = unit(pairs.resolution_error(i, j));
                 divergence_error(0.0, change, weights[i] * (weights[j] / total))

@@ -71,7 +71,12 @@ impl Scene {
         Ok(self.resolved(resolution))
     }
 
-    fn resolved(self, resolution: f64) -> Self {
+    fn resolved(mut self, resolution: f64) -> Self {
+        if resolution > 0.0 {
+            for surface in self.patches.iter_mut().chain(&mut self.obstructions) {
+                surface.shape.flatten(resolution);
+            }
+        }
         Self {
             resolution,
             prepared: Prepared::default(),
@@ -83,22 +88,20 @@ impl Scene {
     /// are known to that if surfaces miss each other on this scale, else they are exact.
     pub(crate) fn with_last_place(self, half_unit: f64) -> Self {
         let width = self.narrowest();
-        // coordinates of no use for such surfaces were not rounded
-        if !(half_unit > 0.0) || half_unit > width / tolerance::RESOLVED_NOISE {
-            return self.resolved(0.0);
-        }
         let candidate = half_unit.min(tolerance::RESOLVED * width);
-        let exact = self.resolved(0.0);
-        let rounding = exact.rounding();
-        if candidate <= rounding {
-            return exact;
+        if self.surfaces().any(|surface| surface.shape().moved() > 0.0) {
+            return self.resolved(candidate);
         }
-        let resolved = exact.clone().resolved(candidate);
-        let is_bent = resolved.surfaces().any(|surface| surface.shape().moved() > 0.0);
-        if is_bent || resolved.planes_miss(rounding) || resolved.corners_miss(rounding) {
+        let rounding = self.rounding();
+        // coordinates too coarse for the surfaces were not rounded to them
+        if candidate <= rounding || half_unit >= width / tolerance::RESOLVED_NOISE {
+            return self;
+        }
+        let resolved = self.clone().resolved(candidate);
+        if resolved.planes_miss(rounding) || self.corners_miss(2.0 * candidate, rounding) {
             resolved
         } else {
-            exact
+            self
         }
     }
 
@@ -140,9 +143,9 @@ impl Scene {
     }
 
     /// Whether a corner lies beside an edge or a corner of another surface, off it by more than
-    /// rounding and less than two corners of this resolution, and no edge there is parallel.
-    fn corners_miss(&self, rounding: f64) -> bool {
-        let nearby = 2.0 * tolerance::SQRT_3 * self.resolution;
+    /// rounding and less than corners can be that are both off, and no edge there is parallel.
+    fn corners_miss(&self, off: f64, rounding: f64) -> bool {
+        let nearby = tolerance::SQRT_3 * off;
         let surfaces: Vec<&NamedPatch> = self.surfaces().collect();
         let edges = surfaces.iter().enumerate().flat_map(|(index, surface)| {
             let corners = surface.shape().corners();
