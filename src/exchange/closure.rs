@@ -4,8 +4,8 @@
 //!   closed:  |Σ_j F_ij − 1| ≤ Σ_j bound_ij / A_i + 4 ε + ρ_i  for every i
 //! ```
 //!
-//! ρ is what the resolution of the coordinates can change
-//! ([`ScenePairs::resolution_error`]), 0 where they are exact.
+//! ρ is what the cracks between surfaces can change that the resolution of the coordinates explains
+//! ([`ScenePairs::crack_errors`]), 0 where they are exact.
 //!
 //! The 4 ε are for the area and the quotient; where an area is a sum or a difference, they are
 //! relative to the areas that it is made of.
@@ -27,7 +27,8 @@ pub struct RowSum {
     pub sum: f64,
     /// A bound on the error of the sum.
     pub error: f64,
-    /// A bound on what the resolution of the coordinates can change of a sum of one.
+    /// A bound on what cracks that the resolution of the coordinates explains can change of a sum of
+    /// one.
     pub resolution_error: f64,
 }
 
@@ -68,10 +69,10 @@ impl Closure {
         Self { rows, names }
     }
 
-    /// The closure of rows whose exchange areas sum to their areas, each with what the resolution
-    /// can change of either.
+    /// The closure of rows between whose surfaces there are cracks, each with what these change of
+    /// the sum of its exchange areas.
     #[must_use]
-    pub(crate) fn resolved(mut self, areas: &[f64], errors: impl Iterator<Item = f64>) -> Self {
+    pub(crate) fn resolved(mut self, areas: &[f64], errors: &[f64]) -> Self {
         for ((row, area), error) in self.rows.iter_mut().zip(areas).zip(errors) {
             row.resolution_error = error / area;
         }
@@ -83,19 +84,14 @@ impl Closure {
     /// # Errors
     /// [`ExchangeError::Pair`] if two patches are refused.
     pub fn of(pairs: &ScenePairs<'_>) -> Result<Self, ExchangeError> {
-        let (sums, _) = pairs.row_sums(|i, j, exchange| {
-            [exchange.value, exchange.error, pairs.resolution_error(i, j)]
-        })?;
-        let known = sums.iter().map(|[value, error, _]| [*value, *error]);
+        let (sums, _) = pairs.row_sums(|_, _, exchange| [exchange.value, exchange.error])?;
         let closure = Self::new(
             pairs.shared_names(),
             pairs.areas(),
             pairs.area_bounds(),
-            known,
+            sums,
         );
-        let errors = sums.iter().zip(pairs.area_resolution_errors());
-        let errors = errors.map(|([.., error], of_area)| error + of_area);
-        Ok(closure.resolved(pairs.areas(), errors))
+        Ok(closure.resolved(pairs.areas(), &pairs.crack_errors()))
     }
 
     /// Sums the rows of exchange areas that are held.
@@ -128,7 +124,7 @@ impl Closure {
             sums,
         );
         match exchange.resolution_errors() {
-            Some(errors) => closure.resolved(exchange.areas(), errors.of_rows()),
+            Some(errors) => closure.resolved(exchange.areas(), errors.cracks()),
             None => closure,
         }
     }

@@ -30,6 +30,18 @@
 //! it, would be left out rightly if one of the two were moved by the height of one over the other:
 //! it has δ_i larger by that.
 //!
+//! **Rows that sum to one.** A closed scene stays closed where corners move together. What the
+//! polygons as given leave open, or cover twice, are cracks: along the joints of three edges, and
+//! where bent polygons were put flat. With the cracks spanned, the surface is closed, and a ray from
+//! i meets one front more or less only where it meets a crack:
+//!
+//! ```text
+//!   |A_i − Σ_j J_ij| ≤ Σ_j Σ_e C_e · E_e(i) + Σ_{e of i} C_e        C_e = |e| · width of the crack
+//! ```
+//!
+//! The widths are measured, and end where the resolution does not explain them any more: what gapes
+//! wider is open.
+//!
 //! The bound is for the worst of all places of the corners, and several times what roundings do.
 //! The form factor `F = J/A` changes by `(|ΔJ| + F |ΔA|)/(A − |ΔA|)` at most.
 //!
@@ -40,8 +52,8 @@ use super::ScenePairs;
 use super::plan::facing::Facing;
 use crate::exchange::rows::terms::RowTerm;
 use crate::geometry::{Patch, clipped};
-use crate::numeric::{Symmetric, compensated_sum, real, tolerance};
-use crate::scene::{NamedPatch, Scene};
+use crate::numeric::{Symmetric, compensated_sum, parallel_map, real, tolerance};
+use crate::scene::Scene;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -79,6 +91,8 @@ struct Loose {
     /// Outward unit vectors across the edges that have all of the polygon on one side.
     sides: Vec<(DVec3, f64)>,
     pieces: Vec<Piece>,
+    /// The pieces of edges along which there are cracks, with the area of these.
+    cracks: Vec<Piece>,
     centre: DVec3,
     radius: f64,
     area: f64,
@@ -89,7 +103,7 @@ struct Loose {
 }
 
 impl Loose {
-    fn of(patch: &Patch, delta: f64) -> Self {
+    fn of(patch: &Patch, delta: f64, widths: &[f64]) -> Self {
         let (corners, normal) = (patch.corners().to_vec(), patch.normal());
         let centre = corners.iter().sum::<DVec3>() / real(corners.len());
         let radius = corners.iter().map(|corner| corner.distance(centre));
@@ -112,7 +126,13 @@ impl Loose {
             })
         };
         let pieces: Vec<Piece> = ends().flat_map(piece).collect();
+        let widths = widths.iter().flat_map(|width| [*width; PIECES as usize]);
+        let cracks = pieces.iter().zip(widths).map(|(piece, width)| Piece {
+            ribbon: 2.0 * piece.half.length() * width,
+            ..*piece
+        });
         Self {
+            cracks: cracks.filter(|crack| crack.ribbon > 0.0).collect(),
             sides: ends().filter_map(side).collect(),
             radius: radius.fold(0.0, f64::max),
             area: patch.area(),
@@ -169,33 +189,46 @@ impl Loose {
         0.5 * doubled.length()
     }
 
+    /// The form factor to this polygon of what is no nearer and no higher over it, at most.
+    fn share(&self, distance: f64, height: f64) -> f64 {
+        if distance <= 0.0 {
+            return 1.0;
+        }
+        let cosine = (height / distance).clamp(0.0, 1.0);
+        let area = self.area + self.ribbons;
+        (area * cosine / (PI * distance * distance)).min(1.0)
+    }
+
+    /// The rays of this polygon that meet the ribbon of a piece of another one's edge, as an
+    /// exchange area.
+    fn crossed_by(&self, piece: &Piece, reach: f64) -> f64 {
+        let distance = self.distance(piece.middle) - piece.half.length() - reach;
+        let rise = piece.half.dot(self.normal).abs();
+        let open = reach + self.tilt * (piece.middle.distance(self.centre) + reach);
+        let height = self.height(piece.middle) + rise + open;
+        if height <= 0.0 {
+            return 0.0;
+        }
+        piece.ribbon * self.share(distance, height)
+    }
+
+    /// The rays of this polygon that meet cracks along another one's edges.
+    fn lost_to(&self, other: &Self) -> f64 {
+        let reach = self.delta + other.delta;
+        let cracks = other.cracks.iter();
+        cracks.map(|crack| self.crossed_by(crack, reach)).sum()
+    }
+
     /// `c_ij` of this polygon and another one, when this one moves.
     fn change(&self, other: &Self) -> f64 {
         let reach = self.delta + other.delta;
-        let area = other.area + other.ribbons;
         let apart = self.centre.distance(other.centre);
         let gap = apart - self.radius - other.radius - reach;
-        let share = |distance: f64, height: f64| {
-            if distance <= 0.0 {
-                return 1.0;
-            }
-            let cosine = (height / distance).clamp(0.0, 1.0);
-            (area * cosine / (PI * distance * distance)).min(1.0)
-        };
         if gap > FAR * self.radius.max(other.radius) {
             let far = reach + other.tilt * (apart + self.radius);
-            return self.ribbons * share(gap, other.overtopped_by(self) + far);
+            return self.ribbons * other.share(gap, other.overtopped_by(self) + far);
         }
-        let swept = self.pieces.iter().map(|piece| {
-            let distance = other.distance(piece.middle) - piece.half.length() - reach;
-            let rise = piece.half.dot(other.normal).abs();
-            let open = reach + other.tilt * (piece.middle.distance(other.centre) + reach);
-            let height = other.height(piece.middle) + rise + open;
-            if height <= 0.0 {
-                return 0.0;
-            }
-            piece.ribbon * share(distance, height)
-        });
+        let swept = self.pieces.iter().map(|piece| other.crossed_by(piece, reach));
         let swept: f64 = swept.sum();
         if gap > 0.0 {
             return swept;
@@ -229,16 +262,21 @@ impl Loose {
 }
 
 impl Resolution {
-    /// The polygons of a scene, unless its coordinates are exact.
-    pub(crate) fn of(scene: &Scene, shapes: &[NamedPatch]) -> Option<Self> {
+    /// The polygons of a scene that are these patches, unless its coordinates are exact.
+    pub(crate) fn of(scene: &Scene, patches: &[usize]) -> Option<Self> {
         let length = scene.resolution();
-        let loose = |patch: &NamedPatch| {
-            let shape = patch.shape();
-            Loose::of(shape, tolerance::SQRT_3 * length + shape.moved())
+        if length <= 0.0 {
+            return None;
+        }
+        let cracks = scene.cracks();
+        let loose = |patch: &usize| {
+            let shape = scene.patches()[*patch].shape();
+            let delta = tolerance::SQRT_3 * length + shape.moved();
+            Loose::of(shape, delta, &cracks[*patch])
         };
-        (length > 0.0).then(|| Self {
+        Some(Self {
             length,
-            outlines: shapes.iter().map(loose).collect(),
+            outlines: patches.iter().map(loose).collect(),
         })
     }
 
@@ -289,6 +327,23 @@ impl ScenePairs<'_> {
         times * self.terms().pairs(first, second).map(change).sum::<f64>()
     }
 
+    /// Bounds on what a row's sum of exchange areas may be off its area in a closed scene, by what
+    /// the resolution explains of the cracks between its patches.
+    #[must_use]
+    pub fn crack_errors(&self) -> Vec<f64> {
+        let Some(Resolution { outlines, .. }) = self.loose() else {
+            return vec![0.0; self.rows()];
+        };
+        parallel_map(self.rows(), &|row| {
+            let terms = self.terms().of_row(row).iter();
+            let lost = terms.map(|term| {
+                let own = &outlines[term.polygon];
+                outlines.iter().map(|other| own.lost_to(other)).sum::<f64>()
+            });
+            lost.sum()
+        })
+    }
+
     /// The error of the computation that nobody feels beside what the resolution can change of the
     /// exchange area of two rows.
     pub(crate) fn unfelt(&self, first: usize, second: usize) -> f64 {
@@ -323,7 +378,7 @@ pub struct ResolutionErrors {
     exchange: Symmetric<f64>,
     own: Vec<f64>,
     areas: Vec<f64>,
-    rows: Vec<f64>,
+    cracks: Vec<f64>,
 }
 
 impl ResolutionErrors {
@@ -340,20 +395,12 @@ impl ResolutionErrors {
         });
         let own: Vec<f64> = (0..n).map(|i| pairs.resolution_error(i, i)).collect();
         let areas = pairs.area_resolution_errors();
-        let mut rows: Vec<f64> = own.iter().zip(&areas).map(|(own, area)| own + area).collect();
-        for i in 0..n {
-            for j in (0..i).filter(|j| pairs.facing(i, *j) == Facing::Visible) {
-                let change = *exchange.get(i, j);
-                rows[i] += change;
-                rows[j] += change;
-            }
-        }
         Some(Self {
             length: resolution.length,
             exchange,
             own,
             areas,
-            rows,
+            cracks: pairs.crack_errors(),
         })
     }
 
@@ -381,8 +428,10 @@ impl ResolutionErrors {
         &self.areas
     }
 
-    /// Bounds on what a row's sum of exchange areas may be off its area in a closed scene.
-    pub(crate) fn of_rows(&self) -> impl Iterator<Item = f64> + '_ {
-        self.rows.iter().copied()
+    /// Bounds on what a row's sum of exchange areas may be off its area in a closed scene
+    /// ([`ScenePairs::crack_errors`]).
+    #[must_use]
+    pub fn cracks(&self) -> &[f64] {
+        &self.cracks
     }
 }

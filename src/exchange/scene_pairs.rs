@@ -95,7 +95,7 @@ impl<'p> ScenePairs<'p> {
         let mut pairs = Self {
             plane_sets: PlaneSets::of(&terms, plan.facings()),
             base_offsets: BaseOffsets::of(scene, terms.patches()),
-            resolution: Resolution::of(scene, &shapes),
+            resolution: Resolution::of(scene, terms.patches()),
             listener: Listener(&Unheard),
             names: scene.group_names().into_iter().map(str::to_owned).collect(),
             plan,

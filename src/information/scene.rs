@@ -210,7 +210,7 @@ impl<const N: usize> RowSums<N> {
             changes = Some(Changes::of(pairs, |x| unit.times(x), &areas, &moved));
         }
         let closure = match &changes {
-            Some(changes) => closure.resolved(&areas, changes.of_rows()),
+            Some(_) => closure.resolved(pairs.areas(), &pairs.crack_errors()),
             None => closure,
         };
         Ok(Self {

@@ -32,6 +32,7 @@
 use super::planes::ScenePlanes;
 use super::visibility::surfaces::Prepared;
 use super::{NamedPatch, Scene, SceneError};
+use crate::geometry::Patch;
 use crate::numeric::tolerance;
 use glam::DVec3;
 use rstar::primitives::{GeomWithData, Line};
@@ -146,35 +147,100 @@ impl Scene {
     /// rounding and less than corners can be that are both off, and no edge there is parallel.
     fn corners_miss(&self, off: f64, rounding: f64) -> bool {
         let nearby = tolerance::SQRT_3 * off;
-        let surfaces: Vec<&NamedPatch> = self.surfaces().collect();
-        let edges = surfaces.iter().enumerate().flat_map(|(index, surface)| {
-            let corners = surface.shape().corners();
-            let next = corners.iter().cycle().skip(1);
-            let ends = corners.iter().zip(next);
-            ends.map(move |(from, to)| {
-                GeomWithData::new(Line::new(from.to_array(), to.to_array()), index)
-            })
-        });
-        let edges = RTree::bulk_load(edges.collect());
-        surfaces.iter().enumerate().any(|(index, surface)| {
-            let corners = surface.shape().corners();
+        let edges = Edges::of(self.surfaces().map(|surface| surface.shape()));
+        self.surfaces().enumerate().any(|(index, surface)| {
+            let corners = surface.shape().given_corners();
             let n = corners.len();
             (0..n).any(|place| {
                 let corner = corners[place];
                 let own = [n - 1, 1].map(|step| corners[(place + step) % n] - corner);
-                let near = edges.locate_within_distance(corner.to_array(), nearby * nearby);
-                near.filter(|edge| edge.data != index).any(|edge| {
-                    let distance = edge.geom().distance_2(&corner.to_array()).sqrt();
-                    let ends = [edge.geom().from, edge.geom().to].map(DVec3::from_array);
-                    let along = ends[1] - ends[0];
+                edges.near(corner, index, nearby).any(|edge| {
+                    let along = edge.ends[1] - edge.ends[0];
                     let is_parallel = |own: &DVec3| {
                         let shorter = own.length().min(along.length());
                         let sine = own.cross(along).length() / (own.length() * along.length());
                         sine * shorter <= rounding
                     };
-                    distance > rounding && !own.iter().any(is_parallel)
+                    edge.distance > rounding && !own.iter().any(is_parallel)
                 })
             })
+        })
+    }
+
+    /// The widths of the cracks along the edges of each patch: what its corners lie off the edges
+    /// beside them and off the plane that the patch shares, what other corners lie off the edge, and
+    /// what the patch was moved by when it was put flat. Corners farther off than a plane explains
+    /// ([`tolerance::BEND`]) leave a gap, and no crack.
+    pub(crate) fn cracks(&self) -> Vec<Vec<f64>> {
+        let nearby = tolerance::BEND * self.resolution;
+        let planes = self.planes();
+        let shapes = || self.patches.iter().map(NamedPatch::shape);
+        let edges = Edges::of(shapes());
+        let mut beside: Vec<Vec<f64>> = shapes().map(|shape| vec![0.0; shape.corners().len()]).collect();
+        let mut off = beside.clone();
+        for (index, shape) in shapes().enumerate() {
+            let shared = planes.facing(index);
+            let unit = planes.unit();
+            let corners = shape.given_corners().iter().zip(shape.corners());
+            for (place, (given, flat)) in corners.enumerate() {
+                let mut least = f64::INFINITY;
+                for edge in edges.near(*given, index, nearby) {
+                    least = least.min(edge.distance);
+                    let at_end = edge.ends.iter().any(|end| end == given);
+                    let width = &mut beside[edge.surface][edge.place];
+                    if !at_end {
+                        *width = width.max(edge.distance);
+                    }
+                }
+                let aside = if least < nearby { least } else { 0.0 };
+                let height = unit * shared.height(*flat / unit).abs();
+                off[index][place] = given.distance(*flat) + height + aside;
+            }
+        }
+        for (beside, off) in beside.iter_mut().zip(&off) {
+            let n = off.len();
+            for (place, width) in beside.iter_mut().enumerate() {
+                *width += off[place].max(off[(place + 1) % n]);
+            }
+        }
+        beside
+    }
+}
+
+/// The edges of surfaces, by place.
+struct Edges(RTree<GeomWithData<Line<[f64; 3]>, [usize; 2]>>);
+
+/// An edge near a point.
+struct NearEdge {
+    surface: usize,
+    /// The place of the edge among those of the surface.
+    place: usize,
+    ends: [DVec3; 2],
+    distance: f64,
+}
+
+impl Edges {
+    fn of<'s>(shapes: impl Iterator<Item = &'s Patch>) -> Self {
+        let edges = shapes.enumerate().flat_map(|(index, shape)| {
+            let corners = shape.given_corners();
+            let next = corners.iter().cycle().skip(1);
+            let ends = corners.iter().zip(next).enumerate();
+            ends.map(move |(place, (from, to))| {
+                GeomWithData::new(Line::new(from.to_array(), to.to_array()), [index, place])
+            })
+        });
+        Self(RTree::bulk_load(edges.collect()))
+    }
+
+    /// The edges of other surfaces within a distance of a point.
+    fn near(&self, point: DVec3, own: usize, distance: f64) -> impl Iterator<Item = NearEdge> + '_ {
+        let near = self.0.locate_within_distance(point.to_array(), distance * distance);
+        let near = near.filter(move |edge| edge.data[0] != own);
+        near.map(move |edge| NearEdge {
+            surface: edge.data[0],
+            place: edge.data[1],
+            ends: [edge.geom().from, edge.geom().to].map(DVec3::from_array),
+            distance: edge.geom().distance_2(&point.to_array()).sqrt(),
         })
     }
 }
