@@ -174,13 +174,23 @@ impl Patch {
     /// Puts a polygon that is plane within [`tolerance::PLANARITY`] into its plane, as the resolution
     /// is coarser than that.
     pub(crate) fn flatten(&mut self, resolution: f64) {
-        let heights = self.corners.iter().map(|c| (*c - self.corners[0]).dot(self.normal));
-        let heights: Vec<f64> = heights.collect();
+        let heights = self.heights();
         let bent = Bent::of(&heights, self.width());
         if self.corners.len() > 3 && bent.span > 0.0 && self.bend.is_none() {
             let known = (self.normal, resolution);
             self.bend = Some(put_flat(&mut self.corners, &heights, &bent, known));
         }
+    }
+
+    /// The heights of the corners over the plane through the first.
+    fn heights(&self) -> Vec<f64> {
+        let heights = self.corners.iter().map(|c| (*c - self.corners[0]).dot(self.normal));
+        heights.collect()
+    }
+
+    /// The heights between which the corners lie.
+    pub(crate) fn bend(&self) -> f64 {
+        Bent::of(&self.heights(), self.width()).span
     }
 
     /// The area over the diameter: half the altitude of a triangle, or more.

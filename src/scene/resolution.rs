@@ -98,8 +98,10 @@ impl Scene {
         if candidate <= rounding || half_unit >= width / tolerance::RESOLVED_NOISE {
             return self;
         }
+        let is_bent = |surface: &NamedPatch| surface.shape().bend() > rounding;
+        let is_bent = self.surfaces().any(is_bent);
         let resolved = self.clone().resolved(candidate);
-        if resolved.planes_miss(rounding) || self.corners_miss(2.0 * candidate, rounding) {
+        if is_bent || resolved.planes_miss(rounding) || self.corners_miss(2.0 * candidate, rounding) {
             resolved
         } else {
             self
