@@ -53,7 +53,7 @@ use super::plan::facing::Facing;
 use crate::exchange::rows::terms::RowTerm;
 use crate::geometry::{Patch, clipped};
 use crate::numeric::{Symmetric, compensated_sum, parallel_map, real, tolerance};
-use crate::scene::Scene;
+use crate::scene::{ResolvedSurfaces, Scene};
 use glam::DVec3;
 use rayon::prelude::*;
 use std::f64::consts::PI;
@@ -71,7 +71,7 @@ const UNFELT: f64 = 1e-3;
 /// The polygons of a scene, ready for these bounds.
 #[derive(Debug, Clone)]
 pub(crate) struct Resolution {
-    length: f64,
+    surfaces: ResolvedSurfaces,
     outlines: Vec<Loose>,
 }
 
@@ -264,20 +264,22 @@ impl Loose {
 impl Resolution {
     /// The polygons of a scene that are these patches, unless its coordinates are exact.
     pub(crate) fn of(scene: &Scene, patches: &[usize]) -> Option<Self> {
-        let length = scene.resolution();
-        if length <= 0.0 {
-            return None;
-        }
+        let surfaces = scene.resolved_surfaces()?;
         let cracks = scene.cracks();
         let loose = |patch: &usize| {
             let shape = scene.patches()[*patch].shape();
-            let delta = tolerance::SQRT_3 * length + shape.moved();
+            let delta = tolerance::SQRT_3 * surfaces.length + shape.moved();
             Loose::of(shape, delta, &cracks[*patch])
         };
         Some(Self {
-            length,
+            surfaces,
             outlines: patches.iter().map(loose).collect(),
         })
+    }
+
+    /// The surfaces that are taken as bent, coplanar or touching.
+    pub(crate) const fn surfaces(&self) -> ResolvedSurfaces {
+        self.surfaces
     }
 
     /// A bound on the change of the exchange area of two polygons with this value.
@@ -302,7 +304,7 @@ impl ScenePairs<'_> {
     /// The length by which each coordinate may be off; 0 if they are exact.
     #[must_use]
     pub fn resolution(&self) -> f64 {
-        self.loose().map_or(0.0, |resolution| resolution.length)
+        self.loose().map_or(0.0, |loose| loose.surfaces.length)
     }
 
     /// A bound on what the resolution of the scene can change of the exchange area of two rows; 0
@@ -396,7 +398,7 @@ impl ResolutionErrors {
         let own: Vec<f64> = (0..n).map(|i| pairs.resolution_error(i, i)).collect();
         let areas = pairs.area_resolution_errors();
         Some(Self {
-            length: resolution.length,
+            length: resolution.surfaces.length,
             exchange,
             own,
             areas,

@@ -293,7 +293,9 @@ impl ScenePairs<'_> {
         classes: usize,
         counts: PassCounts,
     ) -> PassSummary {
-        counts.summary(pairs, self.plan.facings().count(), left_out, classes)
+        let mut summary = counts.summary(pairs, self.plan.facings().count(), left_out, classes);
+        summary.plan.resolution = self.loose().map(Resolution::surfaces);
+        summary
     }
 }
 

@@ -23,6 +23,7 @@ mod visibility;
 
 pub use error::SceneError;
 pub use material::{Material, MaterialError};
+pub use resolution::ResolvedSurfaces;
 pub use visibility::blockers::{Blocker, Blockers};
 pub use visibility::grid_lines::GridLines;
 pub use visibility::lines::{Chord, Passage, SceneLines};

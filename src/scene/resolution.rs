@@ -37,6 +37,7 @@ use crate::numeric::tolerance;
 use glam::DVec3;
 use rstar::primitives::{GeomWithData, Line};
 use rstar::{PointDistance, RTree};
+use std::fmt;
 
 impl Scene {
     /// The length by which each coordinate may be off; 0 if they are exact.
@@ -169,44 +170,121 @@ impl Scene {
         })
     }
 
+    /// The surfaces that this resolution takes as bent, coplanar or touching, counted; `None` if
+    /// coordinates are exact.
+    #[must_use]
+    pub fn resolved_surfaces(&self) -> Option<ResolvedSurfaces> {
+        if self.resolution <= 0.0 {
+            return None;
+        }
+        let (planes, rounding) = (self.planes(), self.rounding());
+        let is_thick = |surface: &usize| {
+            let shared = &planes.planes()[planes.plane_of(*surface).plane];
+            shared.thickness() * planes.unit() > rounding
+        };
+        let misses = self.joints().into_iter().flatten();
+        Some(ResolvedSurfaces {
+            length: self.resolution,
+            bent: self
+                .surfaces()
+                .filter(|surface| surface.shape().moved() > rounding)
+                .count(),
+            coplanar: (0..self.surfaces().count()).filter(is_thick).count(),
+            touching: misses.filter(|joint| joint.aside > rounding).count(),
+        })
+    }
+
+    /// The joints at the corners of each patch.
+    fn joints(&self) -> Vec<Vec<Joint>> {
+        let nearby = tolerance::BEND * self.resolution;
+        let shapes = || self.patches.iter().map(NamedPatch::shape);
+        let edges = Edges::of(shapes());
+        let joint = |index: usize, corner: DVec3| {
+            let near: Vec<NearEdge> = edges.near(corner, index, nearby).collect();
+            let distances = near.iter().map(|edge| edge.distance);
+            let aside = distances.fold(f64::INFINITY, f64::min);
+            Joint {
+                aside: if near.is_empty() { 0.0 } else { aside },
+                near,
+            }
+        };
+        let of_patch = |(index, shape): (usize, &Patch)| {
+            let corners = shape.given_corners().iter();
+            corners.map(|corner| joint(index, *corner)).collect()
+        };
+        shapes().enumerate().map(of_patch).collect()
+    }
+
     /// The widths of the cracks along the edges of each patch: what its corners lie off the edges
     /// beside them and off the plane that the patch shares, what other corners lie off the edge, and
     /// what the patch was moved by when it was put flat. Corners farther off than a plane explains
     /// ([`tolerance::BEND`]) leave a gap, and no crack.
     pub(crate) fn cracks(&self) -> Vec<Vec<f64>> {
-        let nearby = tolerance::BEND * self.resolution;
-        let planes = self.planes();
+        let (planes, joints) = (self.planes(), self.joints());
         let shapes = || self.patches.iter().map(NamedPatch::shape);
-        let edges = Edges::of(shapes());
-        let mut beside: Vec<Vec<f64>> = shapes().map(|shape| vec![0.0; shape.corners().len()]).collect();
-        let mut off = beside.clone();
-        for (index, shape) in shapes().enumerate() {
-            let shared = planes.facing(index);
-            let unit = planes.unit();
-            let corners = shape.given_corners().iter().zip(shape.corners());
-            for (place, (given, flat)) in corners.enumerate() {
-                let mut least = f64::INFINITY;
-                for edge in edges.near(*given, index, nearby) {
-                    least = least.min(edge.distance);
-                    let at_end = edge.ends.iter().any(|end| end == given);
-                    let width = &mut beside[edge.surface][edge.place];
-                    if !at_end {
-                        *width = width.max(edge.distance);
-                    }
+        let none = |shape: &Patch| vec![0.0_f64; shape.corners().len()];
+        let mut widths: Vec<Vec<f64>> = shapes().map(none).collect();
+        for (shape, joints) in shapes().zip(&joints) {
+            for (corner, joint) in shape.given_corners().iter().zip(joints) {
+                // a corner at the end of an edge is no joint of it
+                let beside = joint.near.iter().filter(|edge| !edge.ends.contains(corner));
+                for edge in beside {
+                    let width = &mut widths[edge.surface][edge.place];
+                    *width = width.max(edge.distance);
                 }
-                let aside = if least < nearby { least } else { 0.0 };
+            }
+        }
+        for (index, (shape, joints)) in shapes().zip(&joints).enumerate() {
+            let (shared, unit) = (planes.facing(index), planes.unit());
+            let corners = shape.given_corners().iter().zip(shape.corners());
+            let off = corners.zip(joints).map(|((given, flat), joint)| {
                 let height = unit * shared.height(*flat / unit).abs();
-                off[index][place] = given.distance(*flat) + height + aside;
+                given.distance(*flat) + height + joint.aside
+            });
+            let off: Vec<f64> = off.collect();
+            for (place, width) in widths[index].iter_mut().enumerate() {
+                *width += off[place].max(off[(place + 1) % off.len()]);
             }
         }
-        for (beside, off) in beside.iter_mut().zip(&off) {
-            let n = off.len();
-            for (place, width) in beside.iter_mut().enumerate() {
-                *width += off[place].max(off[(place + 1) % n]);
-            }
-        }
-        beside
+        widths
     }
+}
+
+/// Surfaces that a resolution takes as bent, coplanar or touching.
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
+pub struct ResolvedSurfaces {
+    /// The length by which each coordinate may be off.
+    pub length: f64,
+    /// The number of surfaces that are bent, and count as plane.
+    pub bent: usize,
+    /// The number of surfaces that count as lying in one plane with others, which they leave.
+    pub coplanar: usize,
+    /// The number of corners that count as lying on an edge or a corner beside them.
+    pub touching: usize,
+}
+
+impl fmt::Display for ResolvedSurfaces {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            length,
+            bent,
+            coplanar,
+            touching,
+        } = self;
+        write!(
+            f,
+            "coordinates are taken as ± {length:e}: {bent} bent surfaces count as plane, {coplanar} as \
+             lying in a plane with others, {touching} corners as lying on the edges beside them; a \
+             resolution of 0 takes them as exact"
+        )
+    }
+}
+
+/// A corner of a patch, and the edges of others that it lies beside.
+struct Joint {
+    near: Vec<NearEdge>,
+    /// The distance of the nearest; 0 if none is near.
+    aside: f64,
 }
 
 /// The edges of surfaces, by place.

@@ -78,6 +78,12 @@ impl Reading {
     }
 }
 
+/// The remark of a reader on the resolution of a scene, unless its coordinates are exact.
+fn remark(source: &Source, scene: &Scene) -> Option<String> {
+    let surfaces = scene.resolved_surfaces()?;
+    Some(format!("{}: {surfaces}", source.file().display()))
+}
+
 /// A scene, and what its reader has to say about it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadedScene {

@@ -22,7 +22,7 @@ use super::error::{Fault, FileError, excerpt};
 use super::faces::patches_of_face;
 use super::last_place::LastPlaces;
 use super::source::{Source, number};
-use super::{LoadedScene, NonPlanarFaces, Reading};
+use super::{LoadedScene, NonPlanarFaces, Reading, remark};
 use crate::scene::{Material, NamedPatch, Scene};
 use glam::DVec3;
 use mtl::read_mtl;
@@ -84,7 +84,9 @@ pub fn read_obj(
     for (line, text) in logical_lines(source) {
         reader.statement(line, &text)?;
     }
-    let Reader { patches, notes, .. } = reader;
+    let Reader {
+        patches, mut notes, ..
+    } = reader;
     let mend = "a face is a line \"f a b c\"";
     let scene = Scene::try_new(patches)
         .map_err(|_| FileError::of_file(source.file(), Fault::NoPatch { mend }))?;
@@ -92,6 +94,7 @@ pub fn read_obj(
         let error = Box::new(error);
         FileError::of_file(source.file(), Fault::Scene { source: error })
     })?;
+    notes.extend(remark(source, &scene));
     Ok(LoadedScene { scene, notes })
 }
 

@@ -31,7 +31,7 @@ use super::decimal::complement;
 use super::error::{Fault, FileError, excerpt};
 use super::last_place::LastPlaces;
 use super::source::{Source, number};
-use super::{LoadedScene, Reading};
+use super::{LoadedScene, Reading, remark};
 use crate::scene::{Material, MaterialError};
 use glam::DVec3;
 use std::collections::HashMap;
@@ -65,7 +65,8 @@ pub fn read_view3d(
             Statement::End => {
                 let known = (reading, reader.places.half_unit());
                 let scene = assemble(source, &reader.vertices, &reader.surfaces, known)?;
-                let notes = reader.notes(source);
+                let mut notes = reader.notes(source);
+                notes.extend(remark(source, &scene));
                 return Ok(LoadedScene { scene, notes });
             }
         }
