@@ -4,7 +4,7 @@ use super::Answer;
 use super::output::{Output, check_place, finished, replace_with, say};
 use super::progress::Bar;
 use super::scene::ScenePairsArguments;
-use infoscene::question::{FormFactorMatrix, FormFactors, Unreached};
+use infoscene::question::{FormFactorMatrix, FormFactors, PatchName, Unreached};
 use infoscene::report::{write_form_factors, write_npy_head, write_npy_row};
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -13,12 +13,13 @@ use std::path::{Path, PathBuf};
 pub(super) struct FormFactor {
     #[command(flatten)]
     scene: ScenePairsArguments,
-    /// Only from this patch, counted from 0; patches that are summed into one row count as one.
-    #[arg(long, value_name = "I")]
-    from: Option<usize>,
-    /// Only to this patch, counted from 0.
-    #[arg(long, value_name = "J")]
-    to: Option<usize>,
+    /// Only from this patch: its index from 0, or a name; that of an object means all its faces.
+    /// Patches that are summed into one row count as one.
+    #[arg(long, value_name = "PATCH")]
+    from: Option<PatchName>,
+    /// Only to this patch, likewise.
+    #[arg(long, value_name = "PATCH")]
+    to: Option<PatchName>,
     /// Write the whole matrix here, too: NumPy's format, one row per patch that sends.
     #[arg(long, value_name = "OUT.npy")]
     matrix: Option<PathBuf>,
@@ -34,10 +35,10 @@ impl FormFactor {
         }
         let question = FormFactors {
             scene: self.scene.source(),
-            tolerance: self.scene.tolerance,
+            tolerance: self.scene.tolerance(),
             congruence: self.scene.congruence(),
-            from: self.from,
-            to: self.to,
+            from: self.from.clone(),
+            to: self.to.clone(),
             matrix: self.matrix.is_some(),
         };
         let bar = Bar::default();

@@ -50,7 +50,7 @@ impl Measure {
         self.output.check()?;
         let question = question::Measure {
             scene: self.scene.source(),
-            tolerance: self.scene.tolerance,
+            tolerance: self.scene.tolerance(),
             congruence: self.scene.congruence(),
             light: self.light.light(),
             open_scene: if self.open {

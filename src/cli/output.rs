@@ -4,7 +4,7 @@ use super::{Answer, Outcome};
 use clap::builder::RangedI64ValueParser;
 use indicatif::style::TemplateError;
 use indicatif::{ProgressBar, ProgressStyle};
-use infoscene::question::Unreached;
+use infoscene::question::{TURNED_AWAY, Unreached};
 use infoscene::report::{Format, Report};
 use std::fs;
 use std::io::{self, Write};
@@ -270,7 +270,12 @@ fn folder_of(path: &Path) -> io::Result<&Path> {
 /// Prints remarks on an answer to standard error.
 pub(super) fn say(notes: &[String]) {
     for note in notes {
-        eprintln!("infoscene: {note}");
+        let option = if note == TURNED_AWAY {
+            " --reverse does"
+        } else {
+            ""
+        };
+        eprintln!("infoscene: {note}{option}");
     }
 }
 

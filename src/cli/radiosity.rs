@@ -27,7 +27,7 @@ impl Radiosity {
         self.output.check()?;
         let question = question::Radiosity {
             scene: self.scene.source(),
-            tolerance: self.scene.tolerance,
+            tolerance: self.scene.tolerance(),
             congruence: self.scene.congruence(),
             materials: self.materials.changes(),
             importance: self.importance.clone(),

@@ -84,7 +84,7 @@ impl Drawing {
             seed: self.seed,
             continuous,
             exact,
-            tolerance: scene.tolerance,
+            tolerance: scene.tolerance(),
             congruence: scene.congruence(),
         };
         let answer = question.ask(&Bar::default())?;

@@ -1,6 +1,6 @@
 //! SCENE: the arguments that questions about a scene share.
 
-use infoscene::exchange::Congruence;
+use infoscene::exchange::{Congruence, Tolerance};
 use infoscene::form_factor::DEFAULT_TOLERANCE;
 use infoscene::question::SceneSource;
 use infoscene::scene::Occlusion;
@@ -23,6 +23,9 @@ pub(super) struct SceneArgument {
     /// half a unit in the last decimal of the file, where surfaces miss each other by so little.
     #[arg(long, value_name = "LENGTH", value_parser = length)]
     resolution: Option<f64>,
+    /// Turn the front of every patch to its other side.
+    #[arg(long)]
+    reverse: bool,
     /// Leave out that patches and obstructions hide others.
     #[arg(long)]
     unoccluded: bool,
@@ -38,6 +41,7 @@ impl SceneArgument {
                 NonPlanarFaces::Refuse
             },
             resolution: self.resolution,
+            reverse: self.reverse,
             subdivide: self.subdivide,
             occlusion: if self.unoccluded {
                 Occlusion::Ignore
@@ -56,7 +60,11 @@ pub(super) struct ScenePairsArguments {
     scene: SceneArgument,
     /// The relative error asked for of every form factor.
     #[arg(long, value_name = "REL", default_value_t = DEFAULT_TOLERANCE, value_parser = relative)]
-    pub(super) tolerance: f64,
+    tolerance: f64,
+    /// The absolute error that is accepted of every form factor even where it is more, relatively;
+    /// if none is given, 2.2e-16 divided by the number of patches, which no row sum can feel.
+    #[arg(long, value_name = "ABS", value_parser = absolute)]
+    absolute: Option<f64>,
     /// Compute congruent pairs, too.
     #[arg(long, hide = true)]
     every_pair: bool,
@@ -76,7 +84,22 @@ fn relative(text: &str) -> Result<f64, String> {
     }
 }
 
+fn absolute(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(number) if (0.0..1.0).contains(&number) => Ok(number),
+        _ => Err("it must be a number from 0 to 1".to_owned()),
+    }
+}
+
 impl ScenePairsArguments {
+    /// The error that is accepted of form factors.
+    pub(super) const fn tolerance(&self) -> Tolerance {
+        Tolerance {
+            relative: self.tolerance,
+            absolute: self.absolute,
+        }
+    }
+
     /// The scene that is meant.
     pub(super) fn source(&self) -> SceneSource {
         self.scene.source()

@@ -6,19 +6,19 @@ use super::output::{Output, precision, say};
 use super::progress::Bar;
 use super::scene::SceneArgument;
 use infoscene::geometry::SplitAxis;
-use infoscene::question;
+use infoscene::question::{self, PatchName};
 use infoscene::report::split_report;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Split {
     #[command(flatten)]
     scene: SceneArgument,
-    /// The patch to cut, counted from 0.
-    #[arg(long, value_name = "I")]
-    patch: usize,
-    /// The patches it is judged against; all others if none is named.
+    /// The patch to cut: its index from 0, or its name.
+    #[arg(long, value_name = "PATCH")]
+    patch: PatchName,
+    /// The patches it is judged against, by index or name; all others if none is named.
     #[arg(long, value_name = "J,K,…", value_delimiter = ',')]
-    against: Vec<usize>,
+    against: Vec<PatchName>,
     /// The axis across which it is cut, u towards the second corner, v towards the last: cuts run
     /// parallel to the other one. The better one if none is named.
     #[arg(long, value_enum)]
@@ -56,7 +56,7 @@ impl Split {
     pub(super) fn answer(&self) -> Answer {
         let question = question::Split {
             scene: self.scene.source(),
-            patch: self.patch,
+            patch: self.patch.clone(),
             against: self.against.clone(),
             axis: self.axis.map(SplitAxis::from),
             parts: self.parts,

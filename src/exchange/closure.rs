@@ -45,16 +45,17 @@ impl RowSum {
 pub struct Closure {
     rows: Vec<RowSum>,
     names: Arc<[String]>,
+    is_turned_away: bool,
 }
 
 impl Closure {
-    /// The closure of rows with these names, from the areas and the bounds on their rounding and
-    /// the quotient's, the sums of the rows of exchange areas and of their error bounds.
+    /// The closure of rows with these names, from the areas, with the bounds on their rounding and
+    /// the quotient's, and the sums of the rows of exchange areas and of their error bounds.
     pub(crate) fn new(
         names: Arc<[String]>,
-        areas: &[f64],
-        area_bounds: &[f64],
+        [areas, area_bounds]: [&[f64]; 2],
         sums: impl IntoIterator<Item = [f64; 2]>,
+        is_turned_away: bool,
     ) -> Self {
         let known = sums.into_iter().zip(areas.iter().zip(area_bounds));
         let rows = known
@@ -66,7 +67,11 @@ impl Closure {
                 resolution_error: 0.0,
             })
             .collect();
-        Self { rows, names }
+        Self {
+            rows,
+            names,
+            is_turned_away,
+        }
     }
 
     /// The closure of rows between whose surfaces there are cracks, each with what these change of
@@ -84,12 +89,12 @@ impl Closure {
     /// # Errors
     /// [`ExchangeError::Pair`] if two patches are refused.
     pub fn of(pairs: &ScenePairs<'_>) -> Result<Self, ExchangeError> {
-        let (sums, _) = pairs.row_sums(|_, _, exchange| [exchange.value, exchange.error])?;
+        let (sums, summary) = pairs.row_sums(|_, _, exchange| [exchange.value, exchange.error])?;
         let closure = Self::new(
             pairs.shared_names(),
-            pairs.areas(),
-            pairs.area_bounds(),
+            [pairs.areas(), pairs.area_bounds()],
             sums,
+            summary.is_turned_away,
         );
         Ok(closure.resolved(pairs.areas(), &pairs.crack_errors()))
     }
@@ -119,9 +124,9 @@ impl Closure {
         let sums = sums.iter().map(|row| row.map(|sum| sum.total()));
         let closure = Self::new(
             exchange.shared_names(),
-            exchange.areas(),
-            exchange.area_bounds(),
+            [exchange.areas(), exchange.area_bounds()],
             sums,
+            exchange.summary().is_turned_away,
         );
         match exchange.resolution_errors() {
             Some(errors) => closure.resolved(exchange.areas(), errors.cracks()),
@@ -174,8 +179,12 @@ impl Closure {
     /// Refuses a scene that is not closed.
     ///
     /// # Errors
+    /// [`ExchangeError::TurnedAway`] if no patch faces another one, as all fronts are outside;
     /// [`ExchangeError::OpenScene`] with the row farthest from one; [`ExchangeError::RowAboveOne`].
     pub fn require_closed(&self) -> Result<(), ExchangeError> {
+        if self.is_turned_away {
+            return Err(ExchangeError::TurnedAway);
+        }
         self.require_at_most_one()?;
         if self.is_closed() {
             return Ok(());

@@ -17,6 +17,14 @@ pub enum ExchangeError {
         /// The reason.
         source: FormFactorError,
     },
+    /// A pair is not one of the selection that pairs were made ready for.
+    #[error("patches {first} and {second} are not of the selection: select them, too")]
+    NotSelected {
+        /// Index of the first.
+        first: usize,
+        /// Index of the second.
+        second: usize,
+    },
     /// The patches do not enclose their surroundings.
     #[error(
         "the scene is open: row {row} of the form factors (patch {name}) sums to {sum}, \
@@ -34,6 +42,9 @@ pub enum ExchangeError {
         /// The deviation that the resolution of the coordinates explains beside it.
         resolution_error: f64,
     },
+    /// Every patch faces away from all others.
+    #[error("all patches face away from each other: reverse the corners of every face")]
+    TurnedAway,
     /// The form factors of a patch sum to more than one.
     #[error(
         "row {row} of the form factors (patch {name}) sums to {sum}, 1 + {tolerance:e} at most is \

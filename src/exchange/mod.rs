@@ -66,6 +66,8 @@ mod resolution;
 mod row_pair;
 mod rows;
 mod scene_pairs;
+mod selection;
+mod tolerance;
 
 pub use closure::{Closure, RowSum};
 pub use error::ExchangeError;
@@ -78,3 +80,5 @@ pub use plan::counts::{PassCounts, PassSummary, PlanSummary, Unreached};
 pub use progress::{Progress, Unheard};
 pub use resolution::ResolutionErrors;
 pub use scene_pairs::ScenePairs;
+pub use selection::Selection;
+pub use tolerance::Tolerance;

@@ -333,17 +333,20 @@ impl ScenePairs<'_> {
     /// the resolution explains of the cracks between its patches.
     #[must_use]
     pub fn crack_errors(&self) -> Vec<f64> {
+        parallel_map(self.rows(), &|row| self.crack_error(row))
+    }
+
+    /// The bound of one row among [`crack_errors`](Self::crack_errors).
+    pub(crate) fn crack_error(&self, row: usize) -> f64 {
         let Some(Resolution { outlines, .. }) = self.loose() else {
-            return vec![0.0; self.rows()];
+            return 0.0;
         };
-        parallel_map(self.rows(), &|row| {
-            let terms = self.terms().of_row(row).iter();
-            let lost = terms.map(|term| {
-                let own = &outlines[term.polygon];
-                outlines.iter().map(|other| own.lost_to(other)).sum::<f64>()
-            });
-            lost.sum()
-        })
+        let terms = self.terms().of_row(row).iter();
+        let lost = terms.map(|term| {
+            let own = &outlines[term.polygon];
+            outlines.iter().map(|other| own.lost_to(other)).sum::<f64>()
+        });
+        lost.sum()
     }
 
     /// The error of the computation that nobody feels beside what the resolution can change of the

@@ -58,8 +58,18 @@ impl ScenePairs<'_> {
     pub fn row_pair(&self, first: usize, second: usize) -> Result<Answer, ExchangeError> {
         self.check(first)?;
         self.check(second)?;
+        self.counted_row_pair(first, second, &mut PassCounts::default())
+    }
+
+    /// The exchange area of two rows, counted if their planes face each other.
+    pub(crate) fn counted_row_pair(
+        &self,
+        first: usize,
+        second: usize,
+        counts: &mut PassCounts,
+    ) -> Result<Answer, ExchangeError> {
         match self.facing(first, second) {
-            Facing::Visible => self.visible_row_pair(first, second, &mut PassCounts::default()),
+            Facing::Visible => self.visible_row_pair(first, second, counts),
             hidden => Ok(nothing(hidden, first == second)),
         }
     }
@@ -85,8 +95,10 @@ impl ScenePairs<'_> {
             Some([one, other]) => self.polygon_pair(one, other, counts)?,
             None => self.summed_row_pair(first.min(second), first.max(second), counts)?,
         };
-        if answer.exchange.error > self.unfelt(first, second) {
-            counts.rows([first, second], &answer, self.tolerance());
+        let smaller = self.areas()[first].min(self.areas()[second]);
+        let is_accepted = self.tolerance().accepts(&answer.exchange, smaller, self.rows());
+        if !is_accepted && answer.exchange.error > self.unfelt(first, second) {
+            counts.unreached([first, second], &answer.exchange, smaller);
         }
         Ok(answer)
     }
@@ -107,7 +119,7 @@ impl ScenePairs<'_> {
             }
             Ok(answer)
         })?;
-        let wanted = self.tolerance() * sum.value.max(0.0);
+        let wanted = self.tolerance().relative * sum.value.max(0.0);
         if sum.bound > wanted {
             let finer = (0.5 * wanted / sum.size).max(FINEST);
             let again = self.sum_of_terms(first, second, |one, other| {

@@ -13,15 +13,16 @@
 //!
 //! **Not covered**: computing with occlusion; an occluded scene is refused ([`Occlusion`]).
 
-use super::ExchangeError;
 use super::plan::{Congruence, Plan};
 use super::progress::{Listener, Progress, Unheard};
 use super::resolution::Resolution;
+use super::{ExchangeError, Selection, Tolerance};
 use crate::exchange::plan::base_offsets::BaseOffsets;
 use crate::exchange::plan::counts::{PassCounts, PassSummary};
 use crate::exchange::plan::facing::{Facing, FacingPlanes};
 use crate::exchange::plan::perturbation::allowance;
 use crate::exchange::rows::plane_sets::PlaneSets;
+use crate::exchange::rows::polygons::Polygons;
 use crate::exchange::rows::terms::RowTerms;
 use crate::form_factor::{Answer, Polygon};
 use crate::numeric::{compensated_sum, try_parallel_map};
@@ -38,13 +39,15 @@ pub struct ScenePairs<'p> {
     /// None if coordinates are exact.
     resolution: Option<Resolution>,
     listener: Listener<'p>,
-    polygons: Vec<Polygon>,
+    polygons: Polygons,
     /// The names of the rows.
     names: Arc<[String]>,
     /// The areas of the rows.
     areas: Vec<f64>,
     area_bounds: Vec<f64>,
-    tolerance: f64,
+    tolerance: Tolerance,
+    /// Whether all patches face away from each other.
+    is_turned_away: bool,
     /// The value of each class of congruent pairs; none where they are not equal within the
     /// tolerance.
     shared: Vec<Option<Answer>>,
@@ -53,8 +56,8 @@ pub struct ScenePairs<'p> {
 impl<'p> ScenePairs<'p> {
     /// Checks the scene, makes the plan, and computes what congruent pairs share.
     ///
-    /// **Arguments** `tolerance`: the relative error asked for, > 0; `occlusion`: the policy for
-    /// scenes in which something may stand between two patches.
+    /// **Arguments** `tolerance`: the error accepted of every form factor, a number means a relative
+    /// one; `occlusion`: the policy for scenes in which something may stand between two patches.
     ///
     /// # Errors
     /// [`ExchangeError::Scene`] if patches overlap, or if something may stand between two of them
@@ -73,7 +76,7 @@ impl<'p> ScenePairs<'p> {
     /// ```
     pub fn try_new(
         scene: &Scene,
-        tolerance: f64,
+        tolerance: impl Into<Tolerance>,
         congruence: Congruence,
         occlusion: Occlusion,
     ) -> Result<Self, ExchangeError> {
@@ -81,15 +84,72 @@ impl<'p> ScenePairs<'p> {
         Self::unchecked(scene, tolerance, congruence)
     }
 
+    /// The pairs of a scene of which only some will be asked for: what does not concern these is not
+    /// checked.
+    ///
+    /// **Arguments** `congruence`: where it is ignored, nothing is prepared but these pairs, and the
+    /// work grows with the number of patches if both ends are listed, not with that of all pairs.
+    /// Where values are shared, the plan is that of the whole scene, and so is every value.
+    ///
+    /// # Errors
+    /// [`ExchangeError::Scene`] if there is no such row, if a patch of the rows overlaps another
+    /// one, or if something may stand between two of the rows and occlusion is not ignored.
+    ///
+    /// # Examples
+    /// ```
+    /// use infoscene::exchange::{Congruence, ScenePairs, Selection};
+    /// use infoscene::scene::{Occlusion, Scene};
+    /// let cube = Scene::built_in("cube:1")?;
+    /// let pair = Selection { from: Some(vec![0]), to: Some(vec![1]) };
+    /// let (own, occlusion) = (Congruence::Ignored, Occlusion::Refuse);
+    /// let pairs = ScenePairs::of_selection(&cube, 1e-12, own, occlusion, &pair)?;
+    /// let (entries, _) = pairs.entries(&pair)?;
+    /// // opposite faces of a cube
+    /// assert!((entries[0].answer.exchange.value - 0.199_824_895_698_387).abs() < 1e-15);
+    /// # Ok::<(), infoscene::exchange::ExchangeError>(())
+    /// ```
+    pub fn of_selection(
+        scene: &Scene,
+        tolerance: impl Into<Tolerance>,
+        congruence: Congruence,
+        occlusion: Occlusion,
+        selection: &Selection,
+    ) -> Result<Self, ExchangeError> {
+        selection.check(scene.group_count())?;
+        let Some(ends) = selection.ends() else {
+            return Self::try_new(scene, tolerance, congruence, occlusion);
+        };
+        occlusion.check_rows(scene, ends, selection.other_ends())?;
+        let alone = (congruence == Congruence::Ignored).then_some(selection);
+        Self::prepared(scene, tolerance.into(), congruence, alone)
+    }
+
     /// The pairs of a scene that was checked before, or that nothing in it can overlap or hide.
     pub(crate) fn unchecked(
         scene: &Scene,
-        tolerance: f64,
+        tolerance: impl Into<Tolerance>,
         congruence: Congruence,
+    ) -> Result<Self, ExchangeError> {
+        Self::prepared(scene, tolerance.into(), congruence, None)
+    }
+
+    /// The pairs of a selection alone, or all.
+    fn prepared(
+        scene: &Scene,
+        tolerance: Tolerance,
+        congruence: Congruence,
+        selection: Option<&Selection>,
     ) -> Result<Self, ExchangeError> {
         let terms = RowTerms::of(scene);
         let shapes = terms.shapes(scene);
-        let facings = FacingPlanes::of(scene, terms.patches(), terms.roots());
+        let ends = selection.and_then(Selection::ends);
+        let asked = ends.map(|rows| terms.polygons_of(rows));
+        let facings = FacingPlanes::of(scene, terms.patches(), terms.roots(), asked.as_deref());
+        let others = selection.and_then(Selection::other_ends);
+        let needed = asked.zip(others).map(|(mut asked, others)| {
+            asked.extend(terms.polygons_of(others));
+            asked
+        });
         let plan = Plan::of(&shapes, facings, congruence);
         let [areas, area_bounds] = areas(&terms, &shapes);
         let mut pairs = Self {
@@ -100,26 +160,21 @@ impl<'p> ScenePairs<'p> {
             names: scene.group_names().into_iter().map(str::to_owned).collect(),
             plan,
             terms,
-            polygons: shapes
-                .iter()
-                .map(|patch| Polygon::new(patch.shape()))
-                .collect(),
+            polygons: Polygons::of(&shapes, needed),
             areas,
             area_bounds,
             tolerance,
+            is_turned_away: scene.is_turned_away(),
             shared: Vec::new(),
         };
         let spread = pairs.plan.spread();
-        // half of the tolerance is for the differences between congruent pairs
-        let asked = if spread > 0.0 {
-            0.5 * tolerance
-        } else {
-            tolerance
-        };
         let representatives = pairs.plan.representatives();
         pairs.shared = try_parallel_map(representatives.len(), &|class| {
             let [first, second] = representatives[class];
-            let mut answer = pairs.evaluate(first, second, asked)?;
+            let tolerance = pairs.relative_tolerance(first, second)?;
+            // half of it is for the differences between congruent pairs
+            let part = if spread > 0.0 { 0.5 } else { 1.0 };
+            let mut answer = pairs.evaluate(first, second, part * tolerance)?;
             let [one, other] = [first, second].map(|index| shapes[index].shape());
             let apart = allowance(spread, one, other);
             let exchange = &mut answer.exchange;
@@ -176,9 +231,9 @@ impl ScenePairs<'_> {
         &self.area_bounds
     }
 
-    /// The relative error asked for.
+    /// The error that is accepted of form factors.
     #[must_use]
-    pub const fn tolerance(&self) -> f64 {
+    pub const fn tolerance(&self) -> Tolerance {
         self.tolerance
     }
 
@@ -242,10 +297,27 @@ impl ScenePairs<'_> {
         let shared = shared.and_then(|place| self.shared[place]);
         let answer = match shared {
             Some(answer) => answer,
-            None => self.evaluate(first, second, self.tolerance)?,
+            None => {
+                let tolerance = self.relative_tolerance(first, second)?;
+                self.evaluate(first, second, tolerance)?
+            }
         };
         counts.polygons(answer.route, shared.is_none());
         Ok(answer)
+    }
+
+    /// Two polygons, if they are among those that were made ready.
+    fn both(&self, first: usize, second: usize) -> Result<[&Polygon; 2], ExchangeError> {
+        let both = self.polygons.get(first).zip(self.polygons.get(second));
+        let [first, second] = [first, second].map(|polygon| self.terms.patches()[polygon]);
+        both.map(<[&Polygon; 2]>::from)
+            .ok_or(ExchangeError::NotSelected { first, second })
+    }
+
+    /// The relative error to which two polygons are evaluated.
+    fn relative_tolerance(&self, first: usize, second: usize) -> Result<f64, ExchangeError> {
+        let [one, other] = self.both(first, second)?;
+        Ok(self.tolerance.relative_of(one, other))
     }
 
     /// Computes the exchange area of two polygons: one value per pair, between 0 and the smaller
@@ -257,15 +329,14 @@ impl ScenePairs<'_> {
         tolerance: f64,
     ) -> Result<Answer, ExchangeError> {
         let (first, second) = (first.min(second), first.max(second));
-        let answer = self.polygons[first].exchange_area(&self.polygons[second], tolerance);
+        let [one, other] = self.both(first, second)?;
+        let answer = one.exchange_area(other, tolerance);
         let mut answer = answer.map_err(|source| ExchangeError::Pair {
             first: self.terms.patches()[first],
             second: self.terms.patches()[second],
             source,
         })?;
-        let most = self.polygons[first]
-            .area()
-            .min(self.polygons[second].area());
+        let most = one.area().min(other.area());
         answer.exchange.value = answer.exchange.value.min(most);
         Ok(answer)
     }
@@ -278,7 +349,7 @@ impl ScenePairs<'_> {
 
     /// The summary of a pass over all pairs.
     pub(crate) fn summary(&self, counts: PassCounts) -> PassSummary {
-        let n = self.polygons.len();
+        let n = self.terms.patches().len();
         let left_out = self.plan.facings().pairs_left_out();
         let classes = self.shared.iter().flatten().count();
         self.summary_of(n * (n - 1) / 2, left_out, classes, counts)
@@ -295,6 +366,7 @@ impl ScenePairs<'_> {
     ) -> PassSummary {
         let mut summary = counts.summary(pairs, self.plan.facings().count(), left_out, classes);
         summary.plan.resolution = self.loose().map(Resolution::surfaces);
+        summary.is_turned_away = self.is_turned_away;
         summary
     }
 }

@@ -4,6 +4,7 @@ use crate::form_factor::clipped_pair::shape::Shape;
 use crate::geometry::{AlignedRectangle, Patch, Rectangle, Vector};
 use crate::numeric::{DoubleDouble, Scalar, power_of_two_below, vector_value};
 use glam::DVec3;
+use std::f64::consts::PI;
 
 /// A planar simple polygon, with its normal to 106 bits and all that does not depend on another
 /// polygon.
@@ -90,6 +91,17 @@ impl Polygon {
     #[must_use]
     pub const fn perimeter(&self) -> f64 {
         self.shape.perimeter
+    }
+
+    /// A bound on the form factors between the two, > 0, from the areas and the distance of spheres
+    /// around them; up to some roundings.
+    pub(crate) fn largest_form_factor(&self, other: &Self) -> f64 {
+        let (one, two) = (&self.shape, &other.shape);
+        let gap = one.centre.distance(two.centre) - (one.radius + two.radius);
+        if gap <= 0.0 {
+            return 1.0;
+        }
+        (one.area.max(two.area) / (gap * gap) / PI).min(1.0)
     }
 
     /// The height of a point above the plane, to 106 bits; to be called where vector code is made,

@@ -146,6 +146,19 @@ impl Patch {
         }
     }
 
+    /// The polygon with its front where its back is; the first corner stays the first.
+    #[must_use]
+    pub fn reversed(mut self) -> Self {
+        self.corners[1..].reverse();
+        if let Some(bend) = &mut self.bend {
+            bend.given[1..].reverse();
+        }
+        Self {
+            normal: -self.normal,
+            ..self
+        }
+    }
+
     /// Corners in order, counter-clockwise seen from the front.
     #[must_use]
     pub fn corners(&self) -> &[DVec3] {
@@ -283,7 +296,8 @@ impl Bent {
 
     /// The resolution that would explain the bend, if it is fine enough for the polygon.
     fn resolution(&self) -> Option<f64> {
-        let needed = self.span / tolerance::BEND;
+        // with something to spare for its own rounding to few digits
+        let needed = 1.1 * self.span / tolerance::BEND;
         (needed <= tolerance::RESOLVED * self.width).then_some(needed)
     }
 }

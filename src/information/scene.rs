@@ -196,9 +196,9 @@ impl<const N: usize> RowSums<N> {
         })?;
         let closure = Closure::new(
             pairs.shared_names(),
-            &areas,
-            &area_bounds,
+            [&areas, &area_bounds],
             sums.iter().map(|sum| [sum[VALUE], sum[BOUND]]),
+            summary.is_turned_away,
         );
         let mut changes = None;
         if pairs.resolution() > 0.0 {

@@ -1,5 +1,6 @@
 //! The refusals of questions.
 
+use super::patch_name::PatchNameError;
 use super::patch_values::PatchValueError;
 use crate::chain::ChainError;
 use crate::claims::ClaimError;
@@ -39,6 +40,9 @@ pub enum QuestionError {
     /// A format has no words for the scene.
     #[error(transparent)]
     NotExpressible(#[from] NotExpressible),
+    /// A name for patches was refused.
+    #[error(transparent)]
+    PatchName(#[from] PatchNameError),
     /// A value for some patches was refused.
     #[error(transparent)]
     PatchValue(#[from] PatchValueError),

@@ -3,14 +3,15 @@
 //! **Memory** All pairs are held up to [`FormFactors::MOST_HELD`] rows; beyond that one row at a
 //! time.
 
-use super::QuestionError;
-use super::scene::{SceneSource, pairs};
+use super::scene::SceneSource;
 use super::unreached::Unreached;
+use super::{PatchName, QuestionError};
 use crate::exchange::{
-    Congruence, Entry, ExchangeAreas, ExchangeError, PassSummary, PlanSummary, Progress, ScenePairs,
+    Closure, Congruence, Entry, ExchangeAreas, ExchangeError, PassSummary, PlanSummary, Progress,
+    ScenePairs, Selection, Tolerance,
 };
-use crate::form_factor::{Answer, DEFAULT_TOLERANCE};
-use crate::scene::{Occlusion, Scene};
+use crate::form_factor::Answer;
+use crate::scene::Scene;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 use std::rc::Rc;
@@ -23,8 +24,8 @@ use std::rc::Rc;
 /// use infoscene::question::FormFactors;
 /// let squares = FormFactors {
 ///     scene: "two-squares".into(),
-///     from: Some(0),
-///     to: Some(1),
+///     from: Some("floor".into()),
+///     to: Some("wall".into()),
 ///     ..FormFactors::default()
 /// };
 /// // Howell, C-14: unit squares with a common edge
@@ -37,14 +38,14 @@ use std::rc::Rc;
 pub struct FormFactors {
     /// The scene.
     pub scene: SceneSource,
-    /// The relative error asked for of every form factor.
-    pub tolerance: f64,
+    /// The error that is accepted of every form factor.
+    pub tolerance: Tolerance,
     /// The treatment of congruent pairs.
     pub congruence: Congruence,
-    /// The row that sends; all if there is none.
-    pub from: Option<usize>,
-    /// The row that receives; all if there is none.
-    pub to: Option<usize>,
+    /// The rows that send; all if there is no name.
+    pub from: Option<PatchName>,
+    /// The rows that receive; all if there is no name.
+    pub to: Option<PatchName>,
     /// Whether the whole matrix is asked for, too.
     pub matrix: bool,
 }
@@ -54,7 +55,7 @@ impl Default for FormFactors {
     fn default() -> Self {
         Self {
             scene: SceneSource::default(),
-            tolerance: DEFAULT_TOLERANCE,
+            tolerance: Tolerance::default(),
             congruence: Congruence::Shared,
             from: None,
             to: None,
@@ -120,6 +121,10 @@ pub struct PatchRecord {
     pub name: String,
     /// The area, less that of the parts in it.
     pub area: f64,
+    /// The sum of its form factors, if all of them were computed.
+    pub row_sum: Option<f64>,
+    /// A bound on the error of the sum.
+    pub row_sum_error: Option<f64>,
 }
 
 /// The form factors of a scene. The records are made as they are read: there may be very many.
@@ -148,6 +153,11 @@ impl FormFactors {
     /// The number of rows up to which all pairs are held: 2.3 GB.
     pub const MOST_HELD: usize = 16_384;
 
+    /// The number of rows up to which a pair has the same value in every listing. In larger scenes
+    /// some pairs cost no plan of all: each is computed on its own, and may differ from that of the
+    /// whole listing by what their bounds allow.
+    pub const MOST_SHARED: usize = 2048;
+
     /// Computes the form factors.
     ///
     /// # Errors
@@ -160,21 +170,22 @@ impl FormFactors {
         let loaded = self.scene.open()?;
         let scene = loaded.scene;
         let rows = scene.group_count();
-        let is_part = self.from.is_some() || self.to.is_some();
+        let selection = self.selection(&scene)?;
+        let is_part = !selection.is_all();
         if !is_part && rows > Self::MOST_HELD {
             return Err(QuestionError::TooManyPairs {
                 patches: rows,
                 largest: Self::MOST_HELD,
             });
         }
-        let pairs = self.pairs(&scene, progress)?;
+        let pairs = self.pairs(&scene, &selection, progress)?;
         let held = if rows <= Self::MOST_HELD && (!is_part || self.matrix) {
             Some(pairs.exchange_areas()?)
         } else {
             None
         };
         let part = if is_part {
-            Some(pairs.entries(self.from, self.to)?)
+            Some(pairs.entries(&selection)?)
         } else {
             None
         };
@@ -190,11 +201,22 @@ impl FormFactors {
             widest.and_then(|summary| Unreached::pairs(&names, summary, pairs.tolerance()));
         let listed = passes.into_iter().flatten().next_back();
         let plan = listed.map(|summary| summary.plan.clone());
+        let sums = match (&held, &part) {
+            (Some(held), _) => Closure::of_held(held).rows().to_vec(),
+            (None, Some((entries, _))) => pairs.complete_sums(&selection, entries),
+            (None, None) => Vec::new(),
+        };
+        let mut sum_of = vec![None; rows];
+        for sum in sums {
+            sum_of[sum.row] = Some(sum);
+        }
         let patches = names.into_iter().zip(pairs.areas()).enumerate();
         let patches = patches.map(|(index, (name, area))| PatchRecord {
             index,
             name: name.to_owned(),
             area: *area,
+            row_sum: sum_of[index].map(|sum| sum.sum),
+            row_sum_error: sum_of[index].map(|sum| sum.error),
         });
         Ok(FormFactorsAnswer {
             patches: patches.collect(),
@@ -209,20 +231,38 @@ impl FormFactors {
         })
     }
 
-    /// The pairs of the scene; if only those of some rows are asked for, something may stand
-    /// between the others.
+    /// The pairs that are asked for.
+    fn selection(&self, scene: &Scene) -> Result<Selection, QuestionError> {
+        let rows = |name: &Option<PatchName>| match name {
+            Some(name) => name.rows(scene).map(Some),
+            None => Ok(None),
+        };
+        Ok(Selection {
+            from: rows(&self.from)?,
+            to: rows(&self.to)?,
+        })
+    }
+
+    /// The pairs of the scene; what does not concern a part of them matters only to the matrix.
     fn pairs<'p>(
         &self,
         scene: &Scene,
+        selection: &Selection,
         progress: &'p dyn Progress,
     ) -> Result<ScenePairs<'p>, ExchangeError> {
-        if self.scene.occlusion == Occlusion::Refuse {
-            // the matrix wants all rows
-            let asked = |row: Option<usize>| row.filter(|_| !self.matrix);
-            scene.check_rows_unblocked(asked(self.from), asked(self.to))?;
+        if selection.is_all() || self.matrix {
+            let asked = (self.tolerance, self.congruence);
+            return self.scene.pairs(scene, asked, progress);
         }
-        let asked = (self.tolerance, self.congruence);
-        pairs(scene, Occlusion::Ignore, asked, progress)
+        let congruence = if scene.group_count() <= Self::MOST_SHARED {
+            self.congruence
+        } else {
+            Congruence::Ignored
+        };
+        let (tolerance, occlusion) = (self.tolerance, self.scene.occlusion);
+        let pairs = ScenePairs::of_selection(scene, tolerance, congruence, occlusion, selection)?;
+        progress.begin(selection.pairs(pairs.rows()).count() as u64, "pairs");
+        Ok(pairs.with_progress(progress))
     }
 }
 

@@ -6,8 +6,7 @@ use super::light::Light;
 use super::scene::SceneSource;
 use super::unreached::Unreached;
 use crate::chain::ChainError;
-use crate::exchange::{Congruence, ExchangeError, PlanSummary, Progress};
-use crate::form_factor::DEFAULT_TOLERANCE;
+use crate::exchange::{Congruence, ExchangeError, PlanSummary, Progress, Tolerance};
 use crate::information::{
     ContinuousInformation, FacePair, OpenScene, PairLoss, SceneInformation, brightness_information,
     continuous_information, pair_losses, scene_information,
@@ -31,8 +30,8 @@ use crate::scene::{NamedPatch, Occlusion, Scene};
 pub struct Measure {
     /// The scene.
     pub scene: SceneSource,
-    /// The relative error asked for of every form factor.
-    pub tolerance: f64,
+    /// The error that is accepted of every form factor.
+    pub tolerance: Tolerance,
     /// The treatment of congruent pairs.
     pub congruence: Congruence,
     /// The chain that is meant, and its light.
@@ -51,7 +50,7 @@ impl Default for Measure {
     fn default() -> Self {
         Self {
             scene: SceneSource::default(),
-            tolerance: DEFAULT_TOLERANCE,
+            tolerance: Tolerance::default(),
             congruence: Congruence::Shared,
             light: Light::default(),
             open_scene: OpenScene::Refuse,

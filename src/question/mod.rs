@@ -18,6 +18,7 @@ mod fuzz;
 mod grid;
 mod light;
 mod measure;
+mod patch_name;
 mod patch_values;
 mod radiosity;
 mod reproduce;
@@ -45,12 +46,13 @@ pub use light::{Light, SceneChain};
 pub use measure::{
     Contribution, FacePairRecord, Measure, MeasureAnswer, PairLossRecord, RowSumRecord,
 };
+pub use patch_name::{PatchName, PatchNameError};
 pub use patch_values::{MaterialChanges, PatchValue, PatchValueError};
 pub use radiosity::{PatchLight, Power, Radiosity, RadiosityAnswer};
 pub use reproduce::{JudgedClaim, Reproduce, ReproduceAnswer};
 pub use sample::{Sample, SampleAnswer};
 pub use sampled_information::SampledInformation;
-pub use scene::{SceneOrigin, SceneSource};
+pub use scene::{SceneOrigin, SceneSource, TURNED_AWAY};
 pub use split::{Split, SplitAnswer, SplitEnclosures};
 #[cfg(feature = "report")]
 pub use study::{Study, StudyAnswer, StudySubject};

@@ -1,5 +1,6 @@
 //! Numbers for some patches of a scene: `floor=0.5,3=1`.
 
+use super::patch_name::{PatchName, PatchNameError};
 use crate::scene::{Material, MaterialError, Scene, SceneError};
 use std::str::FromStr;
 
@@ -9,13 +10,13 @@ use std::str::FromStr;
 /// ```
 /// use infoscene::question::PatchValue;
 /// let lamp: PatchValue = "lamp=2.5".parse()?;
-/// assert_eq!((lamp.patch.as_str(), lamp.value), ("lamp", 2.5));
+/// assert_eq!((lamp.patch, lamp.value), ("lamp".into(), 2.5));
 /// # Ok::<(), infoscene::question::PatchValueError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct PatchValue {
-    /// The patches: the index of a row, a name, which may be that of several, or `all`.
-    pub patch: String,
+    /// The patches.
+    pub patch: PatchName,
     /// The number.
     pub value: f64,
 }
@@ -31,13 +32,8 @@ pub enum PatchValueError {
         text: String,
     },
     /// No row has this index or this name.
-    #[error("there is no patch {patch:?}: name one, give its index from 0 to {last}, or say all")]
-    NoSuchPatch {
-        /// The index or name.
-        patch: String,
-        /// The largest index.
-        last: usize,
-    },
+    #[error(transparent)]
+    Name(#[from] PatchNameError),
     /// A reflectance or an emittance is out of range.
     #[error("patch {row} ({name}): {source}")]
     Material {
@@ -68,41 +64,17 @@ impl FromStr for PatchValue {
             }
         };
         Ok(Self {
-            patch: patch.trim().to_owned(),
+            patch: patch.into(),
             value,
         })
     }
 }
 
-impl PatchValue {
-    /// The rows meant: all of a name, as a file may use it more than once.
-    fn rows(&self, names: &[&str]) -> Result<Vec<usize>, PatchValueError> {
-        let all = 0..names.len();
-        let named = |index: &usize| names[*index] == self.patch;
-        let meant: Vec<usize> = if self.patch == "all" {
-            all.collect()
-        } else {
-            match self.patch.parse::<usize>() {
-                Ok(index) => all.filter(|other| *other == index).collect(),
-                Err(_) => all.filter(named).collect(),
-            }
-        };
-        if meant.is_empty() {
-            return Err(PatchValueError::NoSuchPatch {
-                patch: self.patch.clone(),
-                last: names.len() - 1,
-            });
-        }
-        Ok(meant)
-    }
-}
-
 /// A value for every row of the scene: 0 where none is given, the last one where several are.
 pub(super) fn values(given: &[PatchValue], scene: &Scene) -> Result<Vec<f64>, PatchValueError> {
-    let names = scene.group_names();
-    let mut values = vec![0.0; names.len()];
+    let mut values = vec![0.0; scene.group_count()];
     for one in given {
-        for row in one.rows(&names)? {
+        for row in one.patch.rows(scene)? {
             values[row] = one.value;
         }
     }
@@ -128,7 +100,7 @@ impl MaterialChanges {
     /// The materials of the scene's rows, with these in place of its own.
     ///
     /// # Errors
-    /// [`PatchValueError::NoSuchPatch`], [`PatchValueError::Material`]; [`PatchValueError::Scene`]
+    /// [`PatchValueError::Name`], [`PatchValueError::Material`]; [`PatchValueError::Scene`]
     /// if patches that are summed differ in their materials.
     pub fn of(&self, scene: &Scene) -> Result<Vec<Material>, PatchValueError> {
         let names = scene.group_names();
@@ -140,7 +112,7 @@ impl MaterialChanges {
         }
         for (place, given) in [&self.reflectance, &self.emittance].into_iter().enumerate() {
             for one in given {
-                for row in one.rows(&names)? {
+                for row in one.patch.rows(scene)? {
                     numbers[row][place] = one.value;
                 }
             }

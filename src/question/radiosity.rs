@@ -4,8 +4,7 @@ use super::QuestionError;
 use super::patch_values::{MaterialChanges, PatchValue, values};
 use super::scene::SceneSource;
 use super::unreached::Unreached;
-use crate::exchange::{Closure, Congruence, ExchangeAreas, PlanSummary, Progress};
-use crate::form_factor::DEFAULT_TOLERANCE;
+use crate::exchange::{Closure, Congruence, ExchangeAreas, PlanSummary, Progress, Tolerance};
 use crate::numeric::compensated_sum;
 use crate::scene::Material;
 use crate::transport::{RadiositySolution, RadiositySystem};
@@ -34,8 +33,8 @@ use crate::transport::{RadiositySolution, RadiositySystem};
 pub struct Radiosity {
     /// The scene.
     pub scene: SceneSource,
-    /// The relative error asked for of every form factor, and of the radiosities.
-    pub tolerance: f64,
+    /// The error that is accepted of every form factor; its relative one of the radiosities, too.
+    pub tolerance: Tolerance,
     /// The treatment of congruent pairs.
     pub congruence: Congruence,
     /// Materials in place of the scene's own.
@@ -49,7 +48,7 @@ impl Default for Radiosity {
     fn default() -> Self {
         Self {
             scene: SceneSource::default(),
-            tolerance: DEFAULT_TOLERANCE,
+            tolerance: Tolerance::default(),
             congruence: Congruence::Shared,
             materials: MaterialChanges::default(),
             importance: Vec::new(),
@@ -194,9 +193,9 @@ impl Radiosity {
     ) -> Option<Unreached> {
         let RadiositySolution { relative_error, .. } = *radiosity;
         let tolerance = self.tolerance;
-        if relative_error > tolerance {
+        if relative_error > tolerance.relative {
             return Some(Unreached::Radiosity {
-                tolerance,
+                tolerance: tolerance.relative,
                 relative_error,
             });
         }

@@ -2,8 +2,7 @@
 
 use super::scene::SceneSource;
 use super::{QuestionError, SampledInformation};
-use crate::exchange::{Congruence, ExchangeError, Progress, ScenePairs};
-use crate::form_factor::DEFAULT_TOLERANCE;
+use crate::exchange::{Congruence, ExchangeError, Progress, ScenePairs, Tolerance};
 use crate::information::{LineKind, LineSample, scene_information_and_bias};
 use crate::numeric::Grade;
 use crate::scene::{Occlusion, Scene, SceneError};
@@ -37,8 +36,8 @@ pub struct Sample {
     /// nothing is in the way and the scene has at most [`MOST_EXACT_ROWS`](Self::MOST_EXACT_ROWS)
     /// rows.
     pub exact: bool,
-    /// The relative error asked for of every form factor behind the exact values.
-    pub tolerance: f64,
+    /// The error that is accepted of every form factor behind the exact values.
+    pub tolerance: Tolerance,
     /// The treatment of congruent pairs behind them.
     pub congruence: Congruence,
 }
@@ -53,7 +52,7 @@ impl Default for Sample {
             seed: 1,
             continuous: false,
             exact: false,
-            tolerance: DEFAULT_TOLERANCE,
+            tolerance: Tolerance::default(),
             congruence: Congruence::Shared,
         }
     }

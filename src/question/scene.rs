@@ -1,8 +1,12 @@
 //! The scene that a question is about.
 
-use crate::exchange::{Congruence, ExchangeError, Progress, ScenePairs};
+use crate::exchange::{Congruence, ExchangeError, Progress, ScenePairs, Tolerance};
 use crate::scene::files::{LoadedScene, NonPlanarFaces, OpenError, Reading, open};
 use crate::scene::{Occlusion, Scene};
+
+/// The remark on a scene that exchanges nothing as all its fronts are outside.
+pub const TURNED_AWAY: &str =
+    "all patches face away from each other and exchange nothing: were their fronts to be reversed?";
 
 /// A scene that a question is about, and how it is prepared.
 ///
@@ -23,6 +27,8 @@ pub struct SceneSource {
     /// The length by which each coordinate may be off, 0 for none; if it is not given, the decimals
     /// of a file say it ([`Scene::resolution`]).
     pub resolution: Option<f64>,
+    /// Whether the front of every patch is turned to its other side.
+    pub reverse: bool,
     /// The number of times that every patch is quartered.
     pub subdivide: u32,
     /// The policy for scenes in which something may stand between two patches.
@@ -44,6 +50,7 @@ impl SceneSource {
             origin,
             faces: NonPlanarFaces::default(),
             resolution: None,
+            reverse: false,
             subdivide: 0,
             occlusion: Occlusion::default(),
         }
@@ -72,6 +79,12 @@ impl SceneSource {
                 }
             }
         };
+        if self.reverse {
+            loaded.scene = loaded.scene.reversed();
+        }
+        if loaded.scene.is_turned_away() {
+            loaded.notes.push(TURNED_AWAY.to_owned());
+        }
         if self.subdivide > 0 {
             (loaded.scene, _) = loaded.scene.subdivided(self.subdivide)?;
         }
@@ -82,7 +95,7 @@ impl SceneSource {
     pub(super) fn pairs<'p>(
         &self,
         scene: &Scene,
-        asked: (f64, Congruence),
+        asked: (Tolerance, Congruence),
         progress: &'p dyn Progress,
     ) -> Result<ScenePairs<'p>, ExchangeError> {
         pairs(scene, self.occlusion, asked, progress)
@@ -93,7 +106,7 @@ impl SceneSource {
 pub(super) fn pairs<'p>(
     scene: &Scene,
     occlusion: Occlusion,
-    (tolerance, congruence): (f64, Congruence),
+    (tolerance, congruence): (Tolerance, Congruence),
     progress: &'p dyn Progress,
 ) -> Result<ScenePairs<'p>, ExchangeError> {
     let rows = scene.group_count() as u64;

@@ -1,15 +1,15 @@
 //! The cut of a patch that gains the most mutual information.
 
+use super::PatchName;
 use super::QuestionError;
 use super::light::Light;
 use super::scene::SceneSource;
 use crate::discretize::{DiscretizeError, PatchSplit, regular_positions};
-use crate::exchange::{Congruence, Progress};
-use crate::form_factor::DEFAULT_TOLERANCE;
+use crate::exchange::{Congruence, Progress, Tolerance};
 use crate::geometry::SplitAxis;
 use crate::numeric::interval::DecimalBounds;
 use crate::numeric::{Interval, compensated_sum, tolerance};
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneError};
 
 /// The question for the best cut of a patch.
 ///
@@ -27,10 +27,10 @@ use crate::scene::Scene;
 pub struct Split {
     /// The scene.
     pub scene: SceneSource,
-    /// The patch to cut, from 0.
-    pub patch: usize,
+    /// The patch to cut.
+    pub patch: PatchName,
     /// The patches it is judged against; all others if none is named.
-    pub against: Vec<usize>,
+    pub against: Vec<PatchName>,
     /// The axis across which it is cut; the better one if none is named.
     pub axis: Option<SplitAxis>,
     /// The number of parts.
@@ -46,7 +46,7 @@ impl Default for Split {
     fn default() -> Self {
         Self {
             scene: SceneSource::default(),
-            patch: 0,
+            patch: 0.into(),
             against: Vec::new(),
             axis: None,
             parts: 2,
@@ -117,18 +117,14 @@ impl Split {
         }
         let loaded = self.scene.open()?;
         let scene = loaded.scene;
-        let others = (0..scene.patches().len()).filter(|index| *index != self.patch);
-        let against = if self.against.is_empty() {
-            others.collect()
-        } else {
-            self.against.clone()
-        };
+        let patch = self.patch(&scene)?;
+        let against = self.against(&scene, patch)?;
         let lit = if self.light.is_visibility()? {
             None
         } else {
             Some(self.lit(&scene, progress)?)
         };
-        let along = |axis| self.along(&scene, &against, axis, lit.as_ref());
+        let along = |axis| self.along(&scene, patch, &against, axis, lit.as_ref());
         let mut answer = match self.axis {
             Some(axis) => along(axis)?,
             None => {
@@ -147,9 +143,41 @@ impl Split {
         Ok(answer)
     }
 
+    /// The patch to cut: one that is a row of its own.
+    fn patch(&self, scene: &Scene) -> Result<usize, QuestionError> {
+        let row = self.patch.row(scene)?;
+        let patches: Vec<usize> = scene.patches_of_group(row).collect();
+        match patches.as_slice() {
+            [patch] => Ok(*patch),
+            _ => Err(SceneError::NotAPatchOfItsOwn {
+                index: row,
+                what: "is summed of several patches",
+            }
+            .into()),
+        }
+    }
+
+    /// The patches that the cut is judged against; a name of several may include the patch itself.
+    fn against(&self, scene: &Scene, patch: usize) -> Result<Vec<usize>, QuestionError> {
+        let all = PatchName::from("all");
+        let named = if self.against.is_empty() {
+            std::slice::from_ref(&all)
+        } else {
+            &self.against
+        };
+        let mut against = Vec::new();
+        for name in named {
+            let rows = name.rows(scene)?;
+            let is_one = rows.len() == 1;
+            let patches = scene.patches_of_groups(&rows);
+            against.extend(patches.filter(|other| is_one || *other != patch));
+        }
+        Ok(against)
+    }
+
     /// The brightness of each patch, and Σw.
     fn lit(&self, scene: &Scene, progress: &dyn Progress) -> Result<Lit, QuestionError> {
-        let asked = (DEFAULT_TOLERANCE, Congruence::Shared);
+        let asked = (Tolerance::default(), Congruence::Shared);
         let exchange = self.scene.pairs(scene, asked, progress)?.exchange_areas()?;
         let found = self.light.brightness(scene, &exchange)?;
         let rows = found.values.iter().zip(&found.received);
@@ -166,14 +194,15 @@ impl Split {
     fn along(
         &self,
         scene: &Scene,
+        patch: usize,
         against: &[usize],
         axis: SplitAxis,
         lit: Option<&Lit>,
     ) -> Result<SplitAnswer, DiscretizeError> {
         let occlusion = self.scene.occlusion;
-        let mut split = PatchSplit::with_occlusion(scene, self.patch, against, axis, occlusion)?;
+        let mut split = PatchSplit::with_occlusion(scene, patch, against, axis, occlusion)?;
         if let Some((brightness, total)) = lit {
-            split = split.under(self.patch, brightness, *total)?;
+            split = split.under(patch, brightness, *total)?;
         }
         let best = split.best(self.parts)?;
         let (position_error, gain_error) = if split.is_closed_form() {
@@ -182,7 +211,7 @@ impl Split {
             (tolerance::POLYGON_POSITION, tolerance::POLYGON_GAIN)
         };
         Ok(SplitAnswer {
-            patch: self.patch,
+            patch: scene.group_of(patch),
             axis: axis.name(),
             position: best.positions[0],
             gain: best.gain,

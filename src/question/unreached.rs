@@ -1,6 +1,6 @@
 //! Promised tolerances that an answer misses.
 
-use crate::exchange::PassSummary;
+use crate::exchange::{PassSummary, Tolerance};
 use std::fmt;
 
 /// A tolerance that an answer misses; its text says by how much.
@@ -9,16 +9,18 @@ use std::fmt;
 pub enum Unreached {
     /// The form factors of some pairs of rows.
     Pairs {
-        /// The relative error asked for.
-        tolerance: f64,
+        /// The error that is accepted.
+        tolerance: Tolerance,
         /// The number of pairs whose error bound is larger.
         pairs: usize,
         /// The rows of the worst pair.
         worst: [usize; 2],
         /// Their names.
         names: [String; 2],
-        /// The bound on the relative error of the worst pair; infinite for 0.
-        relative_error: f64,
+        /// The larger form factor of the worst pair.
+        form_factor: f64,
+        /// The bound on its absolute error.
+        error: f64,
     },
     /// The radiosities, for the form factors as computed.
     Radiosity {
@@ -34,7 +36,7 @@ impl Unreached {
     pub(super) fn pairs<N: AsRef<str>>(
         names: &[N],
         summary: &PassSummary,
-        tolerance: f64,
+        tolerance: Tolerance,
     ) -> Option<Self> {
         let worst = summary.worst?;
         let rows = [worst.first, worst.second];
@@ -43,7 +45,8 @@ impl Unreached {
             pairs: summary.unreached,
             worst: rows,
             names: rows.map(|row| names[row].as_ref().to_owned()),
-            relative_error: worst.relative(),
+            form_factor: worst.form_factor,
+            error: worst.error,
         })
     }
 }
@@ -56,11 +59,13 @@ impl fmt::Display for Unreached {
                 pairs,
                 worst: [first, second],
                 names: [one, other],
-                relative_error,
+                form_factor,
+                error,
             } => write!(
                 f,
-                "{pairs} pairs miss the tolerance {tolerance:e}; the worst is {first} ({one}) and \
-                 {second} ({other}), whose relative error may be {relative_error:.0e}"
+                "{pairs} pairs miss the tolerance {tolerance}; the worst is {first} ({one}) and \
+                 {second} ({other}), whose form factor is {form_factor:.0e} ± {error:.0e}: \
+                 accept a larger relative or absolute error"
             ),
             Self::Radiosity {
                 tolerance,

@@ -13,6 +13,7 @@ mod built_in;
 mod convex_room;
 mod error;
 pub mod files;
+mod fronts;
 mod material;
 mod overlap;
 mod parts;
@@ -31,12 +32,15 @@ pub use visibility::obstacle::Obstacle;
 pub use visibility::occlusion::Occlusion;
 
 use crate::geometry::{GeometryError, Patch, Rectangle};
+use std::sync::Arc;
 use visibility::surfaces::Prepared;
 
 /// A patch, its name and its material.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NamedPatch {
     name: String,
+    /// The names of what it is a piece of: objects, groups, a face that was divided.
+    wholes: Arc<[String]>,
     shape: Patch,
     material: Material,
 }
@@ -44,9 +48,10 @@ pub struct NamedPatch {
 impl NamedPatch {
     /// A black patch under a name.
     #[must_use]
-    pub const fn new(name: String, shape: Patch) -> Self {
+    pub fn new(name: String, shape: Patch) -> Self {
         Self {
             name,
+            wholes: Arc::default(),
             shape,
             material: Material::BLACK,
         }
@@ -58,10 +63,30 @@ impl NamedPatch {
         Self { material, ..self }
     }
 
+    /// Makes the patch a piece of what has these names: of an object, of a face.
+    #[must_use]
+    pub fn with_wholes(self, wholes: Arc<[String]>) -> Self {
+        Self { wholes, ..self }
+    }
+
     /// The name.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// The names of what the patch is a piece of: objects and groups of its file, the face or the
+    /// patch that it was cut from.
+    #[must_use]
+    pub fn wholes(&self) -> &[String] {
+        &self.wholes
+    }
+
+    /// The patch with its front where its back is. The first corner stays the first.
+    #[must_use]
+    pub fn reversed(self) -> Self {
+        let shape = self.shape.reversed();
+        Self { shape, ..self }
     }
 
     /// The polygon.
@@ -112,6 +137,26 @@ impl Scene {
             resolution: 0.0,
             prepared: Prepared::default(),
         })
+    }
+
+    /// The scene with the front of every patch where its back is: what mends a file whose faces run
+    /// clockwise.
+    ///
+    /// # Examples
+    /// ```
+    /// use infoscene::scene::Scene;
+    /// let outside = Scene::built_in("cube:1")?.reversed();
+    /// assert_eq!(outside.patches()[0].shape().normal(), -glam::DVec3::Z);
+    /// # Ok::<(), infoscene::scene::SceneError>(())
+    /// ```
+    #[must_use]
+    pub fn reversed(self) -> Self {
+        let patches = self.patches.into_iter().map(NamedPatch::reversed);
+        Self {
+            patches: patches.collect(),
+            prepared: Prepared::default(),
+            ..self
+        }
     }
 
     /// The patches, in order.

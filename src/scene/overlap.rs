@@ -11,10 +11,12 @@
 //!
 //! **Not covered**: obstructions, which may lie on patches.
 
+use super::visibility::surfaces::Search;
 use super::{Scene, SceneError};
 use crate::geometry::{Outline, Plane};
 use glam::DVec3;
 use rayon::prelude::*;
+use std::ops::Range;
 
 impl Scene {
     /// The first two patches, in the order of their indices, that lie on each other.
@@ -27,20 +29,35 @@ impl Scene {
     /// ```
     #[must_use]
     pub fn overlap(&self) -> Option<(usize, usize)> {
-        let (surfaces, noise) = (self.outlined(), self.planes().noise());
         let count = self.patches.len();
-        (0..count).into_par_iter().find_map_first(|first| {
-            let own = surfaces.outline(first);
-            let [low, high] = *own.bounds();
-            surfaces
-                .near([low - noise, high + noise])
-                .filter(|second| (first + 1..count).contains(second))
-                .filter(|second| !self.is_part(first, *second))
-                .filter(|second| lie_in_one_plane(own, surfaces.outline(*second), noise))
-                .filter(|second| own.overlaps(surfaces.outline(*second), noise))
-                .min()
-                .map(|second| (first, second))
-        })
+        let surfaces = Search::Indexed(self.outlined());
+        let of_patch = |first| {
+            let second = self.overlapping(surfaces, first, first + 1..count)?;
+            Some((first, second))
+        };
+        (0..count).into_par_iter().find_map_first(of_patch)
+    }
+
+    /// The first of some patches that overlaps this one.
+    fn overlapping(
+        &self,
+        surfaces: Search<'_>,
+        first: usize,
+        others: Range<usize>,
+    ) -> Option<usize> {
+        let noise = self.planes().noise();
+        let own = surfaces.outline(first);
+        let [low, high] = *own.bounds();
+        surfaces
+            .near([low - noise, high + noise])
+            .into_iter()
+            .filter(|second| others.contains(second) && *second != first)
+            .filter(|second| !self.is_part(first, *second))
+            .filter(|second| {
+                let other = surfaces.outline(*second);
+                lie_in_one_plane(&own, &other, noise) && own.overlaps(&other, noise)
+            })
+            .min()
     }
 
     /// Tells whether one of two patches lies in the other, which counts without it.
@@ -58,12 +75,26 @@ impl Scene {
     /// # Errors
     /// [`SceneError::Overlap`].
     pub fn check_overlap(&self) -> Result<(), SceneError> {
-        self.overlap().map_or(Ok(()), |(first, second)| {
+        self.refuse_overlap(self.overlap())
+    }
+
+    /// Refuses the scene if one of its patches lies on this one, or under it.
+    ///
+    /// # Errors
+    /// [`SceneError::Overlap`].
+    pub(crate) fn check_overlap_of(&self, patch: usize) -> Result<(), SceneError> {
+        let found = self.overlapping(Search::Scanned(self), patch, 0..self.patches.len());
+        self.refuse_overlap(found.map(|other| (patch.min(other), patch.max(other))))
+    }
+
+    fn refuse_overlap(&self, found: Option<(usize, usize)>) -> Result<(), SceneError> {
+        found.map_or(Ok(()), |(first, second)| {
             let names = [first, second].map(|patch| self.patches[patch].name.clone());
             Err(SceneError::Overlap {
                 first,
                 second,
                 names,
+                resolution: self.mending_resolution(|scene| scene.overlap().is_none()),
             })
         })
     }

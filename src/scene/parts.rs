@@ -29,7 +29,7 @@ use super::{Material, NamedPatch, Scene, SceneError};
 use crate::geometry::{NotContained, check_contained};
 use crate::numeric::tolerance;
 use crate::scene::visibility::surfaces::Prepared;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::hash::Hash;
 
 impl Scene {
@@ -145,6 +145,13 @@ impl Scene {
         groups.filter_map(move |(patch, row)| (*row == group).then_some(patch))
     }
 
+    /// The patches of some rows, in order.
+    pub(crate) fn patches_of_groups(&self, groups: &[usize]) -> impl Iterator<Item = usize> {
+        let groups: HashSet<usize> = groups.iter().copied().collect();
+        let patches = self.groups.iter().enumerate();
+        patches.filter_map(move |(patch, row)| groups.contains(row).then_some(patch))
+    }
+
     /// The area of each row, without what lies in it and is of another row.
     #[must_use]
     pub fn row_areas(&self) -> Vec<f64> {
@@ -169,6 +176,27 @@ impl Scene {
             }
         }
         names
+    }
+
+    /// The rows that have this name, or a patch that is a piece of something that has it, in order.
+    #[must_use]
+    pub fn groups_named(&self, name: &str) -> Vec<usize> {
+        let mut rows: Vec<usize> = Vec::new();
+        for (patch, group) in self.patches.iter().zip(&self.groups) {
+            if patch.name == name || patch.wholes.iter().any(|whole| whole == name) {
+                rows.push(*group);
+            }
+        }
+        rows.sort_unstable();
+        rows.dedup();
+        rows
+    }
+
+    /// The names of patches and of what they are pieces of, each once, in alphabetical order.
+    pub(crate) fn known_names(&self) -> BTreeSet<&str> {
+        let own = self.patches.iter().map(|patch| patch.name.as_str());
+        let wholes = self.patches.iter().flat_map(|patch| patch.wholes.iter());
+        own.chain(wholes.map(String::as_str)).collect()
     }
 
     /// The material that all patches of a row have; reflected power of different ones is not that

@@ -39,6 +39,10 @@ use rstar::primitives::{GeomWithData, Line};
 use rstar::{PointDistance, RTree};
 use std::fmt;
 
+/// The largest resolution, relative to the width of the narrowest surface, that a refusal names as
+/// its mend: what is off by more was put there.
+const LARGEST_MEND: f64 = 1e-3;
+
 impl Scene {
     /// The length by which each coordinate may be off; 0 if they are exact.
     #[must_use]
@@ -112,7 +116,8 @@ impl Scene {
     /// The smallest width of a surface.
     fn narrowest(&self) -> f64 {
         let widths = self.surfaces().map(|surface| surface.shape().width());
-        widths.fold(f64::INFINITY, f64::min)
+        // what has no area has no plane to miss
+        widths.filter(|width| *width > 0.0).fold(f64::INFINITY, f64::min)
     }
 
     /// The length that roundings of `f64` explain.
@@ -168,6 +173,20 @@ impl Scene {
                 })
             })
         })
+    }
+
+    /// A resolution at which a condition holds that does not hold now, if one would do that is far
+    /// below the width of every surface: the smallest of those tried, each a quarter of the one
+    /// before.
+    pub(crate) fn mending_resolution(&self, holds: impl Fn(&Self) -> bool) -> Option<f64> {
+        let mends = |resolution: f64| holds(&self.clone().resolved(resolution));
+        let mut found = None;
+        let mut next = LARGEST_MEND * self.narrowest();
+        while next > self.rounding().max(self.resolution) && mends(next) {
+            found = Some(next);
+            next *= 0.25;
+        }
+        found
     }
 
     /// The surfaces that this resolution takes as bent, coplanar or touching, counted; `None` if

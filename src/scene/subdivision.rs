@@ -8,6 +8,7 @@
 
 use super::{NamedPatch, Scene, SceneError};
 use crate::geometry::quartered;
+use std::sync::Arc;
 
 impl Scene {
     /// The scene with every patch [`quartered`](crate::geometry::quartered()) so many times, and
@@ -38,13 +39,21 @@ impl Scene {
                 let parts: Result<Vec<_>, _> = shapes.iter().map(quartered).collect();
                 shapes = parts.map_err(|error| self.refused(index, error))?.concat();
             }
+            let is_whole = times == 0;
+            let wholes = if is_whole {
+                Arc::clone(&patch.wholes)
+            } else {
+                let own = std::iter::once(&patch.name);
+                patch.wholes.iter().chain(own).cloned().collect()
+            };
             for (number, shape) in shapes.into_iter().enumerate() {
-                let name = if times == 0 {
+                let name = if is_whole {
                     patch.name.clone()
                 } else {
                     format!("{}/{number}", patch.name)
                 };
-                patches.push(NamedPatch::new(name, shape).with_material(patch.material));
+                let part = NamedPatch::new(name, shape).with_material(patch.material);
+                patches.push(part.with_wholes(Arc::clone(&wholes)));
                 parents.push(index);
             }
         }

@@ -15,6 +15,7 @@ mod light;
 mod refusals;
 mod sampling;
 mod scene_files;
+mod scene_options;
 mod scenes;
 mod studies;
 mod summed_rows;

@@ -65,10 +65,10 @@ fn patches_that_cannot_be_split_or_judged_against_are_refused() {
             "split sphere --patch 0",
             "two-squares, three-squares, cube:N",
         ),
-        ("split cube:1 --patch 6", "patches 0 to 5"),
+        ("split cube:1 --patch 6", "index from 0 to 5"),
         ("split cube:1 --patch 0 --against 0", "against itself"),
         ("split cube:2 --patch 0 --against 1", "exchanges nothing"),
-        ("split two-squares --patch 0 --against 7", "no patch 7"),
+        ("split two-squares --patch 0 --against 7", "no patch \"7\""),
         ("split cube:1 --patch 0 --against 1,1", "named twice"),
     ]);
 }
@@ -106,7 +106,7 @@ fn a_refusal_names_the_option_that_mends_it() {
     );
     assert_refused(
         &["split", "two-squares", "--patch", "2"],
-        "the scene has patches 0 to 1\n",
+        "give its index from 0 to 1, or say all\n",
     );
 }
 

@@ -300,7 +300,8 @@ fn a_tolerance_out_of_reach_is_said() {
 #[test]
 fn form_factors_come_in_every_format() {
     let csv = stdout(&["form-factor", "two-squares", "--format", "csv"]);
-    assert!(csv.starts_with("from,to,value,error,route\n0,1,0.2000437760754"));
+    assert!(csv.starts_with("from,to,value,error,route,"));
+    assert!(csv.contains("\n0,1,0.2000437760754"));
     assert!(stdout(&["form-factor", "two-squares"]).contains("0 (floor)"));
     let markdown = stdout(&["form-factor", "two-squares", "--format", "markdown"]);
     assert!(markdown.starts_with("| from | to |"));

@@ -4,10 +4,10 @@ use super::tiles::Block;
 use crate::exchange::plan::counts::{PassCounts, PassSummary};
 use crate::exchange::plan::facing::Facing;
 use crate::exchange::row_pair::nothing;
-use crate::exchange::{ExchangeError, ScenePairs};
+use crate::exchange::{ExchangeError, RowSum, ScenePairs, Selection};
 use crate::form_factor::Answer;
-use crate::numeric::try_parallel_map;
-use std::collections::BTreeSet;
+use crate::numeric::{CompensatedSum, try_parallel_map};
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 /// An ordered pair and its exchange area.
@@ -28,9 +28,7 @@ const RUN: usize = 64;
 #[derive(Default)]
 struct RowPart {
     answers: Vec<Answer>,
-    /// The counts of the entries below the diagonal.
-    below: PassCounts,
-    /// The counts of the others.
+    /// The counts of the entries on and above the diagonal.
     counts: PassCounts,
 }
 
@@ -67,7 +65,6 @@ impl ScenePairs<'_> {
         let mut row = RowPart::default();
         for part in parts {
             row.answers.extend(part.answers);
-            row.below.merge(&part.below);
             row.counts.merge(&part.counts);
         }
         Ok(row)
@@ -83,72 +80,104 @@ impl ScenePairs<'_> {
                 |[_, to], _, answer| answers[to - columns.start] = *answer,
             )
         };
-        let below = walk(columns.start..columns.end.min(from))?;
+        // each pair is counted in the first of its rows
+        walk(columns.start..columns.end.min(from))?;
         let mut counts = PassCounts::default();
         if columns.contains(&from) {
             counts.merge(&walk(from..from + 1)?);
         }
         counts.merge(&walk(columns.start.max(from + 1)..columns.end)?);
-        Ok(RowPart {
-            answers,
-            below,
-            counts,
-        })
+        Ok(RowPart { answers, counts })
     }
 
-    /// The ordered pairs from one row, or to one, or both; a row is paired with itself only where
-    /// it may see itself. The summary is that of these pairs alone.
+    /// The entries of a selection in its order; a row is paired with itself only where it may see
+    /// itself. The summary is that of these pairs alone, each once.
     ///
     /// # Errors
     /// [`SceneError::NoSuchPatch`](crate::scene::SceneError::NoSuchPatch),
     /// [`ExchangeError::Pair`](crate::exchange::ExchangeError::Pair).
     pub fn entries(
         &self,
-        from: Option<usize>,
-        to: Option<usize>,
+        selection: &Selection,
     ) -> Result<(Vec<Entry>, PassSummary), ExchangeError> {
-        for row in [from, to].into_iter().flatten() {
-            self.check(row)?;
+        selection.check(self.rows())?;
+        let is_there =
+            |[from, to]: &[usize; 2]| from != to || self.facing(*from, *from) == Facing::Visible;
+        let both = selection.at_both_ends(self.rows());
+        // of the two directions of a pair the upper one counts
+        let is_counted = |from: usize, to: usize| from <= to || !(both[from] && both[to]);
+        let listed: Vec<[usize; 2]> = selection.pairs(self.rows()).filter(is_there).collect();
+        let parts = try_parallel_map(listed.len().div_ceil(RUN), &|part| {
+            let run = &listed[part * RUN..listed.len().min((part + 1) * RUN)];
+            let mut counts = PassCounts::default();
+            let entries: Result<Vec<Entry>, ExchangeError> = run
+                .iter()
+                .map(|[from, to]| {
+                    let mut own = PassCounts::default();
+                    let answer = self.counted_row_pair(*from, *to, &mut own)?;
+                    if is_counted(*from, *to) {
+                        counts.merge(&own);
+                    }
+                    Ok(Entry {
+                        from: *from,
+                        to: *to,
+                        answer,
+                    })
+                })
+                .collect();
+            self.advance(run.len());
+            Ok::<_, ExchangeError>((entries?, counts))
+        })?;
+        let (mut entries, mut counts) = (Vec::with_capacity(listed.len()), PassCounts::default());
+        for (part, more) in parts {
+            entries.extend(part);
+            counts.merge(&more);
         }
-        let all = 0..self.rows();
-        let mut counts = PassCounts::default();
-        let mut entries = Vec::new();
-        // the exchange area is the same both ways: a column is a row
-        let (rows, columns) = match (from, to) {
-            (Some(from), Some(to)) => (from..from + 1, to..to + 1),
-            (Some(row), None) | (None, Some(row)) => (row..row + 1, all),
-            (None, None) => (all.clone(), all),
-        };
-        let is_part = from.is_some() || to.is_some();
-        for row in rows {
-            let found = self.row(row, columns.clone())?;
-            counts.merge(&found.counts);
-            // of all pairs, which come both ways, the first counts
-            if is_part {
-                counts.merge(&found.below);
-            }
-            for (column, answer) in columns.clone().zip(found.answers) {
-                if row == column && self.facing(row, row) != Facing::Visible {
-                    continue;
-                }
-                let [from, to] = if from.is_none() && is_part {
-                    [column, row]
-                } else {
-                    [row, column]
-                };
-                entries.push(Entry { from, to, answer });
-            }
-        }
-        let summary = if is_part {
-            self.summary_of_part(&entries, counts)
-        } else {
+        let counted = entries
+            .iter()
+            .filter(|entry| is_counted(entry.from, entry.to));
+        let summary = if selection.is_all() {
             self.summary(counts)
+        } else {
+            self.summary_of_entries(counted, counts)
         };
         Ok((entries, summary))
     }
 
+    /// The sums of those rows whose entries are all in a selection.
+    ///
+    /// **Arguments** `entries`: those of the [`selection`](Self::entries).
+    #[must_use]
+    pub fn complete_sums(&self, selection: &Selection, entries: &[Entry]) -> Vec<RowSum> {
+        let is_from = selection.to.is_none();
+        if !is_from && selection.from.is_some() {
+            return Vec::new();
+        }
+        let mut sums: BTreeMap<usize, [CompensatedSum; 2]> = BTreeMap::new();
+        for Entry { from, to, answer } in entries {
+            // a row's exchange areas are those of its column
+            let [value, error] = sums.entry(if is_from { *from } else { *to }).or_default();
+            value.add(answer.exchange.value);
+            error.add(answer.exchange.error);
+        }
+        let of_row = |(row, [value, error]): (usize, [CompensatedSum; 2])| {
+            let [area, bound] = [self.areas()[row], self.area_bounds()[row]];
+            (area > 0.0).then(|| RowSum {
+                row,
+                sum: value.total() / area,
+                error: error.total() / area + bound / area,
+                resolution_error: self.crack_error(row) / area,
+            })
+        };
+        sums.into_iter().filter_map(of_row).collect()
+    }
+
     /// The summary of some entries, no pair of which comes twice.
-    fn summary_of_part(&self, entries: &[Entry], counts: PassCounts) -> PassSummary {
+    fn summary_of_entries<'e>(
+        &self,
+        entries: impl Iterator<Item = &'e Entry>,
+        counts: PassCounts,
+    ) -> PassSummary {
         let mut classes = BTreeSet::new();
         let (mut pairs, mut left_out) = (0, [0; 2]);
         for Entry { from, to, .. } in entries {

@@ -5,7 +5,7 @@
 //! tolerance, does not count. A part that is summed into the row of its base is in no pair. The
 //! tolerance is asked of pairs of rows.
 
-use crate::form_factor::{Answer, Route};
+use crate::form_factor::{ExchangeArea, Route};
 use crate::scene::ResolvedSurfaces;
 use std::collections::BTreeMap;
 
@@ -47,18 +47,10 @@ pub struct Unreached {
     pub first: usize,
     /// The larger index.
     pub second: usize,
-    /// The exchange area.
-    pub value: f64,
-    /// The bound on its error.
+    /// The larger of their form factors: that from the smaller area.
+    pub form_factor: f64,
+    /// The bound on its absolute error.
     pub error: f64,
-}
-
-impl Unreached {
-    /// The relative error that is certain; infinite for 0.
-    #[must_use]
-    pub fn relative(&self) -> f64 {
-        self.error / self.value
-    }
 }
 
 /// The outcome of a pass over all pairs.
@@ -70,6 +62,9 @@ pub struct PassSummary {
     pub unreached: usize,
     /// The worst of them.
     pub worst: Option<Unreached>,
+    /// Whether all patches of the scene face away from each other
+    /// ([`Scene::is_turned_away`](crate::scene::Scene::is_turned_away)).
+    pub is_turned_away: bool,
 }
 
 /// Counts of a pass over the pairs.
@@ -98,29 +93,25 @@ impl PassCounts {
         self.alone += usize::from(is_alone);
     }
 
-    /// Counts a pair of rows if it misses the tolerance.
-    pub(crate) fn rows(&mut self, [first, second]: [usize; 2], answer: &Answer, tolerance: f64) {
-        let (value, error) = (answer.exchange.value, answer.exchange.error);
-        if error > tolerance * value {
-            self.unreached += 1;
-            let unreached = Unreached {
-                first: first.min(second),
-                second: first.max(second),
-                value,
-                error,
-            };
-            self.keep_worst(&unreached);
-        }
+    /// Counts a pair of rows that misses the tolerance, the smaller of which has this area.
+    pub(crate) fn unreached(
+        &mut self,
+        [first, second]: [usize; 2],
+        exchange: &ExchangeArea,
+        smaller_area: f64,
+    ) {
+        self.unreached += 1;
+        self.keep_worst(&Unreached {
+            first: first.min(second),
+            second: first.max(second),
+            form_factor: exchange.value / smaller_area,
+            error: exchange.error / smaller_area,
+        });
     }
 
     /// Keeps the worse of two, and of equally bad ones the first.
     fn keep_worst(&mut self, other: &Unreached) {
-        let rank = |pair: &Unreached| {
-            (
-                pair.relative(),
-                std::cmp::Reverse((pair.first, pair.second)),
-            )
-        };
+        let rank = |pair: &Unreached| (pair.error, std::cmp::Reverse((pair.first, pair.second)));
         if self.worst.is_none_or(|worst| {
             let (one, known) = (rank(other), rank(&worst));
             one.0 > known.0 || (one.0 >= known.0 && one.1 > known.1)
@@ -174,6 +165,7 @@ impl PassCounts {
             plan,
             unreached: self.unreached,
             worst: self.worst,
+            is_turned_away: false,
         }
     }
 }

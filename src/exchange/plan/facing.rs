@@ -8,8 +8,10 @@
 //! polygon of the other: all their pairs are left out at once. A plane whose polygons face both
 //! ways counts as two. The noise is that of [`ScenePlanes`](crate::scene::planes).
 //!
+//! Where only some rows are asked for, their planes alone are compared with all others.
+//!
 //! **Not covered**: more than [`MOST_PLANES`] planes; then only pairs in one plane are left out
-//! here.
+//! here, unless only some rows are asked for.
 
 use crate::geometry::Plane;
 use crate::scene::Scene;
@@ -41,16 +43,32 @@ pub(crate) struct FacingPlanes {
     of: Vec<u32>,
     /// The polygons of each plane, in order.
     members: Vec<Vec<usize>>,
-    /// `table[g · planes + h]`; empty beyond [`MOST_PLANES`].
-    table: Vec<Facing>,
+    compared: Compared,
+}
+
+/// The relations of planes that are known.
+#[derive(Debug, Clone, PartialEq)]
+enum Compared {
+    /// None, as there are more than [`MOST_PLANES`].
+    None,
+    /// Those of some planes with all.
+    Some(HashMap<usize, Vec<Facing>>),
+    /// All of them: that of g and h stands at `g · planes + h`.
+    All(Vec<Facing>),
 }
 
 impl FacingPlanes {
     /// The planes of polygons; one whose root is another lies in that one, and in its plane.
     ///
     /// **Arguments** `patches`: the patch that each polygon is; `roots`: the polygon that each lies
-    /// in, in the end.
-    pub(crate) fn of(scene: &Scene, patches: &[usize], roots: &[usize]) -> Self {
+    /// in, in the end; `asked`: polygons one of which is in every pair that will be asked for, if
+    /// not all pairs are.
+    pub(crate) fn of(
+        scene: &Scene,
+        patches: &[usize],
+        roots: &[usize],
+        asked: Option<&[usize]>,
+    ) -> Self {
         let shared = scene.planes();
         let mut planes: Vec<Plane> = Vec::new();
         let mut numbers = HashMap::new();
@@ -71,27 +89,54 @@ impl FacingPlanes {
             of[polygon] = of[roots[polygon]];
             members[of[polygon] as usize].push(polygon);
         }
-        let table = if planes.len() <= MOST_PLANES {
-            // what lies in a patch is in front of nothing that the patch is not in front of
-            let whole = |polygon: usize| {
-                let is_whole = roots[polygon] == polygon;
-                let shape = scene.patches()[patches[polygon]].shape();
-                if is_whole { shape.corners() } else { &[] }
-            };
-            compare(&planes, &members, whole, shared.noise_length())
-        } else {
-            Vec::new()
+        // what lies in a patch is in front of nothing that the patch is not in front of
+        let whole = |polygon: usize| {
+            let is_whole = roots[polygon] == polygon;
+            let shape = scene.patches()[patches[polygon]].shape();
+            if is_whole { shape.corners() } else { &[] }
         };
-        Self { of, members, table }
+        let relation = |[first, second]: [usize; 2]| {
+            relation(
+                &planes,
+                &members,
+                whole,
+                shared.noise_length(),
+                [first, second],
+            )
+        };
+        let count = planes.len();
+        let compared = match asked {
+            Some(polygons) => {
+                let row = |plane: usize| (0..count).map(|other| relation([plane, other])).collect();
+                let planes = polygons.iter().map(|polygon| of[*polygon] as usize);
+                Compared::Some(planes.map(|plane| (plane, row(plane))).collect())
+            }
+            None if count <= MOST_PLANES => {
+                let mut table = vec![Facing::Coplanar; count * count];
+                for (first, second) in (0..count).flat_map(|g| (g + 1..count).map(move |h| (g, h)))
+                {
+                    let found = relation([first, second]);
+                    table[first * count + second] = found;
+                    table[second * count + first] = found;
+                }
+                Compared::All(table)
+            }
+            None => Compared::None,
+        };
+        Self {
+            of,
+            members,
+            compared,
+        }
     }
 
     pub(crate) const fn count(&self) -> usize {
         self.members.len()
     }
 
-    /// Tells whether it is known which planes see nothing of each other.
+    /// Tells whether it is known of all planes which see nothing of each other.
     pub(crate) const fn are_compared(&self) -> bool {
-        !self.table.is_empty()
+        matches!(self.compared, Compared::All(_))
     }
 
     pub(crate) fn of_patch(&self, polygon: usize) -> usize {
@@ -101,11 +146,16 @@ impl FacingPlanes {
     /// The relation of two planes.
     pub(crate) fn facing(&self, first: usize, second: usize) -> Facing {
         if first == second {
-            Facing::Coplanar
-        } else if self.table.is_empty() {
-            Facing::Visible
-        } else {
-            self.table[first * self.count() + second]
+            return Facing::Coplanar;
+        }
+        match &self.compared {
+            Compared::All(table) => table[first * self.count() + second],
+            Compared::Some(rows) => {
+                let row = |plane: usize, other: usize| rows.get(&plane).map(|row| row[other]);
+                let known = row(first, second).or_else(|| row(second, first));
+                known.unwrap_or(Facing::Visible)
+            }
+            Compared::None => Facing::Visible,
         }
     }
 
@@ -114,7 +164,7 @@ impl FacingPlanes {
         let mut left_out = [0, 0];
         for (first, polygons) in self.members.iter().enumerate() {
             left_out[0] += polygons.len() * (polygons.len() - 1) / 2;
-            if self.table.is_empty() {
+            if !self.are_compared() {
                 continue;
             }
             for (second, others) in self.members.iter().enumerate().skip(first + 1) {
@@ -130,32 +180,26 @@ impl FacingPlanes {
     }
 }
 
-/// Compares each plane with each other one.
-fn compare<'p>(
+/// The relation of two planes, the same both ways.
+fn relation<'p>(
     planes: &[Plane],
     members: &[Vec<usize>],
     corners: impl Fn(usize) -> &'p [DVec3],
     noise: f64,
-) -> Vec<Facing> {
-    let count = planes.len();
+    [first, second]: [usize; 2],
+) -> Facing {
     // is something of `other` above, or more than noise off, the plane?
-    let any = |plane: &Plane, other: usize, is: fn(f64) -> f64| {
+    let any = |plane: usize, other: usize, is: fn(f64) -> f64| {
         let all = members[other].iter().flat_map(|polygon| corners(*polygon));
         all.into_iter()
-            .any(|corner| is(plane.sure_height(*corner)) > noise)
+            .any(|corner| is(planes[plane].sure_height(*corner)) > noise)
     };
-    let in_front: Vec<bool> = (0..count * count)
-        .map(|pair| any(&planes[pair / count], pair % count, |height| height))
-        .collect();
-    let facing = |pair: usize| {
-        let (first, second) = (pair / count, pair % count);
-        if in_front[pair] && in_front[second * count + first] {
-            Facing::Visible
-        } else if any(&planes[first.min(second)], first.max(second), f64::abs) {
-            Facing::BackFacing
-        } else {
-            Facing::Coplanar
-        }
-    };
-    (0..count * count).map(facing).collect()
+    let in_front = |plane: usize, other: usize| any(plane, other, |height| height);
+    if in_front(first, second) && in_front(second, first) {
+        Facing::Visible
+    } else if any(first.min(second), first.max(second), f64::abs) {
+        Facing::BackFacing
+    } else {
+        Facing::Coplanar
+    }
 }

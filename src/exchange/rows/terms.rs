@@ -101,6 +101,12 @@ impl RowTerms {
         &self.rows[row]
     }
 
+    /// The polygons of some rows.
+    pub(crate) fn polygons_of(&self, rows: &[usize]) -> Vec<usize> {
+        let terms = rows.iter().flat_map(|row| self.of_row(*row));
+        terms.map(|term| term.polygon).collect()
+    }
+
     /// The two polygons of two rows that are one polygon each.
     #[inline]
     pub(crate) fn single(&self, first: usize, second: usize) -> Option<[usize; 2]> {

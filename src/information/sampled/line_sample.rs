@@ -73,8 +73,8 @@ impl LineSample {
     ///
     /// # Errors
     /// [`ChainError::Scene`] with [`SceneError::Overlap`](crate::scene::SceneError::Overlap) if
-    /// patches lie on each other; [`ChainError::Exchange`] with [`ExchangeError::LinesEscape`] if
-    /// more than a millionth of the lines leave a front and meet none, and with
+    /// patches lie on each other; [`ChainError::Exchange`] with [`ExchangeError::TurnedAway`] if
+    /// all fronts are outside, with [`ExchangeError::LinesEscape`] if more than a millionth of the lines leave a front and meet none, and with
     /// [`ExchangeError::LinesMiss`] if fewer than one in ten thousand global lines meet the scene
     /// at all.
     ///
@@ -89,6 +89,9 @@ impl LineSample {
     /// ```
     pub fn draw(scene: &Scene, kind: LineKind, lines: u32, seed: u64) -> Result<Self, ChainError> {
         scene.check_overlap()?;
+        if scene.is_turned_away() {
+            return Err(ExchangeError::TurnedAway.into());
+        }
         let ready = SceneLines::of(scene);
         Self::of(
             kind,

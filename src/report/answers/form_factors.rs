@@ -20,6 +20,39 @@ struct Document<'p, R> {
     plan: &'p PlanSummary,
 }
 
+/// A form factor as a line, with the names and the sum that JSON has beside the list.
+#[derive(Serialize)]
+struct CsvRecord<'p> {
+    from: usize,
+    to: usize,
+    value: f64,
+    error: f64,
+    route: &'static str,
+    from_name: &'p str,
+    to_name: &'p str,
+    row_sum: Option<f64>,
+    /// Only where coordinates are not exact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    resolution_error: Option<f64>,
+}
+
+impl<'p> CsvRecord<'p> {
+    fn new(record: FormFactorRecord, patches: &'p [PatchRecord], resolution: f64) -> Self {
+        let [from, to] = [record.from, record.to].map(|row| &patches[row]);
+        Self {
+            from: record.from,
+            to: record.to,
+            value: record.value,
+            error: record.error,
+            route: record.route,
+            from_name: &from.name,
+            to_name: &to.name,
+            row_sum: from.row_sum,
+            resolution_error: (resolution > 0.0).then_some(record.resolution_error),
+        }
+    }
+}
+
 /// Records that are made and checked one after the other.
 struct Records<'e, I> {
     records: RefCell<Option<I>>,
@@ -41,28 +74,6 @@ impl<I: Iterator<Item = Result<FormFactorRecord, ReportError>>> Serialize for Re
             list.serialize_element(&record)?;
         }
         list.end()
-    }
-}
-
-/// A record of a scene with exact coordinates.
-#[derive(Serialize)]
-struct ExactRecord {
-    from: usize,
-    to: usize,
-    value: f64,
-    error: f64,
-    route: &'static str,
-}
-
-impl From<FormFactorRecord> for ExactRecord {
-    fn from(record: FormFactorRecord) -> Self {
-        Self {
-            from: record.from,
-            to: record.to,
-            value: record.value,
-            error: record.error,
-            route: record.route,
-        }
     }
 }
 
@@ -108,11 +119,7 @@ pub fn write_form_factors(
         Format::Csv => {
             let mut writer = csv::Writer::from_writer(text);
             for record in records {
-                if resolution > 0.0 {
-                    writer.serialize(record?)?;
-                } else {
-                    writer.serialize(ExactRecord::from(record?))?;
-                }
+                writer.serialize(CsvRecord::new(record?, patches, resolution))?;
             }
             writer.flush()?;
         }

@@ -6,6 +6,7 @@
 use super::rectangle_patch;
 use crate::scene::{NamedPatch, Scene, SceneError};
 use glam::DVec3;
+use std::sync::Arc;
 
 impl Scene {
     /// The inside of a box: six patches, the floor and the ceiling first.
@@ -43,16 +44,17 @@ impl Scene {
         let axes = [DVec3::X, DVec3::Y, DVec3::Z];
         let [x, y, z] = [0, 1, 2].map(|axis| edges[axis] * axes[axis]);
         let mut patches: Vec<NamedPatch> = Vec::with_capacity(6 * (lines.len() + 1).pow(2));
-        for (name, origin, u, v) in box_faces(x, y, z) {
+        for (face, origin, u, v) in box_faces(x, y, z) {
+            let whole: Arc<[String]> = [face.to_owned()].into();
             for (row, across) in ends.windows(2).enumerate() {
                 for (column, along) in ends.windows(2).enumerate() {
                     let index = patches.len();
                     // corners from the grid lines themselves, so that neighbours share them exactly
                     let corner = origin + u * along[0] + v * across[0];
                     let (du, dv) = (along[1] - along[0], across[1] - across[0]);
-                    let name = format!("{name} {row},{column}");
+                    let name = format!("{face} {row},{column}");
                     let patch = rectangle_patch(index, &name, corner, u * du, v * dv)?;
-                    patches.push(patch);
+                    patches.push(patch.with_wholes(Arc::clone(&whole)));
                 }
             }
         }

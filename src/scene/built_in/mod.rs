@@ -25,9 +25,10 @@ use crate::numeric::real;
 use crate::scene::visibility::surfaces::Prepared;
 use glam::DVec3;
 use solids::regular_solid;
+use std::sync::Arc;
 
 /// Largest N of `cube:N`: 24,576 patches, whose pairs take seconds to measure as they come.
-const LARGEST_CUBE: usize = 64;
+const LARGEST_CUBE: usize = 256;
 
 impl Scene {
     /// A built-in scene: `two-squares`, `three-squares`, `cube:N`, `box:X,Y,Z`, `tetrahedron`,
@@ -116,7 +117,10 @@ impl Scene {
         }
         let rectangle = self.rectangle(index)?;
         let name = self.patches[index].name.clone();
-        let material = self.patches[index].material;
+        let patch = &self.patches[index];
+        let material = patch.material;
+        let own = std::iter::once(&name);
+        let wholes: Arc<[String]> = patch.wholes.iter().chain(own).cloned().collect();
         let parts = rectangle
             .split(axis, position)
             .and_then(|[near, far]| Ok([Patch::try_from(&near)?, Patch::try_from(&far)?]))
@@ -130,7 +134,10 @@ impl Scene {
             prepared: Prepared::default(),
             ..self.clone()
         };
-        let part = |name, shape| NamedPatch::new(name, shape).with_material(material);
+        let part = |name, shape| {
+            let part = NamedPatch::new(name, shape).with_material(material);
+            part.with_wholes(Arc::clone(&wholes))
+        };
         scene.patches[index] = part(format!("{name} (near)"), near);
         scene.patches.push(part(format!("{name} (far)"), far));
         scene.bases.push(self.bases[index]);

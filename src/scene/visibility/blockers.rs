@@ -21,7 +21,7 @@
 //! **Not covered**: how much is blocked.
 
 use super::obstacle::Obstacle;
-use super::surfaces::Surfaces;
+use super::surfaces::Search;
 use crate::geometry::Shaft;
 use crate::scene::planes::ScenePlanes;
 use crate::scene::{Scene, SceneError};
@@ -41,43 +41,43 @@ pub struct Blocker {
     pub name: String,
 }
 
-impl From<Blocker> for SceneError {
-    fn from(found: Blocker) -> Self {
-        Self::MayBeBlocked {
-            first: found.first,
-            second: found.second,
-            obstacle: found.obstacle,
-            name: found.name,
-        }
-    }
-}
-
 /// The search for blockers among patches and obstructions, made ready.
 #[derive(Debug)]
 pub struct Blockers<'a> {
     scene: &'a Scene,
     planes: &'a ScenePlanes,
     /// None if nothing can block.
-    surfaces: Option<&'a Surfaces>,
+    surfaces: Option<Search<'a>>,
     /// Indices of the planes with patches on both sides: what lies in another one blocks nothing.
-    splitting: Vec<usize>,
+    /// None if these are not known.
+    splitting: Option<Vec<usize>>,
     /// The outermost patch that each patch lies in: its root. Patches of one root lie in
     /// one plane and do not block each other.
     roots: Vec<usize>,
 }
 
 impl<'a> Blockers<'a> {
-    /// Makes the search ready.
+    /// Makes the search ready for many pairs.
     #[must_use]
     pub fn of(scene: &'a Scene) -> Self {
         let splits = scene.splits();
         let splitting: Vec<usize> = (0..splits.len()).filter(|plane| splits[*plane]).collect();
+        Self {
+            surfaces: (!splitting.is_empty()).then(|| Search::Indexed(scene.outlined())),
+            splitting: Some(splitting),
+            ..Self::for_few(scene)
+        }
+    }
+
+    /// Makes the search ready for few pairs: each looks at every surface.
+    #[must_use]
+    pub fn for_few(scene: &'a Scene) -> Self {
         let roots = (0..scene.patches().len()).map(|patch| scene.root_of(patch));
         Self {
             scene,
             planes: scene.planes(),
-            surfaces: (!splitting.is_empty()).then(|| scene.outlined()),
-            splitting,
+            surfaces: Some(Search::Scanned(scene)),
+            splitting: None,
             roots: roots.collect(),
         }
     }
@@ -136,7 +136,7 @@ impl<'a> Blockers<'a> {
     fn reaches(&self, patch: usize) -> Vec<[f64; 2]> {
         let corners = self.planes.corners(self.scene.surface(patch));
         let range = |plane: &usize| self.planes.planes()[*plane].range(corners.clone());
-        self.splitting.iter().map(range).collect()
+        self.splitting.iter().flatten().map(range).collect()
     }
 
     /// The surfaces that enter the shaft between two patches, in order.
@@ -150,11 +150,12 @@ impl<'a> Blockers<'a> {
         let found = shaft.zip(self.surfaces).map(|(shaft, surfaces)| {
             let root = |surface: usize| self.roots.get(surface);
             let ends = [first, second].map(root);
-            let near = surfaces.candidates_near(shaft.bounds());
-            let near = near.filter(|surface| !ends.contains(&root(*surface)));
-            let mut near: Vec<usize> = near.collect();
+            let corners = |patch| self.planes.corners(self.scene.surface(patch));
+            let corners = corners(first).chain(corners(second));
+            let mut near = surfaces.candidates_near(shaft.bounds(), corners);
+            near.retain(|surface| !ends.contains(&root(*surface)));
             near.sort_unstable();
-            let enters = move |surface: &usize| shaft.is_entered_by(surfaces.outline(*surface));
+            let enters = move |surface: &usize| shaft.is_entered_by(&surfaces.outline(*surface));
             near.into_iter().filter(enters)
         });
         found.into_iter().flatten()
@@ -164,12 +165,16 @@ impl<'a> Blockers<'a> {
     fn shaft(&self, first: usize, second: usize, reaches: &[[f64; 2]]) -> Option<Shaft> {
         let surfaces = self.surfaces.filter(|_| first != second)?;
         let [one, other] = [first.min(second), first.max(second)].map(|p| surfaces.outline(p));
+        let (one, other) = (&*one, &*other);
         // cheapest first: do they see each other, is a plane of candidates between them at all?
         let noise = self.planes.noise();
         let rises = one.rises_above(other.plane(), noise) && other.rises_above(one.plane(), noise);
         let crossed = || {
             let corners = self.planes.corners(self.scene.surface(second));
-            let mut planes = self.splitting.iter().zip(reaches);
+            let Some(splitting) = &self.splitting else {
+                return true;
+            };
+            let mut planes = splitting.iter().zip(reaches);
             planes.any(|(plane, [low, high])| {
                 let shared = &self.planes.planes()[*plane];
                 let [least, most] = shared.range(corners.clone());
@@ -207,6 +212,22 @@ impl Scene {
     /// # Errors
     /// [`SceneError::MayBeBlocked`].
     pub fn check_unblocked(&self) -> Result<(), SceneError> {
-        self.blocker().map_or(Ok(()), |found| Err(found.into()))
+        self.refuse_blocker(Self::blocker)
+    }
+
+    /// Refuses the scene with the blocker that is found.
+    pub(crate) fn refuse_blocker(
+        &self,
+        find: impl Fn(&Self) -> Option<Blocker>,
+    ) -> Result<(), SceneError> {
+        find(self).map_or(Ok(()), |found| {
+            Err(SceneError::MayBeBlocked {
+                first: found.first,
+                second: found.second,
+                obstacle: found.obstacle,
+                name: found.name,
+                resolution: self.mending_resolution(|scene| find(scene).is_none()),
+            })
+        })
     }
 }

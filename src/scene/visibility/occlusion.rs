@@ -13,7 +13,7 @@
 //!
 //! **Not covered**: computing with occlusion.
 
-use crate::scene::{Blockers, Scene, SceneError};
+use crate::scene::{Blocker, Blockers, Scene, SceneError};
 
 /// A policy for scenes in which something may stand between two patches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
@@ -26,6 +26,9 @@ pub enum Occlusion {
     /// Computes as if nothing were in the way.
     Ignore,
 }
+
+/// Most pairs of rows for which every surface is looked at, rather than put in trees.
+const MOST_SCANNED: usize = 16;
 
 impl Occlusion {
     /// Checks all pairs of a scene's patches under this policy.
@@ -41,8 +44,51 @@ impl Occlusion {
     /// ```
     pub fn check(self, scene: &Scene) -> Result<(), SceneError> {
         scene.check_overlap()?;
+        self.refuse(scene, |scene| scene.blocker())
+    }
+
+    /// Checks some rows with some others, or with all; patches that are in neither may overlap or
+    /// hide each other.
+    pub(crate) fn check_rows(
+        self,
+        scene: &Scene,
+        rows: &[usize],
+        others: Option<&[usize]>,
+    ) -> Result<(), SceneError> {
+        let few = others.filter(|others| rows.len() * others.len() <= MOST_SCANNED);
+        match few {
+            None => scene.check_overlap()?,
+            Some(others) => {
+                let ends = [rows, others].into_iter();
+                for patch in ends.flat_map(|rows| scene.patches_of_groups(rows)) {
+                    scene.check_overlap_of(patch)?;
+                }
+            }
+        }
+        self.refuse(scene, |scene| {
+            let blockers = match few {
+                None => Blockers::of(scene),
+                Some(_) => Blockers::for_few(scene),
+            };
+            let mut patches = scene.patches_of_groups(rows);
+            patches.find_map(|patch| match others {
+                None => blockers.of_row(patch),
+                Some(others) => {
+                    let mut seconds = scene.patches_of_groups(others);
+                    seconds.find_map(|second| blockers.of_pair(patch, second))
+                }
+            })
+        })
+    }
+
+    /// Refuses what is found, unless occlusion is ignored.
+    fn refuse(
+        self,
+        scene: &Scene,
+        find: impl Fn(&Scene) -> Option<Blocker>,
+    ) -> Result<(), SceneError> {
         match self {
-            Self::Refuse => scene.check_unblocked(),
+            Self::Refuse => scene.refuse_blocker(find),
             Self::Ignore => Ok(()),
         }
     }
@@ -55,50 +101,10 @@ impl Occlusion {
         others: &[usize],
     ) -> Result<(), SceneError> {
         scene.check_overlap()?;
-        if self == Self::Ignore {
-            return Ok(());
-        }
-        let blockers = Blockers::of(scene);
-        let mut found = others.iter();
-        let found = found.find_map(|other| blockers.of_pair(patch, *other));
-        found.map_or(Ok(()), |found| Err(found.into()))
-    }
-}
-
-impl Scene {
-    /// Refuses the scene if something may stand between two rows, or between one row and any other;
-    /// without a row all pairs are checked, as [`check_unblocked`](Self::check_unblocked) does.
-    ///
-    /// It admits the part of an occluded scene that is not hidden: after it
-    /// [`ScenePairs::try_new`](crate::exchange::ScenePairs::try_new) may be given
-    /// [`Occlusion::Ignore`], and the values between these rows are right.
-    ///
-    /// # Errors
-    /// [`SceneError::NoSuchPatch`] if there is no such row; [`SceneError::MayBeBlocked`].
-    pub fn check_rows_unblocked(
-        &self,
-        from: Option<usize>,
-        to: Option<usize>,
-    ) -> Result<(), SceneError> {
-        let last = self.group_count() - 1;
-        for index in [from, to].into_iter().flatten() {
-            if index > last {
-                return Err(SceneError::NoSuchPatch { index, last });
-            }
-        }
-        let (one, other) = match (from, to) {
-            (None, None) => return self.check_unblocked(),
-            (Some(one), other) => (one, other),
-            (None, Some(one)) => (one, None),
-        };
-        let blockers = Blockers::of(self);
-        let mut patches = self.patches_of_group(one);
-        let found = patches.find_map(|first| match other {
-            None => blockers.of_row(first),
-            Some(other) => self
-                .patches_of_group(other)
-                .find_map(|second| blockers.of_pair(first, second)),
-        });
-        found.map_or(Ok(()), |found| Err(found.into()))
+        self.refuse(scene, |scene| {
+            let blockers = Blockers::of(scene);
+            let mut others = others.iter();
+            others.find_map(|other| blockers.of_pair(patch, *other))
+        })
     }
 }

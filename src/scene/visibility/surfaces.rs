@@ -8,12 +8,13 @@
 //! **Not covered**: the answers (overlap, blockers, convex rooms).
 
 use crate::geometry::Outline;
-use crate::scene::Scene;
 use crate::scene::planes::ScenePlanes;
+use crate::scene::{NamedPatch, Scene};
 use glam::DVec3;
 use rayon::prelude::*;
 use rstar::primitives::{GeomWithData, Rectangle as Box3};
 use rstar::{AABB, RTree};
+use std::borrow::Cow;
 use std::fmt;
 use std::sync::{Arc, OnceLock};
 
@@ -55,10 +56,7 @@ impl Surfaces {
     fn of(scene: &Scene) -> Self {
         let (planes, splits) = (scene.planes(), scene.splits());
         let count = scene.surfaces().count();
-        let outline = |surface: usize| {
-            let shape = scene.surface(surface).shape();
-            Outline::new(shape, planes.unit(), planes.facing(surface))
-        };
+        let outline = |surface| scene.outline(surface);
         let outlines: Vec<Outline> = (0..count).into_par_iter().map(outline).collect();
         let boxes = |are_candidates: bool| {
             let boxed = outlines.iter().enumerate().map(|(surface, outline)| {
@@ -76,20 +74,80 @@ impl Surfaces {
         }
     }
 
-    /// The outline of a surface; obstructions are numbered after the patches.
-    pub(crate) fn outline(&self, surface: usize) -> &Outline {
-        &self.outlines[surface]
-    }
-
     /// The candidates whose boxes meet a box.
-    pub(crate) fn candidates_near(&self, room: [DVec3; 2]) -> impl Iterator<Item = usize> {
-        near(&self.candidates, room)
+    fn candidates_near(&self, room: [DVec3; 2]) -> Vec<usize> {
+        near(&self.candidates, room).collect()
     }
 
     /// All surfaces whose boxes meet a box.
-    pub(crate) fn near(&self, room: [DVec3; 2]) -> impl Iterator<Item = usize> {
-        near(&self.candidates, room).chain(near(&self.others, room))
+    fn near(&self, room: [DVec3; 2]) -> Vec<usize> {
+        let candidates = near(&self.candidates, room);
+        candidates.chain(near(&self.others, room)).collect()
     }
+}
+
+/// The way in which surfaces are found: where many questions come, trees pay; a single one looks
+/// at every surface once.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Search<'a> {
+    Indexed(&'a Surfaces),
+    Scanned(&'a Scene),
+}
+
+impl<'a> Search<'a> {
+    /// The outline of a surface; obstructions are numbered after the patches.
+    pub(crate) fn outline(self, surface: usize) -> Cow<'a, Outline> {
+        match self {
+            Self::Indexed(surfaces) => Cow::Borrowed(&surfaces.outlines[surface]),
+            Self::Scanned(scene) => Cow::Owned(scene.outline(surface)),
+        }
+    }
+
+    /// The surfaces whose boxes meet a box.
+    pub(crate) fn near(self, room: [DVec3; 2]) -> Vec<usize> {
+        match self {
+            Self::Indexed(surfaces) => surfaces.near(room),
+            Self::Scanned(scene) => scanned(scene, room),
+        }
+    }
+
+    /// The surfaces whose boxes meet a box, and that can stand between two patches with these
+    /// corners.
+    pub(crate) fn candidates_near(
+        self,
+        room: [DVec3; 2],
+        corners: impl Iterator<Item = DVec3> + Clone,
+    ) -> Vec<usize> {
+        let scene = match self {
+            Self::Indexed(surfaces) => return surfaces.candidates_near(room),
+            Self::Scanned(scene) => scene,
+        };
+        let planes = scene.planes();
+        let is_between = |surface: &usize| {
+            let plane = &planes.planes()[planes.plane_of(*surface).plane];
+            plane.is_crossed_by(plane.range(corners.clone()), planes.noise())
+        };
+        scanned(scene, room)
+            .into_iter()
+            .filter(is_between)
+            .collect()
+    }
+}
+
+/// The surfaces whose boxes meet a box, each looked at.
+fn scanned(scene: &Scene, [low, high]: [DVec3; 2]) -> Vec<usize> {
+    let planes = scene.planes();
+    let meets = |surface: &NamedPatch| {
+        let corners = || planes.corners(surface);
+        let least = corners().fold(DVec3::INFINITY, DVec3::min);
+        let most = corners().fold(DVec3::NEG_INFINITY, DVec3::max);
+        least.cmple(high).all() && most.cmpge(low).all()
+    };
+    let surfaces = scene.surfaces().enumerate();
+    surfaces
+        .filter(|(_, surface)| meets(surface))
+        .map(|(index, _)| index)
+        .collect()
 }
 
 fn near(boxes: &Boxes, room: [DVec3; 2]) -> impl Iterator<Item = usize> {
@@ -109,6 +167,13 @@ impl Scene {
     pub(crate) fn splits(&self) -> &[bool] {
         let splits = &self.prepared.0.splits;
         splits.get_or_init(|| self.planes().splits(&self.patches))
+    }
+
+    /// The outline of one surface.
+    fn outline(&self, surface: usize) -> Outline {
+        let planes = self.planes();
+        let shape = self.surface(surface).shape();
+        Outline::new(shape, planes.unit(), planes.facing(surface))
     }
 
     /// The outlines and boxes of all surfaces, found once.

@@ -5,4 +5,5 @@ mod closure;
 mod plan;
 mod promises;
 mod rows;
+mod selections;
 mod tiles;

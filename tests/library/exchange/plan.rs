@@ -3,7 +3,7 @@
 
 use crate::support::rooms::{mapped, placing};
 use glam::DVec3;
-use infoscene::exchange::{Congruence, PassSummary, PlanSummary, ScenePairs};
+use infoscene::exchange::{Congruence, PassSummary, PlanSummary, ScenePairs, Selection};
 use infoscene::geometry::Patch;
 use infoscene::scene::{NamedPatch, Occlusion, Scene};
 use proptest::prelude::*;
@@ -145,7 +145,7 @@ proptest! {
         let turned = mapped(&cube(cells), |corner| turn * corner * size + shift);
         let pairs =
             ScenePairs::try_new(&turned, 0.5, Congruence::Ignored, Occlusion::Ignore).unwrap();
-        let plan = pairs.entries(None, None).unwrap().1.plan;
+        let plan = pairs.entries(&Selection::default()).unwrap().1.plan;
         let coplanar = 3 * cells * cells * (cells * cells - 1);
         prop_assert_eq!(
             (plan.planes, plan.untouched, plan.coplanar),
@@ -223,7 +223,7 @@ fn reciprocity_is_exact() {
             })
             .unwrap();
         assert_eq!(&account, held.summary());
-        let (entries, account) = pairs.entries(None, None).unwrap();
+        let (entries, account) = pairs.entries(&Selection::default()).unwrap();
         assert_eq!(&account, held.summary());
         assert_eq!(entries.len(), 54 * 53);
     }

@@ -3,7 +3,7 @@
 use crate::support::rooms::level;
 use infoscene::chain::{ChainError, continuous_chain, open_visibility_chain, visibility_chain};
 use infoscene::discretize::{DiscretizeError, PatchSplit};
-use infoscene::exchange::{Congruence, ExchangeError, ScenePairs, Unheard};
+use infoscene::exchange::{Congruence, ExchangeError, ScenePairs, Selection, Unheard};
 use infoscene::geometry::SplitAxis;
 use infoscene::information::{
     LineKind, LineSample, chord_information, continuous_information, pair_losses,
@@ -172,8 +172,15 @@ fn what_is_not_hidden_is_admitted() {
         scene.patches().iter().position(lies).unwrap()
     };
     let (floor, ceiling, wall) = (on(2, 0.0), on(2, 1.0), on(0, 0.0));
-    let rows = |from, to| scene.check_rows_unblocked(from, to);
-    assert_eq!(rows(Some(floor), Some(wall)), Ok(()));
+    let rows = |from: Option<usize>, to: Option<usize>| {
+        let [from, to] = [from, to].map(|row| row.map(|row| vec![row]));
+        let selection = Selection { from, to };
+        let (own, occlusion) = (Congruence::Ignored, Occlusion::Refuse);
+        ScenePairs::of_selection(&scene, 1e-12, own, occlusion, &selection)
+            .map(|pairs| pairs.rows())
+            .map_err(of_exchange)
+    };
+    assert_eq!(rows(Some(floor), Some(wall)), Ok(6));
     for (from, to) in [
         (Some(floor), Some(ceiling)),
         (Some(floor), None),

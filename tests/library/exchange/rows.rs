@@ -3,7 +3,9 @@
 use super::bases::square;
 use glam::DVec3;
 use infoscene::chain::{ReversibleChain, open_visibility_chain, visibility_chain};
-use infoscene::exchange::{Closure, Congruence, ExchangeAreas, ExchangeError, ScenePairs};
+use infoscene::exchange::{
+    Closure, Congruence, ExchangeAreas, ExchangeError, ScenePairs, Selection,
+};
 use infoscene::geometry::Patch;
 use infoscene::information::{OpenScene, mutual_information, scene_information};
 use infoscene::numeric::tolerance;
@@ -172,7 +174,7 @@ fn all_ways_to_the_rows_agree() {
             Ok(())
         });
         assert_eq!(&by_rows.unwrap(), held.summary());
-        let (entries, account) = pairs.entries(None, None).unwrap();
+        let (entries, account) = pairs.entries(&Selection::default()).unwrap();
         assert_eq!(&account, held.summary());
         for entry in &entries {
             assert_eq!(entry.answer, held.get(entry.from, entry.to));

@@ -50,8 +50,8 @@ fn a_blocked_scene_is_refused_unless_occlusion_is_ignored() {
     assert!(is_blocked(&form_factors.ask(&Unheard).unwrap_err()));
     // between the first two nothing stands
     let first = FormFactors {
-        from: Some(0),
-        to: Some(1),
+        from: Some(0.into()),
+        to: Some(1.into()),
         ..form_factors
     };
     assert_eq!(first.ask(&Unheard).unwrap().records().count(), 1);
@@ -130,7 +130,7 @@ fn an_open_scene_is_refused_by_row_and_taken_with_a_state_outside() {
 fn a_matrix_has_the_form_factors_of_the_records_and_comes_only_if_asked_for() {
     let mut question = FormFactors {
         scene: "cube:2".into(),
-        from: Some(0),
+        from: Some(0.into()),
         ..FormFactors::default()
     };
     assert!(question.ask(&Unheard).unwrap().matrix().is_none());

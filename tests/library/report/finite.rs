@@ -112,6 +112,8 @@ fn form_factors_that_are_not_finite_are_named_in_every_format() {
         index,
         name: "wall".to_owned(),
         area,
+        row_sum: None,
+        row_sum_error: None,
     };
     let record = |value| FormFactorRecord {
         from: 0,

@@ -3,6 +3,7 @@
 mod blockers;
 mod cornell_box;
 mod files;
+mod fronts;
 mod overlap;
 mod parts;
 mod refusals;
