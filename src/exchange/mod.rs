@@ -35,6 +35,9 @@
 //!    [`ScenePairs::for_each_row`] one row, [`ScenePairs::tile`] one tile, [`ExchangeAreas`] the
 //!    whole matrix.
 //!
+//! Where coordinates are rounded, [`ScenePairs::resolution_error`] bounds what that can change of an
+//! exchange area; it stands beside the error of the computation and is never mixed with it.
+//!
 //! [`Closure`] asks whether the rows of form factors sum to one; [`PassSummary`] counts pairs by
 //! route and reports the pair that is farthest from its tolerance.
 //!
@@ -78,7 +81,7 @@ pub use passes::tiles::{Tile, TileAnswers};
 pub use plan::Congruence;
 pub use plan::counts::{PassCounts, PassSummary, PlanSummary, Unreached};
 pub use progress::{Progress, Unheard};
-pub use resolution::ResolutionErrors;
+pub use resolution::held::ResolutionErrors;
 pub use scene_pairs::ScenePairs;
 pub use selection::Selection;
 pub use tolerance::Tolerance;

@@ -272,6 +272,8 @@ struct Bent {
     span: f64,
     /// The width, as area over diameter.
     width: f64,
+    /// The largest span per resolution.
+    most: f64,
 }
 
 impl Bent {
@@ -282,6 +284,11 @@ impl Bent {
             middle: 0.5 * (low + high),
             span: high - low,
             width,
+            most: if heights.len() == 4 {
+                tolerance::QUADRILATERAL_BEND
+            } else {
+                tolerance::BEND
+            },
         }
     }
 
@@ -290,7 +297,7 @@ impl Bent {
     }
 
     fn is_explained_by(&self, resolution: f64) -> bool {
-        self.span <= tolerance::BEND * resolution
+        self.span <= self.most * resolution
             && resolution <= tolerance::RESOLVED * self.width
     }
 

@@ -91,11 +91,11 @@ pub struct MeasureAnswer {
     /// The length by which each coordinate may be off.
     pub resolution: f64,
     /// A bound on what that can change of the mutual information, beside its error; an estimate
-    /// where the error is one.
-    pub resolution_error: f64,
+    /// for an open scene, and none under a light.
+    pub resolution_error: Option<f64>,
     /// A bound on what it can change of the positional entropy; that of the entropy rate is at most
     /// the sum of both.
-    pub entropy_resolution_error: f64,
+    pub entropy_resolution_error: Option<f64>,
     /// The grade of its error.
     pub error_grade: Grade,
     /// The row of form factors whose sum is farthest from one.
@@ -280,8 +280,8 @@ impl MeasureAnswer {
             pair_losses: None,
             mutual_information_error: measured.mutual_information.error,
             resolution: 0.0,
-            resolution_error: measured.resolution.mutual_information,
-            entropy_resolution_error: measured.resolution.positional_entropy,
+            resolution_error: measured.resolution.map(|bounds| bounds.mutual_information),
+            entropy_resolution_error: measured.resolution.map(|bounds| bounds.positional_entropy),
             error_grade: measured.mutual_information.grade,
             closure: RowSumRecord {
                 patch: worst.row,

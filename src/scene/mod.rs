@@ -14,6 +14,7 @@ mod convex_room;
 mod error;
 pub mod files;
 mod fronts;
+mod joints;
 mod material;
 mod overlap;
 mod parts;

@@ -30,14 +30,11 @@
 //!
 //! [`ScenePairs::resolution_error`]: crate::exchange::ScenePairs::resolution_error
 
+use super::joints::Edges;
 use super::planes::ScenePlanes;
 use super::visibility::surfaces::Prepared;
 use super::{NamedPatch, Scene, SceneError};
-use crate::geometry::Patch;
 use crate::numeric::tolerance;
-use glam::DVec3;
-use rstar::primitives::{GeomWithData, Line};
-use rstar::{PointDistance, RTree};
 use std::fmt;
 
 /// The largest resolution, relative to the width of the narrowest surface, that a refusal names as
@@ -207,61 +204,6 @@ impl Scene {
             touching: misses.filter(|joint| joint.aside > rounding).count(),
         })
     }
-
-    /// The joints at the corners of each patch.
-    fn joints(&self) -> Vec<Vec<Joint>> {
-        let nearby = tolerance::BEND * self.resolution;
-        let shapes = || self.patches.iter().map(NamedPatch::shape);
-        let edges = Edges::of(shapes());
-        let joint = |index: usize, corner: DVec3| {
-            let near: Vec<NearEdge> = edges.near(corner, index, nearby).collect();
-            let distances = near.iter().map(|edge| edge.distance);
-            let aside = distances.fold(f64::INFINITY, f64::min);
-            Joint {
-                aside: if near.is_empty() { 0.0 } else { aside },
-                near,
-            }
-        };
-        let of_patch = |(index, shape): (usize, &Patch)| {
-            let corners = shape.given_corners().iter();
-            corners.map(|corner| joint(index, *corner)).collect()
-        };
-        shapes().enumerate().map(of_patch).collect()
-    }
-
-    /// The widths of the cracks along the edges of each patch: what its corners lie off the edges
-    /// beside them and off the plane that the patch shares, what other corners lie off the edge, and
-    /// what the patch was moved by when it was put flat. Corners farther off than a plane explains
-    /// ([`tolerance::BEND`]) leave a gap, and no crack.
-    pub(crate) fn cracks(&self) -> Vec<Vec<f64>> {
-        let (planes, joints) = (self.planes(), self.joints());
-        let shapes = || self.patches.iter().map(NamedPatch::shape);
-        let none = |shape: &Patch| vec![0.0_f64; shape.corners().len()];
-        let mut widths: Vec<Vec<f64>> = shapes().map(none).collect();
-        for (shape, joints) in shapes().zip(&joints) {
-            for (corner, joint) in shape.given_corners().iter().zip(joints) {
-                // a corner at the end of an edge is no joint of it
-                let beside = joint.near.iter().filter(|edge| !edge.ends.contains(corner));
-                for edge in beside {
-                    let width = &mut widths[edge.surface][edge.place];
-                    *width = width.max(edge.distance);
-                }
-            }
-        }
-        for (index, (shape, joints)) in shapes().zip(&joints).enumerate() {
-            let (shared, unit) = (planes.facing(index), planes.unit());
-            let corners = shape.given_corners().iter().zip(shape.corners());
-            let off = corners.zip(joints).map(|((given, flat), joint)| {
-                let height = unit * shared.height(*flat / unit).abs();
-                given.distance(*flat) + height + joint.aside
-            });
-            let off: Vec<f64> = off.collect();
-            for (place, width) in widths[index].iter_mut().enumerate() {
-                *width += off[place].max(off[(place + 1) % off.len()]);
-            }
-        }
-        widths
-    }
 }
 
 /// Surfaces that a resolution takes as bent, coplanar or touching.
@@ -291,68 +233,5 @@ impl fmt::Display for ResolvedSurfaces {
              lying in a plane with others, {touching} corners as lying on the edges beside them; a \
              resolution of 0 takes them as exact"
         )
-    }
-}
-
-/// A corner of a patch, and the edges of others that it lies beside.
-struct Joint {
-    near: Vec<NearEdge>,
-    /// The distance of the nearest; 0 if none is near.
-    aside: f64,
-}
-
-/// The edges of surfaces, by place.
-struct Edges(RTree<GeomWithData<Line<[f64; 3]>, [usize; 2]>>);
-
-/// An edge near a point.
-struct NearEdge {
-    surface: usize,
-    /// The place of the edge among those of the surface.
-    place: usize,
-    ends: [DVec3; 2],
-    distance: f64,
-}
-
-impl NearEdge {
-    /// Whether the distance of a corner with these edges is that of exactly parallel edges, or the
-    /// corner would come to lie on the edge if one of the two were longer or shorter.
-    fn was_meant(&self, corner: DVec3, own: [DVec3; 2], rounding: f64) -> bool {
-        let [from, to] = self.ends;
-        let along = to - from;
-        let share = (corner - from).dot(along) / along.length_squared();
-        let offset = corner - (from + along * share.clamp(0.0, 1.0));
-        let are_parallel = |one: DVec3, two: DVec3| {
-            let [one_length, two_length] = [one.length(), two.length()];
-            let sine = one.cross(two).length() / (one_length * two_length);
-            sine * one_length.min(two_length) <= rounding
-        };
-        own.iter().any(|own| are_parallel(*own, along) || are_parallel(*own, offset))
-            || are_parallel(along, offset)
-    }
-}
-
-impl Edges {
-    fn of<'s>(shapes: impl Iterator<Item = &'s Patch>) -> Self {
-        let edges = shapes.enumerate().flat_map(|(index, shape)| {
-            let corners = shape.given_corners();
-            let next = corners.iter().cycle().skip(1);
-            let ends = corners.iter().zip(next).enumerate();
-            ends.map(move |(place, (from, to))| {
-                GeomWithData::new(Line::new(from.to_array(), to.to_array()), [index, place])
-            })
-        });
-        Self(RTree::bulk_load(edges.collect()))
-    }
-
-    /// The edges of other surfaces within a distance of a point.
-    fn near(&self, point: DVec3, own: usize, distance: f64) -> impl Iterator<Item = NearEdge> + '_ {
-        let near = self.0.locate_within_distance(point.to_array(), distance * distance);
-        let near = near.filter(move |edge| edge.data[0] != own);
-        near.map(move |edge| NearEdge {
-            surface: edge.data[0],
-            place: edge.data[1],
-            ends: [edge.geom().from, edge.geom().to].map(DVec3::from_array),
-            distance: edge.geom().distance_2(&point.to_array()).sqrt(),
-        })
     }
 }

@@ -13,6 +13,7 @@ mod grids;
 mod keys;
 mod light;
 mod refusals;
+mod resolution;
 mod sampling;
 mod scene_files;
 mod scene_options;

@@ -95,7 +95,8 @@ fn discrete_lines(answer: &MeasureAnswer) -> Vec<Line> {
         .map(|(quantity, value)| (quantity.to_owned(), value))
         .to_vec();
     if answer.resolution > 0.0 {
-        let change = scientific(answer.resolution_error);
+        let change = answer.resolution_error;
+        let change = change.map_or_else(|| "unknown".to_owned(), scientific);
         lines.push((
             "what the resolution can change, bits".to_owned(),
             format!("{change} (coordinates ± {:e})", answer.resolution),

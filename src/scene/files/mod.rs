@@ -7,6 +7,9 @@
 //!          reflectance = 1 − emit
 //! ```
 //!
+//! Coordinates may be rounded: a reader takes note of their last place, and the scene takes it as its
+//! [resolution](Scene::resolution) where surfaces miss each other on that scale.
+//!
 //! A reader stops at the first fault and says where it is and what would mend it ([`FileError`]).
 //! Numbers are written so that they read back to the same `f64`.
 //!

@@ -1,0 +1,187 @@
+//! Bounds on what the resolution of a scene can change of its exchange areas.
+//!
+//! ```text
+//!   |ΔJ_ij| ≤ c_ij + c_ji,    c_ij = Σ_e R_e · E_e(j) + |j ∩ N(i)| + Σ_{f of j in N(i)} R_f
+//!   |ΔA_i|  ≤ Σ_e R_e
+//! ```
+//!
+//! where every corner of i moves by δ_i at most, and i stays plane.
+//!
+//! * **Ribbons.** An edge e and its new place span a ribbon of area `R_e ≤ δ (|e| + δ)`. Old
+//!   polygon, new polygon and ribbons close up, so a ray from a point of j that is not inside meets
+//!   the front of i as often as that of its new place, up to its crossings of ribbons. Rays of all
+//!   points of j through an element dA of a ribbon carry dA times the form factor from dA to j:
+//!
+//! ```text
+//!   E ≤ min(1, A_j h / (π d³))      d: the distance of the element, h: its height over j
+//! ```
+//!
+//!   whichever way dA faces, as the cosine at dA is at most 1 and j lies in a half space. A vector
+//!   area has no more size than the surface, which is the second line.
+//! * **Points inside.** Points of j between the old place of i and the new one are nearer to i than
+//!   δ_i, in N(i); each counts with all that it may receive. They are found by cutting j with the
+//!   sides of i moved out.
+//! * **Both move.** The second step is from the new place of i; so areas are taken with their
+//!   ribbons, distances less δ_i + δ_j, N(i) is as wide as both, and the ribbons of what moves in
+//!   it count in it.
+//!
+//! `δ_i = √3 r`, and what a bent polygon was moved by when it was put into its plane
+//! ([`moved`](crate::geometry::Patch::moved)). A pair that is left out, because one plane counts as the other's or as behind
+//! it, would be left out rightly if one of the two were moved by the height of one over the other:
+//! it has δ_i larger by that.
+//!
+//! **Rows that sum to one.** A closed scene stays closed where corners move together. What the
+//! polygons as given leave open, or cover twice, are cracks: along the joints of three edges, and
+//! where bent polygons were put flat. With the cracks spanned, the surface is closed, and a ray from
+//! i meets one front more or less only where it meets a crack:
+//!
+//! ```text
+//!   |A_i − Σ_j J_ij| ≤ Σ_j Σ_e C_e · E_e(i) + Σ_{e of i} C_e        C_e = |e| · width of the crack
+//! ```
+//!
+//! The widths are measured, and end where the resolution does not explain them any more: what gapes
+//! wider is open.
+//!
+//! The bound is for the worst of all places of the corners, and several times what roundings do.
+//! The form factor `F = J/A` changes by `(|ΔJ| + F |ΔA|)/(A − |ΔA|)` at most.
+//!
+//! Open `loose` for one polygon and its c, and `held` for the bounds of all pairs.
+//!
+//! **Not covered**: what stands between two patches; parts and bases, which are taken to lie in each
+//! other.
+
+pub(crate) mod held;
+mod loose;
+
+use crate::exchange::ScenePairs;
+use crate::exchange::plan::facing::Facing;
+use crate::exchange::rows::terms::RowTerm;
+use crate::numeric::{parallel_map, tolerance};
+use crate::scene::{ResolvedSurfaces, Scene};
+use loose::Loose;
+
+/// The part of what the resolution can change that an error of the computation may be, whatever the
+/// tolerance: nobody sees more digits than that.
+const UNFELT: f64 = 1e-3;
+
+/// The polygons of a scene, ready for these bounds.
+#[derive(Debug, Clone)]
+pub(crate) struct Resolution {
+    surfaces: ResolvedSurfaces,
+    outlines: Vec<Loose>,
+}
+
+impl Resolution {
+    /// The polygons of a scene that are these patches, unless its coordinates are exact.
+    pub(crate) fn of(scene: &Scene, patches: &[usize]) -> Option<Self> {
+        let surfaces = scene.resolved_surfaces()?;
+        let cracks = scene.cracks();
+        let loose = |patch: &usize| {
+            let shape = scene.patches()[*patch].shape();
+            let delta = tolerance::SQRT_3 * surfaces.length + shape.moved();
+            Loose::of(shape, delta, &cracks[*patch])
+        };
+        Some(Self {
+            surfaces,
+            outlines: patches.iter().map(loose).collect(),
+        })
+    }
+
+    /// The surfaces that are taken as bent, coplanar or touching.
+    pub(crate) const fn surfaces(&self) -> ResolvedSurfaces {
+        self.surfaces
+    }
+
+    /// A bound on the change of the exchange area of two polygons with this value.
+    fn change(&self, first: usize, second: usize, facing: Facing) -> f64 {
+        let [one, two] = [&self.outlines[first], &self.outlines[second]];
+        if one.is_in_front_of(two) || two.is_in_front_of(one) {
+            return 0.0;
+        }
+        let most = (one.area + one.ribbons).min(two.area + two.ribbons);
+        let change = if facing == Facing::Visible {
+            one.change(two) + two.change(one)
+        } else {
+            let more = one.overtopped_by(two).min(two.overtopped_by(one));
+            let [one, two] = [one, two].map(|outline| outline.looser(more));
+            one.change(&two) + two.change(&one)
+        };
+        change.min(most)
+    }
+}
+
+impl ScenePairs<'_> {
+    /// The length by which each coordinate may be off; 0 if they are exact.
+    #[must_use]
+    pub fn resolution(&self) -> f64 {
+        self.loose().map_or(0.0, |loose| loose.surfaces.length)
+    }
+
+    /// A bound on what the resolution of the scene can change of the exchange area of two rows; 0
+    /// for an exact scene. It does not include the error of the computation, which stands beside.
+    ///
+    /// # Panics
+    /// If there is no such row.
+    #[must_use]
+    pub fn resolution_error(&self, first: usize, second: usize) -> f64 {
+        let Some(resolution) = self.loose() else {
+            return 0.0;
+        };
+        let roots = self.terms().roots();
+        let times = if first == second { 2.0 } else { 1.0 };
+        let change = |[one, two]: [RowTerm; 2]| {
+            let [one, two] = [one.polygon, two.polygon];
+            if roots[one] == roots[two] {
+                return 0.0;
+            }
+            resolution.change(one, two, self.facing_polygons(one, two))
+        };
+        times * self.terms().pairs(first, second).map(change).sum::<f64>()
+    }
+
+    /// Bounds on what a row's sum of exchange areas may be off its area in a closed scene, by what
+    /// the resolution explains of the cracks between its patches.
+    #[must_use]
+    pub fn crack_errors(&self) -> Vec<f64> {
+        parallel_map(self.rows(), &|row| self.crack_error(row))
+    }
+
+    /// The bound of one row among [`crack_errors`](Self::crack_errors).
+    pub(crate) fn crack_error(&self, row: usize) -> f64 {
+        let Some(Resolution { outlines, .. }) = self.loose() else {
+            return 0.0;
+        };
+        let terms = self.terms().of_row(row).iter();
+        let lost = terms.map(|term| {
+            let own = &outlines[term.polygon];
+            outlines.iter().map(|other| own.lost_to(other)).sum::<f64>()
+        });
+        lost.sum()
+    }
+
+    /// The error of the computation that nobody feels beside what the resolution can change of the
+    /// exchange area of two rows.
+    pub(crate) fn unfelt(&self, first: usize, second: usize) -> f64 {
+        UNFELT * self.resolution_error(first, second)
+    }
+
+    /// Whether the plan leaves out two rows as one lies behind the other's plane.
+    pub(crate) fn is_behind(&self, first: usize, second: usize) -> bool {
+        self.facing(first, second) == Facing::BackFacing
+    }
+
+    /// Bounds on what the resolution of the scene can change of the rows' areas.
+    #[must_use]
+    pub fn area_resolution_errors(&self) -> Vec<f64> {
+        let Some(resolution) = self.loose() else {
+            return vec![0.0; self.rows()];
+        };
+        let row = |row: usize| {
+            let terms = self.terms().of_row(row).iter();
+            terms
+                .map(|term| resolution.outlines[term.polygon].ribbons)
+                .sum()
+        };
+        (0..self.rows()).map(row).collect()
+    }
+}
