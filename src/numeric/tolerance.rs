@@ -43,9 +43,9 @@ pub const QUADRILATERAL_BEND: f64 = 2.0 * SQRT_3;
 pub const SQRT_3: f64 = 1.732_050_807_568_877_2;
 
 /// The largest resolution, relative to the width of what it is to resolve: (a) surfaces that count
-/// as touching reach into each other by [`RESOLVED_NOISE`] resolutions, which are then a third of the
-/// width at most.
-pub const RESOLVED: f64 = 1.0 / 42.0;
+/// as touching reach into each other by [`RESOLVED_NOISE`] resolutions at most, which is less than
+/// the width then.
+pub const RESOLVED: f64 = 1.0 / 20.0;
 
 /// The length below which touching cannot be told from penetrating, in resolutions: (a) true
 /// corners lie within δ = √3 resolutions, those that were put into a plane within twice that; a

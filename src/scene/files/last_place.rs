@@ -13,11 +13,17 @@
 //! what the program had: then two units of such a float count, too, as coordinates come from several
 //! operations.
 //!
+//! Where the largest number has hardly three digits before that place, nothing was rounded to it: a
+//! square with corners 0 and 1, one of them raised by 0.1, was meant to be bent.
+//!
 //! **Not covered**: whether the coordinates are rounded at all. A cube with corners 0 and 1 has no
 //! decimals and is exact; the scene knows ([`Scene::with_last_place`](crate::scene::Scene)).
 
 /// Fewer significant digits are written by hand.
 const FEWEST_DIGITS: i64 = 6;
+
+/// The smallest ratio of the largest coordinate to half a unit of what is rounded.
+const COARSEST: f64 = 150.0;
 
 /// A last place this much finer than the distance of 32-bit floats tells them from other numbers, by
 /// chance once in so many times.
@@ -72,7 +78,8 @@ impl LastPlaces {
         }
     }
 
-    /// Half a unit in the last place: coordinates may be off by so much; 0 if there are none.
+    /// Half a unit in the last place: coordinates may be off by so much; 0 if there are none, or if
+    /// they are too coarse to be rounded.
     pub(crate) fn half_unit(&self) -> f64 {
         let Some(decimals) = self.decimals else {
             return 0.0;
@@ -82,7 +89,12 @@ impl LastPlaces {
         let significant = highest.filter(|_| self.digits >= FEWEST_DIGITS);
         let float = !self.is_wider && self.telling >= FEWEST_TELLING;
         let float = if float { FLOAT_ERROR * self.largest } else { 0.0 };
-        fixed.max(significant.map_or(0.0, half_unit)).max(float)
+        let half = fixed.max(significant.map_or(0.0, half_unit)).max(float);
+        if COARSEST * half > self.largest {
+            0.0
+        } else {
+            half
+        }
     }
 }
 

@@ -20,6 +20,9 @@ fn the_last_place_is_that_of_the_longest_numbers() {
         ("432100.125 0.123456789 5811234.38 5811234.25", 5e-3),
         ("0 1 0.5 1e-11", 5e-12),
         ("1.5E+3 2.25e1", 5e-2),
+        // written by hand, and not rounded
+        ("0 1 2.5 0.1", 0.0),
+        ("0 1", 0.0),
         ("0 0 0.0", 0.0),
         // sixteen and seventeen digits: exact, as far as f64 goes
         ("0.1234567890123456 1.2345678901234567 1", 5e-17),
