@@ -4,6 +4,7 @@
 //! claim's verdict differs from the recorded one, fuzzing found a counterexample, or a tolerance
 //! was not reached; 2 wrong usage or bad input, and nothing is written.
 
+mod check;
 mod convert;
 mod curve;
 mod cut;
@@ -60,6 +61,8 @@ enum Question {
     Sample(sample::Sample),
     /// Solve for the radiosities of a scene, and the importances.
     Radiosity(radiosity::Radiosity),
+    /// Tell the state of a scene: fronts, free edges, overlap, what stands in the way.
+    Check(check::Check),
     /// Write a scene in another format.
     Convert(convert::Convert),
     /// Throw random refinements at Theorem 1.
@@ -122,6 +125,7 @@ fn answer(question: Question) -> Answer {
         Question::Measure(question) => question.answer(),
         Question::Sample(question) => question.answer(),
         Question::Radiosity(question) => question.answer(),
+        Question::Check(question) => question.answer(),
         Question::Convert(question) => question.answer(),
         #[cfg(feature = "proptest")]
         Question::Fuzz(question) => question.answer(),

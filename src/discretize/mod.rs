@@ -38,7 +38,7 @@ pub use gradient::profile_cut::{Irradiance, JudgedCut, ProfileCut};
 pub use gradient::straight::{BestStraightCut, StraightCut};
 pub use grid::axis::Spacing;
 pub use grid::best::{BestGrid, Search};
-pub use grid::certified::CertifiedGrid;
+pub use grid::certified::{CertifiedGrid, ThreeCells};
 pub use grid::{BoxGrid, GridInformation, LARGEST_ASPECT, MOST_CELLS, UNIT_CUBE};
 pub use patch::rectangles::RectangleSplit;
 pub use patch::split::{PatchSplit, SplitOptimum};

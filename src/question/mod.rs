@@ -7,6 +7,7 @@
 //!
 //! **Not here**: formats, arguments, files that answers are written to.
 
+mod check;
 mod convert;
 mod curve;
 mod cut;
@@ -32,6 +33,7 @@ mod study;
 mod study_rows;
 mod unreached;
 
+pub use check::{BlockedRecord, Check, CheckAnswer, FreeEdgeRecord, PatchMark};
 pub use convert::{Convert, ConvertAnswer, SceneFormat};
 pub use curve::{Curve, CurveAnswer, CurvePoint};
 pub use cut::{Cut, CutAnswer, CutEnclosures, Cuts, CutsAnswer, IrradianceExponent};

@@ -12,6 +12,7 @@ mod answers;
 mod error;
 mod render;
 
+pub use answers::check::check_report;
 pub use answers::claims::{curve_figure, curve_report, reproduction_report};
 pub use answers::claims_page::{claims_page, first_verdicts};
 pub use answers::cuts::{cut_report, cuts_figure, cuts_report};

@@ -11,6 +11,7 @@
 
 mod built_in;
 mod convex_room;
+mod edges;
 mod error;
 pub mod files;
 mod fronts;
@@ -23,6 +24,7 @@ mod resolution;
 mod subdivision;
 mod visibility;
 
+pub use edges::{FreeEdge, Joints};
 pub use error::SceneError;
 pub use material::{Material, MaterialError};
 pub use resolution::ResolvedSurfaces;

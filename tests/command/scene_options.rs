@@ -171,3 +171,41 @@ fn errors_that_no_row_sum_can_feel_are_accepted() {
         assert!(number(&record["error"]) <= 1e-3);
     }
 }
+
+/// The state of a scene is told whatever it is.
+#[test]
+fn check_tells_the_state_of_a_scene() {
+    let (folder, outside) = inside_out();
+    let state = json(&["check", &outside]);
+    assert_eq!(
+        (number(&state["volume"]), &state["turned_away"]),
+        (-1.0, &true.into())
+    );
+    // one face less, and one turned back
+    let path = folder.path().join("open.obj");
+    let text = INSIDE_OUT
+        .replace("f 4 3 2 1\n", "")
+        .replace("f 5 6 7 8", "f 8 7 6 5");
+    std::fs::write(&path, text).unwrap();
+    let open = json(&["check", path.to_str().unwrap()]);
+    assert_eq!(
+        (&open["free_edges"], &open["free_length"]),
+        (&4.into(), &4.0.into())
+    );
+    assert_eq!(
+        (&open["volume"], &open["turned_neighbours"]),
+        (&().into(), &4.into())
+    );
+    assert_eq!(open["longest_free_edges"][0]["length"], 1.0);
+    assert_eq!(open["first_turned_neighbours"][0][0]["name"], "room 0");
+    let table = stdout(&["check", path.to_str().unwrap()]);
+    assert!(
+        table.contains("no: 4 free edges, 4.000000 long together"),
+        "{table}"
+    );
+    let room = json(&["check", "box:1,2,3"]);
+    assert_eq!(
+        (number(&room["volume"]), &room["blocked"], &room["planes"]),
+        (6.0, &().into(), &6.into())
+    );
+}

@@ -24,7 +24,7 @@ const TOLERANCES: [f64; 3] = [1e-13, 1e-11, 1e-9];
 /// part by ε over its width, by more than 512 ε where it is thinner than this.
 const THIN: f64 = 1.0 / 512.0;
 
-/// Strips in a thin part: (b) held by `thin_parts_are_what_the_parts_beside_them_leave`.
+/// Strips in a thin part: (b) held by `thin_parts_exchange_what_the_parts_beside_them_leave`.
 const STRIPS: usize = 16;
 
 /// The polygons of a split: the patch with lines across it, and each patch that it is judged by.
@@ -188,59 +188,6 @@ impl PartExchange<f64> for PolygonSplit {
             1.0
         } else {
             self.surface.lines.share_rate(*position)
-        }
-    }
-}
-
-#[cfg(test)]
-#[expect(clippy::unwrap_used, reason = "a test may panic")]
-mod tests {
-    use super::*;
-    use glam::DVec3;
-
-    /// A triangle on the floor and a wall: `G(a, b) = G(0, b) − G(0, a)`, with `b − a` below
-    /// [`THIN`]; the wall stands on the end of the triangle or beyond it, where strips are smooth.
-    ///
-    /// Three exchange areas are within 1e-13 of themselves, so that the sum is within 3e-13 of the
-    /// whole.
-    #[test]
-    fn thin_parts_are_what_the_parts_beside_them_leave() {
-        let shape = |corners: [DVec3; 3]| Patch::try_new(corners.to_vec()).unwrap();
-        let floor = shape([DVec3::ZERO, DVec3::X, DVec3::new(0.2, 1.0, 0.0)]);
-        for beyond in [0.0, 0.5] {
-            let wall = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
-            let wall = shape(wall.map(|[y, z]| DVec3::new(-beyond, y, z)));
-            for axis in SplitAxis::ALL {
-                let surface = CutSurface::try_new(&floor, axis).unwrap();
-                let (pair, whole) = surface.pair(&wall).unwrap();
-                let split = PolygonSplit {
-                    surface,
-                    pairs: vec![pair],
-                    weights: SplitWeights {
-                        brightness: vec![1.0],
-                        area: floor.area(),
-                        total: 1.0,
-                    },
-                };
-                assert!(whole > 0.01, "{axis:?}: {whole}");
-                for [from, to] in [[0.2, 0.2005], [0.6, 0.6019], [0.0, 0.001], [0.999, 1.0]] {
-                    let flux = |from: f64, to: f64| {
-                        if from < to {
-                            split.flux(0, &[from, to]).unwrap()
-                        } else {
-                            0.0
-                        }
-                    };
-                    let left = whole - flux(0.0, from) - flux(to, 1.0);
-                    let thin = flux(from, to);
-                    assert!(thin > 0.0 && to - from < THIN);
-                    let error = (thin - left).abs() / whole;
-                    assert!(
-                        error <= 3e-13,
-                        "{beyond} {axis:?} {from} to {to}: {error:e}"
-                    );
-                }
-            }
         }
     }
 }

@@ -163,6 +163,19 @@ impl Scene {
         planes.get_or_init(|| ScenePlanes::of(self))
     }
 
+    /// The number of planes that surfaces lie in, each counted once whichever way they face.
+    #[must_use]
+    pub fn plane_count(&self) -> usize {
+        self.planes().planes().len()
+    }
+
+    /// The length below which coordinates say nothing: two places closer than this are taken as
+    /// one.
+    #[must_use]
+    pub fn noise_length(&self) -> f64 {
+        self.planes().noise_length()
+    }
+
     /// Tells, for each plane, whether patches lie on both sides of it.
     pub(crate) fn splits(&self) -> &[bool] {
         let splits = &self.prepared.0.splits;

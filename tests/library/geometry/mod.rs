@@ -1,5 +1,6 @@
 //! Planes and outlines.
 
+mod centroids;
 mod flat_boxes;
 mod outlines;
 mod rectangles;

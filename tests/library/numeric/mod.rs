@@ -11,4 +11,6 @@ mod extremes;
 mod interval_ends;
 mod intervals;
 mod optimisers;
+mod parallel_maps;
+mod series;
 mod units;

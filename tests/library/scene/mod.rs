@@ -4,6 +4,7 @@ mod blockers;
 mod cornell_box;
 mod files;
 mod fronts;
+mod joints;
 mod overlap;
 mod parts;
 mod refusals;

@@ -7,6 +7,7 @@ mod derivatives;
 mod invariance;
 mod reference_values;
 mod refusals;
+mod three_cells;
 
 use infoscene::discretize::BoxGrid;
 use proptest::prelude::*;

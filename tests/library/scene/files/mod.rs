@@ -1,5 +1,6 @@
 //! Scene files: what is read, what is refused and how, and that what is written reads back.
 
+mod decimals;
 mod faces;
 mod fuzzing;
 mod last_places;
