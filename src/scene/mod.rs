@@ -11,11 +11,11 @@
 
 mod built_in;
 mod convex_room;
+mod cracks;
 mod edges;
 mod error;
 pub mod files;
 mod fronts;
-mod joints;
 mod material;
 mod overlap;
 mod parts;

@@ -30,7 +30,7 @@
 //!
 //! [`ScenePairs::resolution_error`]: crate::exchange::ScenePairs::resolution_error
 
-use super::joints::Edges;
+use super::cracks::EdgeTree;
 use super::planes::ScenePlanes;
 use super::visibility::surfaces::Prepared;
 use super::{NamedPatch, Scene, SceneError};
@@ -153,7 +153,7 @@ impl Scene {
     /// rounding and less than corners can be that are both off, and no edge there is parallel.
     fn corners_miss(&self, off: f64, rounding: f64) -> bool {
         let nearby = tolerance::SQRT_3 * off;
-        let edges = Edges::of(self.surfaces().map(|surface| surface.shape()));
+        let edges = EdgeTree::of(self.surfaces().map(|surface| surface.shape()));
         self.surfaces().enumerate().any(|(index, surface)| {
             let corners = surface.shape().given_corners();
             let n = corners.len();
@@ -193,7 +193,7 @@ impl Scene {
             let shared = &planes.planes()[planes.plane_of(*surface).plane];
             shared.thickness() * planes.unit() > rounding
         };
-        let misses = self.joints().into_iter().flatten();
+        let misses = self.corner_joints().into_iter().flatten();
         Some(ResolvedSurfaces {
             length: self.resolution,
             bent: self

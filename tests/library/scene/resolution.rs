@@ -2,7 +2,7 @@
 
 use crate::support::rounded_rooms::{Room, read};
 use glam::DVec3;
-use infoscene::exchange::{Congruence, ExchangeError, ScenePairs};
+use infoscene::exchange::{Closure, Congruence, ExchangeError, ScenePairs};
 use infoscene::information::{OpenScene, scene_information};
 use infoscene::numeric::tolerance;
 use infoscene::scene::files::{Reading, Source, read_view3d};
@@ -29,13 +29,13 @@ fn is_a_room(seed: u64) {
     let found = scene_information(&pairs_of(&scene), OpenScene::Refuse).unwrap();
     let before = scene_information(&pairs_of(&exact), OpenScene::Refuse).unwrap();
     let unoccluded = pairs(&scene, Occlusion::Ignore);
-    assert!(scene_information(&unoccluded, OpenScene::Refuse).is_ok(), "{seed}");
     let [found_information, before] = [&found, &before].map(|found| found.mutual_information);
     let moved = found.resolution.unwrap().mutual_information;
     let allowed = moved + found_information.error + before.error;
     let change = (found_information.value - before.value).abs();
     assert!(resolution == 0.0 || change <= allowed, "{seed}: {change} > {allowed}");
     let exchange = unoccluded.exchange_areas().unwrap();
+    assert!(Closure::of_held(&exchange).is_closed(), "{seed}");
     let materials = vec![Material::try_new(0.5, 0.5).unwrap(); exchange.rows()];
     let system = RadiositySystem::of(&exchange, &materials).unwrap();
     let emittances = vec![0.5; exchange.rows()];
@@ -51,7 +51,7 @@ fn is_a_room(seed: u64) {
 
 #[test]
 fn rounded_rooms_are_rooms() {
-    for seed in 0..40 {
+    for seed in 0..12 {
         is_a_room(seed);
     }
 }
@@ -226,7 +226,7 @@ fn an_open_room_says_what_is_explained() {
     room.polygons.pop();
     let scene = read(&room.rounded());
     let pairs = pairs(&scene, Occlusion::Refuse);
-    let refusal = infoscene::exchange::Closure::of(&pairs).unwrap().require_closed();
+    let refusal = Closure::of(&pairs).unwrap().require_closed();
     let Err(ExchangeError::OpenScene { resolution_error, .. }) = &refusal else {
         panic!("{refusal:?}")
     };

@@ -12,15 +12,15 @@ use rstar::{PointDistance, RTree};
 
 impl Scene {
     /// The joints at the corners of each patch.
-    pub(super) fn joints(&self) -> Vec<Vec<Joint>> {
+    pub(super) fn corner_joints(&self) -> Vec<Vec<CornerJoint>> {
         let nearby = tolerance::BEND * self.resolution;
         let shapes = || self.patches.iter().map(NamedPatch::shape);
-        let edges = Edges::of(shapes());
+        let edges = EdgeTree::of(shapes());
         let joint = |index: usize, corner: DVec3| {
             let near: Vec<NearEdge> = edges.near(corner, index, nearby).collect();
             let distances = near.iter().map(|edge| edge.distance);
             let aside = distances.fold(f64::INFINITY, f64::min);
-            Joint {
+            CornerJoint {
                 aside: if near.is_empty() { 0.0 } else { aside },
                 near,
             }
@@ -37,7 +37,7 @@ impl Scene {
     /// what the patch was moved by when it was put flat. Corners farther off than a plane explains
     /// ([`tolerance::BEND`]) leave a gap, and no crack.
     pub(crate) fn cracks(&self) -> Vec<Vec<f64>> {
-        let (planes, joints) = (self.planes(), self.joints());
+        let (planes, joints) = (self.planes(), self.corner_joints());
         let shapes = || self.patches.iter().map(NamedPatch::shape);
         let none = |shape: &Patch| vec![0.0_f64; shape.corners().len()];
         let mut widths: Vec<Vec<f64>> = shapes().map(none).collect();
@@ -68,14 +68,14 @@ impl Scene {
 }
 
 /// A corner of a patch, and the edges of others that it lies beside.
-pub(super) struct Joint {
+pub(super) struct CornerJoint {
     near: Vec<NearEdge>,
     /// The distance of the nearest; 0 if none is near.
     pub aside: f64,
 }
 
 /// The edges of surfaces, by place.
-pub(super) struct Edges(RTree<GeomWithData<Line<[f64; 3]>, [usize; 2]>>);
+pub(super) struct EdgeTree(RTree<GeomWithData<Line<[f64; 3]>, [usize; 2]>>);
 
 /// An edge near a point.
 pub(super) struct NearEdge {
@@ -104,7 +104,7 @@ impl NearEdge {
     }
 }
 
-impl Edges {
+impl EdgeTree {
     pub(super) fn of<'s>(shapes: impl Iterator<Item = &'s Patch>) -> Self {
         let edges = shapes.enumerate().flat_map(|(index, shape)| {
             let corners = shape.given_corners();
