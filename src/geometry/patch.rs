@@ -132,7 +132,12 @@ impl Patch {
                     resolution: bent.resolution(),
                 });
             }
-            bend = Some(put_flat(&mut corners, &heights, &bent, (normal, resolution)));
+            bend = Some(put_flat(
+                &mut corners,
+                &heights,
+                &bent,
+                (normal, resolution),
+            ));
         }
         let patch = Self {
             corners,
@@ -197,7 +202,10 @@ impl Patch {
 
     /// The heights of the corners over the plane through the first.
     fn heights(&self) -> Vec<f64> {
-        let heights = self.corners.iter().map(|c| (*c - self.corners[0]).dot(self.normal));
+        let heights = self
+            .corners
+            .iter()
+            .map(|c| (*c - self.corners[0]).dot(self.normal));
         heights.collect()
     }
 
@@ -297,8 +305,7 @@ impl Bent {
     }
 
     fn is_explained_by(&self, resolution: f64) -> bool {
-        self.span <= self.most * resolution
-            && resolution <= tolerance::RESOLVED * self.width
+        self.span <= self.most * resolution && resolution <= tolerance::RESOLVED * self.width
     }
 
     /// The resolution that would explain the bend, if it is fine enough for the polygon.

@@ -206,7 +206,10 @@ impl<const N: usize> RowSums<N> {
             let (moved, _) = pairs.row_sums(|i, j, exchange| {
                 let change = unit.times(pairs.resolution_error(i, j));
                 let product = areas[i] * (areas[j] / area);
-                [change, divergence_error(unit.times(exchange.value), change, product)]
+                [
+                    change,
+                    divergence_error(unit.times(exchange.value), change, product),
+                ]
             })?;
             changes = Some(Changes::of(pairs, |x| unit.times(x), &areas, &moved));
         }

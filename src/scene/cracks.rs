@@ -99,7 +99,8 @@ impl NearEdge {
             let sine = one.cross(two).length() / (one_length * two_length);
             sine * one_length.min(two_length) <= rounding
         };
-        own.iter().any(|own| are_parallel(*own, along) || are_parallel(*own, offset))
+        own.iter()
+            .any(|own| are_parallel(*own, along) || are_parallel(*own, offset))
             || are_parallel(along, offset)
     }
 }
@@ -118,8 +119,15 @@ impl EdgeTree {
     }
 
     /// The edges of other surfaces within a distance of a point.
-    pub(super) fn near(&self, point: DVec3, own: usize, distance: f64) -> impl Iterator<Item = NearEdge> + '_ {
-        let near = self.0.locate_within_distance(point.to_array(), distance * distance);
+    pub(super) fn near(
+        &self,
+        point: DVec3,
+        own: usize,
+        distance: f64,
+    ) -> impl Iterator<Item = NearEdge> + '_ {
+        let near = self
+            .0
+            .locate_within_distance(point.to_array(), distance * distance);
         let near = near.filter(move |edge| edge.data[0] != own);
         near.map(move |edge| NearEdge {
             surface: edge.data[0],

@@ -104,7 +104,8 @@ impl Scene {
         let is_bent = |surface: &NamedPatch| surface.shape().bend() > rounding;
         let is_bent = self.surfaces().any(is_bent);
         let resolved = self.clone().resolved(candidate);
-        if is_bent || resolved.planes_miss(rounding) || self.corners_miss(2.0 * candidate, rounding) {
+        if is_bent || resolved.planes_miss(rounding) || self.corners_miss(2.0 * candidate, rounding)
+        {
             resolved
         } else {
             self
@@ -115,12 +116,16 @@ impl Scene {
     fn narrowest(&self) -> f64 {
         let widths = self.surfaces().map(|surface| surface.shape().width());
         // what has no area has no plane to miss
-        widths.filter(|width| *width > 0.0).fold(f64::INFINITY, f64::min)
+        widths
+            .filter(|width| *width > 0.0)
+            .fold(f64::INFINITY, f64::min)
     }
 
     /// The length that roundings of `f64` explain.
     fn rounding(&self) -> f64 {
-        let corners = self.surfaces().flat_map(|surface| surface.shape().corners());
+        let corners = self
+            .surfaces()
+            .flat_map(|surface| surface.shape().corners());
         let sizes = corners.map(|corner| corner.abs().max_element());
         tolerance::TOUCHING * sizes.fold(0.0, f64::max)
     }
@@ -160,9 +165,9 @@ impl Scene {
             (0..n).any(|place| {
                 let corner = corners[place];
                 let own = [n - 1, 1].map(|step| corners[(place + step) % n] - corner);
-                edges.near(corner, index, nearby).any(|edge| {
-                    edge.distance > rounding && !edge.was_meant(corner, own, rounding)
-                })
+                edges
+                    .near(corner, index, nearby)
+                    .any(|edge| edge.distance > rounding && !edge.was_meant(corner, own, rounding))
             })
         })
     }

@@ -300,11 +300,7 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
     }
 
     /// The bounds that the errors of the form factors bring.
-    pub(super) fn form_factor_errors(
-        &self,
-        values: &[f64],
-        sources: &[f64],
-    ) -> Option<Vec<f64>> {
+    pub(super) fn form_factor_errors(&self, values: &[f64], sources: &[f64]) -> Option<Vec<f64>> {
         let forces = self.perturbation(values, sources)?;
         let none = vec![0.0; values.len()];
         if forces.iter().all(|force| *force <= 0.0) {

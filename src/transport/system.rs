@@ -182,7 +182,10 @@ impl<'e> RadiositySystem<DenseExchange<'e>> {
             if let Some(errors) = &mut system.errors {
                 errors.scale(power);
             }
-            let bounds = system.row_bounds.iter_mut().chain(&mut system.open_area_bounds);
+            let bounds = system
+                .row_bounds
+                .iter_mut()
+                .chain(&mut system.open_area_bounds);
             for bound in bounds {
                 *bound = Scaled::new(*bound).times_power(power);
             }
@@ -194,9 +197,10 @@ impl<'e> RadiositySystem<DenseExchange<'e>> {
         }
         // whatever the form factors are, a patch is as bright as it emits, and no brighter than all
         // would be that emit and reflect the most
-        let range = values.iter().zip(sources).map(|(value, source)| {
-            f64::max(value - source, most - value)
-        });
+        let range = values
+            .iter()
+            .zip(sources)
+            .map(|(value, source)| f64::max(value - source, most - value));
         let bounds = range.enumerate().map(|(patch, range)| match &known {
             Some(known) => known[patch].min(range),
             None => range,

@@ -27,7 +27,10 @@ fn rounded_rooms_are_answered_with_what_the_resolution_can_change() {
         assert_eq!(answer["resolution"], 0.0005);
         let change = (answer["mutual_information"].as_f64().unwrap() - unrounded).abs();
         let allowed = answer["resolution_error"].as_f64().unwrap();
-        assert!(change > 1e-6 && change <= allowed && allowed < 0.05, "{change} {allowed}");
+        assert!(
+            change > 1e-6 && change <= allowed && allowed < 0.05,
+            "{change} {allowed}"
+        );
         let plan = &answer["plan"]["resolution"];
         let counted = ["bent", "coplanar", "touching"].map(|key| plan[key].as_u64().unwrap());
         assert_eq!((&plan["length"], counted), (&0.0005.into(), [0, 2, 0]));
@@ -38,12 +41,25 @@ fn rounded_rooms_are_answered_with_what_the_resolution_can_change() {
         let change = record["resolution_error"].as_f64().unwrap();
         assert!(change > 0.0 && change < 0.05, "{record}");
     }
-    let light = json(&["radiosity", &room, "--reflectance", "all=0.5", "--emittance", "all=0.5"]);
+    let light = json(&[
+        "radiosity",
+        &room,
+        "--reflectance",
+        "all=0.5",
+        "--emittance",
+        "all=0.5",
+    ]);
     for patch in light["patches"].as_array().unwrap() {
         let moved = (patch["radiosity"].as_f64().unwrap() - 1.0).abs();
-        assert!(moved <= patch["resolution_error"].as_f64().unwrap() + 1e-12, "{patch}");
+        assert!(
+            moved <= patch["resolution_error"].as_f64().unwrap() + 1e-12,
+            "{patch}"
+        );
     }
-    assert_eq!(json(&["split", &room, "--patch", "0", "--unoccluded"])["resolution"], 0.0005);
+    assert_eq!(
+        json(&["split", &room, "--patch", "0", "--unoccluded"])["resolution"],
+        0.0005
+    );
 }
 
 /// A column for rounded scenes only, and a note on what counts as what.
@@ -58,10 +74,16 @@ fn columns_and_notes_are_for_rounded_scenes() {
     assert!(!head("cube:1").contains("resolution"));
     assert!(stdout(&["form-factor", &room]).contains("± resolution"));
     assert!(!stdout(&["form-factor", "cube:1"]).contains("resolution"));
-    assert_eq!(json(&["form-factor", "cube:1"])["form_factors"][0]["resolution_error"], 0.0);
+    assert_eq!(
+        json(&["form-factor", "cube:1"])["form_factors"][0]["resolution_error"],
+        0.0
+    );
     let run = infoscene(&["measure", &room]).assert().success();
     let note = String::from_utf8_lossy(&run.get_output().stderr).into_owned();
-    assert!(note.contains("± 5e-4") && note.contains("2 as lying in a plane"), "{note}");
+    assert!(
+        note.contains("± 5e-4") && note.contains("2 as lying in a plane"),
+        "{note}"
+    );
 }
 
 /// Without a resolution the room is blocked by its own panels, and the message names the flag and a
@@ -74,7 +96,10 @@ fn a_resolution_is_given() {
         String::from_utf8_lossy(&run.get_output().stderr).into_owned()
     };
     let message = refused(&["measure", &room, "--resolution", "0", "--open"]);
-    let length = message.split("--resolution ").nth(1).unwrap_or_else(|| panic!("{message}"));
+    let length = message
+        .split("--resolution ")
+        .nth(1)
+        .unwrap_or_else(|| panic!("{message}"));
     let length = length.split_whitespace().next().unwrap();
     let answer = json(&["measure", &room, "--resolution", length]);
     assert_eq!(answer["resolution"].as_f64(), length.parse().ok());

@@ -88,7 +88,10 @@ impl Loose {
 
     /// A lower bound on the distance of a point.
     fn distance(&self, point: DVec3) -> f64 {
-        let out = self.sides.iter().map(|(out, offset)| out.dot(point - self.centre) - offset);
+        let out = self
+            .sides
+            .iter()
+            .map(|(out, offset)| out.dot(point - self.centre) - offset);
         out.fold(0.0, f64::max).hypot(self.height(point))
     }
 
@@ -164,7 +167,10 @@ impl Loose {
             let far = reach + other.tilt * (apart + self.radius);
             return self.ribbons * other.share(gap, other.overtopped_by(self) + far);
         }
-        let swept = self.pieces.iter().map(|piece| other.crossed_by(piece, reach));
+        let swept = self
+            .pieces
+            .iter()
+            .map(|piece| other.crossed_by(piece, reach));
         let swept: f64 = swept.sum();
         if gap > 0.0 {
             return swept;

@@ -59,7 +59,10 @@ impl LastPlaces {
         };
         self.largest = self.largest.max(value.abs());
         let half = half_unit(written.place);
-        #[expect(clippy::cast_possible_truncation, reason = "the nearest float is meant")]
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "the nearest float is meant"
+        )]
         let nearest = f64::from(value as f32);
         self.is_wider |= (value - nearest).abs() > half;
         let tells = half < TELLING * f64::from(f32::EPSILON) * value.abs();
@@ -88,7 +91,11 @@ impl LastPlaces {
         let highest = self.places[0].max(self.places[1]);
         let significant = highest.filter(|_| self.digits >= FEWEST_DIGITS);
         let float = !self.is_wider && self.telling >= FEWEST_TELLING;
-        let float = if float { FLOAT_ERROR * self.largest } else { 0.0 };
+        let float = if float {
+            FLOAT_ERROR * self.largest
+        } else {
+            0.0
+        };
         let half = fixed.max(significant.map_or(0.0, half_unit)).max(float);
         if COARSEST * half > self.largest {
             0.0
@@ -131,7 +138,11 @@ impl Written {
         let place = exponent.checked_sub(count(fraction.len())?)?;
         let first = count(all().take_while(|byte| *byte == b'0').count())?;
         let zeros = all().rev().take_while(|byte| *byte == b'0').count();
-        let needed = if first == length { place } else { place.checked_add(count(zeros)?)? };
+        let needed = if first == length {
+            place
+        } else {
+            place.checked_add(count(zeros)?)?
+        };
         Some(Self {
             digits: length - first,
             place,

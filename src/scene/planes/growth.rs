@@ -69,7 +69,11 @@ fn tilt(delta: f64, width: f64) -> f64 {
 
 /// Panels gathered in planes: the members of each and the plane, in the order of their largest
 /// members.
-pub(super) fn grown(mut panels: Vec<Panel>, noise: f64, delta: f64) -> Vec<(Vec<usize>, SharedPlane)> {
+pub(super) fn grown(
+    mut panels: Vec<Panel>,
+    noise: f64,
+    delta: f64,
+) -> Vec<(Vec<usize>, SharedPlane)> {
     panels.sort_by(|a, b| {
         let by_size = b.radius.total_cmp(&a.radius);
         by_size.then(a.surface.cmp(&b.surface))
@@ -205,5 +209,9 @@ fn least_squares(points: &[DVec3], near: &Plane) -> Plane {
     let b = (yh * xx - xh * xy) / determinant;
     let normal = (near.normal - a * across - b * up).normalize_or_zero();
     let is_steep = !(a.abs() + b.abs() < tolerance::RESOLVED_NOISE);
-    if is_steep { *near } else { Plane::new(normal, mean) }
+    if is_steep {
+        *near
+    } else {
+        Plane::new(normal, mean)
+    }
 }

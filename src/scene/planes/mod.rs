@@ -66,7 +66,9 @@ impl SharedPlane {
 
     /// The least and the largest height over this plane.
     pub(crate) fn range(&self, points: impl IntoIterator<Item = DVec3>) -> [f64; 2] {
-        let heights = points.into_iter().map(|point| self.plane.sure_height(point));
+        let heights = points
+            .into_iter()
+            .map(|point| self.plane.sure_height(point));
         heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], height| {
             [low.min(height), high.max(height)]
         })

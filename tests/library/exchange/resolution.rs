@@ -92,7 +92,11 @@ fn exchange_areas_change_by_no_more_than_the_bound() {
     shares.sort_by(f64::total_cmp);
     let median = shares[shares.len() / 2];
     // sixty places at random are not the worst one
-    assert!(shares.len() > 20 && median > 0.02, "{median} of {}", shares.len());
+    assert!(
+        shares.len() > 20 && median > 0.02,
+        "{median} of {}",
+        shares.len()
+    );
 }
 
 /// Exact scenes have no such error, and a pair back to back has none at any resolution that leaves
@@ -104,7 +108,10 @@ fn exact_and_hidden_pairs_do_not_change() {
     let squares = Scene::facing_squares(1.0).unwrap().reversed();
     let resolved = squares.with_resolution(1e-3).unwrap();
     assert_eq!(pairs(&resolved).resolution_error(0, 1), 0.0);
-    let open = Scene::facing_squares(1.0).unwrap().with_resolution(1e-3).unwrap();
+    let open = Scene::facing_squares(1.0)
+        .unwrap()
+        .with_resolution(1e-3)
+        .unwrap();
     assert!(pairs(&open).resolution_error(0, 1) > 1e-3);
 }
 

@@ -33,7 +33,10 @@ fn is_a_room(seed: u64) {
     let moved = found.resolution.unwrap().mutual_information;
     let allowed = moved + found_information.error + before.error;
     let change = (found_information.value - before.value).abs();
-    assert!(resolution == 0.0 || change <= allowed, "{seed}: {change} > {allowed}");
+    assert!(
+        resolution == 0.0 || change <= allowed,
+        "{seed}: {change} > {allowed}"
+    );
     let exchange = unoccluded.exchange_areas().unwrap();
     assert!(Closure::of_held(&exchange).is_closed(), "{seed}");
     let materials = vec![Material::try_new(0.5, 0.5).unwrap(); exchange.rows()];
@@ -41,11 +44,16 @@ fn is_a_room(seed: u64) {
     let emittances = vec![0.5; exchange.rows()];
     let light = system.radiosity(&emittances).unwrap();
     let moved = match exchange.resolution_errors() {
-        Some(bounds) => system.resolution_errors(bounds, &light.values, &emittances).unwrap(),
+        Some(bounds) => system
+            .resolution_errors(bounds, &light.values, &emittances)
+            .unwrap(),
         None => vec![0.0; exchange.rows()],
     };
     for (value, moved) in light.values.iter().zip(moved) {
-        assert!((value - 1.0).abs() <= moved + 1e-12, "{seed}: {value} ± {moved}");
+        assert!(
+            (value - 1.0).abs() <= moved + 1e-12,
+            "{seed}: {value} ± {moved}"
+        );
     }
 }
 
@@ -176,15 +184,25 @@ fn a_given_resolution_is_used() {
             ..Reading::default()
         };
         let library = |name: &str| panic!("{name} is not asked for");
-        infoscene::scene::files::read_obj(&Source::new("room.obj", text.as_str()), &library, reading)
+        infoscene::scene::files::read_obj(
+            &Source::new("room.obj", text.as_str()),
+            &library,
+            reading,
+        )
     };
     assert_eq!(read_with(0.002).unwrap().scene.resolution(), 0.002);
     let refusal = read_with(0.0).unwrap_err().to_string();
-    assert!(refusal.contains("off the plane") && refusal.contains("unless"), "{refusal}");
+    assert!(
+        refusal.contains("off the plane") && refusal.contains("unless"),
+        "{refusal}"
+    );
     let scene = Scene::built_in("cube:2").unwrap();
     for resolution in [0.1, -1.0, f64::NAN, f64::INFINITY] {
         let refusal = scene.clone().with_resolution(resolution).unwrap_err();
-        assert!(matches!(refusal, SceneError::Resolution { .. }), "{refusal}");
+        assert!(
+            matches!(refusal, SceneError::Resolution { .. }),
+            "{refusal}"
+        );
     }
 }
 
@@ -216,7 +234,11 @@ fn rounded_parts_lie_in_their_bases() {
     let loaded = read_view3d(&Source::new("wall.vs3", text), Reading::default()).unwrap();
     assert_eq!(loaded.scene.resolution(), 0.0005);
     assert_eq!(loaded.scene.base_of(1), Some(0));
-    assert!(loaded.notes.iter().any(|note| note.contains("± 5e-4")), "{:?}", loaded.notes);
+    assert!(
+        loaded.notes.iter().any(|note| note.contains("± 5e-4")),
+        "{:?}",
+        loaded.notes
+    );
 }
 
 /// The error of an open scene says what of the gap the resolution explains.
@@ -227,10 +249,21 @@ fn an_open_room_says_what_is_explained() {
     let scene = read(&room.rounded());
     let pairs = pairs(&scene, Occlusion::Refuse);
     let refusal = Closure::of(&pairs).unwrap().require_closed();
-    let Err(ExchangeError::OpenScene { resolution_error, .. }) = &refusal else {
+    let Err(ExchangeError::OpenScene {
+        resolution_error, ..
+    }) = &refusal
+    else {
         panic!("{refusal:?}")
     };
     // beside a fifth and more of the light that escapes
-    assert!((1e-6..0.05).contains(resolution_error), "{resolution_error}");
-    assert!(refusal.unwrap_err().to_string().contains("for the resolution"));
+    assert!(
+        (1e-6..0.05).contains(resolution_error),
+        "{resolution_error}"
+    );
+    assert!(
+        refusal
+            .unwrap_err()
+            .to_string()
+            .contains("for the resolution")
+    );
 }

@@ -54,11 +54,7 @@ impl Room {
         let mut polygons = Vec::new();
         for axis in 0..3 {
             for at_end in [false, true] {
-                let wall = Wall {
-                    size,
-                    axis,
-                    at_end,
-                };
+                let wall = Wall { size, axis, at_end };
                 polygons.extend(wall.divided(division, &mut dice));
             }
         }
@@ -78,11 +74,7 @@ impl Room {
         Self {
             polygons: walls
                 .map(|(axis, at_end)| {
-                    let wall = Wall {
-                        size,
-                        axis,
-                        at_end,
-                    };
+                    let wall = Wall { size, axis, at_end };
                     wall.part([0.0, 1.0], [0.0, 1.0])
                 })
                 .collect(),
@@ -102,7 +94,9 @@ impl Room {
 
     /// The same without a turn, to the last bit.
     pub fn exact(&self) -> String {
-        text(&self.polygons, |corner| corner.to_array().map(|x| format!("{x}")))
+        text(&self.polygons, |corner| {
+            corner.to_array().map(|x| format!("{x}"))
+        })
     }
 
     /// Half a unit in the last place.
@@ -115,7 +109,9 @@ impl Room {
 pub fn read(text: &str) -> Scene {
     let source = Source::new("room.obj", text);
     let library = |name: &str| panic!("{name} is not asked for");
-    read_obj(&source, &library, NonPlanarFaces::Refuse).unwrap().scene
+    read_obj(&source, &library, NonPlanarFaces::Refuse)
+        .unwrap()
+        .scene
 }
 
 fn text(polygons: &[Vec<DVec3>], written: impl Fn(DVec3) -> [String; 3]) -> String {
@@ -150,7 +146,11 @@ struct Wall {
 impl Wall {
     fn corner(&self, [u, v]: [f64; 2]) -> DVec3 {
         let mut corner = [0.0; 3];
-        corner[self.axis] = if self.at_end { self.size[self.axis] } else { 0.0 };
+        corner[self.axis] = if self.at_end {
+            self.size[self.axis]
+        } else {
+            0.0
+        };
         for (step, share) in [(1, u), (2, v)] {
             let along = (self.axis + step) % 3;
             corner[along] = share * self.size[along];

@@ -51,10 +51,7 @@ const CONTROL: [&str; 14] = [
 ///
 /// # Errors
 /// A [`FileError`] at the first fault.
-pub fn read_view3d(
-    source: &Source,
-    reading: impl Into<Reading>,
-) -> Result<LoadedScene, FileError> {
+pub fn read_view3d(source: &Source, reading: impl Into<Reading>) -> Result<LoadedScene, FileError> {
     let reading = reading.into();
     let mut reader = Reader::default();
     for (line, text) in source.lines() {
