@@ -94,7 +94,7 @@ impl Changes {
             // also a comparison that NaN fails
             if bound < range { bound } else { range }
         };
-        if !(all < 1.0) {
+        if all >= 1.0 || all.is_nan() {
             return InformationResolution {
                 positional_entropy: range,
                 mutual_information: range,

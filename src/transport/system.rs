@@ -162,6 +162,7 @@ impl<'e> RadiositySystem<DenseExchange<'e>> {
     /// errors of form factors that these bounds would be; none where no bound is known.
     ///
     /// **Arguments** the bounds, the radiosities of this system, the emittances.
+    #[must_use]
     pub fn resolution_errors(
         &self,
         bounds: &'e ResolutionErrors,

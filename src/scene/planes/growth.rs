@@ -14,8 +14,11 @@
 
 use super::{SharedPlane, centred, through_far_corners};
 use crate::geometry::Plane;
-use crate::numeric::{real, tolerance};
+use crate::numeric::real;
 use glam::DVec3;
+
+/// The steepest slope of a plane of least squares over one through three of its points.
+const STEEPEST: f64 = 1.0;
 
 /// A surface that waits for its plane.
 pub(super) struct Panel {
@@ -208,10 +211,11 @@ fn least_squares(points: &[DVec3], near: &Plane) -> Plane {
     let a = (xh * yy - yh * xy) / determinant;
     let b = (yh * xx - xh * xy) / determinant;
     let normal = (near.normal - a * across - b * up).normalize_or_zero();
-    let is_steep = !(a.abs() + b.abs() < tolerance::RESOLVED_NOISE);
-    if is_steep {
-        *near
-    } else {
+    // points on one line leave a slope open, and then any, or none
+    let is_sound = a.abs() + b.abs() <= STEEPEST;
+    if is_sound {
         Plane::new(normal, mean)
+    } else {
+        *near
     }
 }

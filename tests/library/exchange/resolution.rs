@@ -78,9 +78,9 @@ fn exchange_areas_change_by_no_more_than_the_bound() {
                 let found = pairs(&moved);
                 let change = (found.row_pair(0, 1).unwrap().exchange.value - value).abs();
                 assert!(change <= bound, "{family} at {r}: {change} > {bound}");
-                for row in 0..2 {
-                    let change = (found.areas()[row] - known.areas()[row]).abs();
-                    assert!(change <= of_areas[row], "{family} at {r}: {change}");
+                let areas = found.areas().iter().zip(known.areas());
+                for ((new, old), bound) in areas.zip(&of_areas) {
+                    assert!((new - old).abs() <= *bound, "{family} at {r}: {new} {old}");
                 }
                 largest = largest.max(change);
             }
