@@ -12,9 +12,8 @@
 //! **Not covered**: what the resolution of coordinates can change, which is not known here.
 
 use super::SceneInformation;
-use super::chain::{pair_divergence, positional_entropy};
+use super::chain::{divergence_error, pair_divergence, positional_entropy};
 use super::resolution::InformationResolution;
-use super::scene::divergence_error;
 use crate::chain::{ChainError, brightness_chain};
 use crate::exchange::{Closure, ExchangeAreas};
 use crate::numeric::{Bounded, compensated_sum, parallel_map, tolerance};

@@ -23,7 +23,7 @@ mod sampled;
 mod scene;
 
 pub use brightness::brightness_information;
-pub(crate) use chain::pair_divergence;
+pub(crate) use chain::{divergence_error, pair_divergence};
 pub use chain::{entropy_rate, mutual_information, positional_entropy};
 pub use continuous::{ContinuousInformation, FacePair, continuous_information};
 pub use gain::{divergence, refinement_gain, relative_entropy, subdivision_bound};
@@ -35,5 +35,4 @@ pub use sampled::expected_bias::{
 };
 pub use sampled::line_sample::{LineKind, LineSample, chord_information};
 pub use sampled::pair_counts::PairCounts;
-pub(crate) use scene::divergence_error;
 pub use scene::{OpenScene, SceneInformation, scene_information};

@@ -20,7 +20,7 @@
 //!
 //! No bound is larger than the range of what it bounds, from 0 to log2 of the number of states.
 
-use super::scene::divergence_error;
+use super::chain::divergence_error;
 use crate::exchange::ScenePairs;
 use crate::numeric::{compensated_sum, parallel_map, real};
 use std::f64::consts::LN_2;

@@ -25,7 +25,7 @@
 //!
 //! **Not covered**: terms below 1e-308 of the total.
 
-use super::chain::{Unit, pair_divergence};
+use super::chain::{Unit, divergence_error, pair_divergence};
 use super::resolution::{Changes, InformationResolution};
 use crate::chain::ChainError;
 use crate::exchange::{Closure, PassSummary, ScenePairs};
@@ -341,23 +341,4 @@ impl Outside {
             bound * (growth + 2.0 * (ratio.log2().abs() + 1.0 / LN_2) + bits)
         }))
     }
-}
-
-/// A bound on the change of `J ln(J/q) − J + q` by an error of the exchange area J, in nats.
-pub(crate) fn divergence_error(value: f64, bound: f64, product: f64) -> f64 {
-    if bound <= 0.0 {
-        return 0.0;
-    }
-    let slope = |value: f64| (value / product).ln().abs();
-    if bound < value {
-        return bound * (slope(value) + bound / (value - bound));
-    }
-    // down to 0, up to value + bound, or to the lowest point between
-    let up = bound * slope(value + bound);
-    let down = if value > 0.0 {
-        (value * slope(value) + value).max(bound * slope(value))
-    } else {
-        bound
-    };
-    up.max(down)
 }

@@ -45,24 +45,17 @@
 //! The bound is for the worst of all places of the corners, and several times what roundings do.
 //! The form factor `F = J/A` changes by `(|ΔJ| + F |ΔA|)/(A − |ΔA|)` at most.
 //!
-//! Open `loose` for one polygon and its c, and `held` for the bounds of all pairs.
+//! Open `loose` for one polygon and its c.
 //!
 //! **Not covered**: what stands between two patches; parts and bases, which are taken to lie in each
 //! other.
 
-pub(crate) mod held;
 mod loose;
 
-use crate::exchange::ScenePairs;
 use crate::exchange::plan::facing::Facing;
-use crate::exchange::rows::terms::RowTerm;
-use crate::numeric::{parallel_map, tolerance};
+use crate::numeric::tolerance;
 use crate::scene::{ResolvedSurfaces, Scene};
 use loose::Loose;
-
-/// The part of what the resolution can change that an error of the computation may be, whatever the
-/// tolerance: nobody sees more digits than that.
-const UNFELT: f64 = 1e-3;
 
 /// The polygons of a scene, ready for these bounds.
 #[derive(Debug, Clone)]
@@ -93,7 +86,7 @@ impl Resolution {
     }
 
     /// A bound on the change of the exchange area of two polygons with this value.
-    fn change(&self, first: usize, second: usize, facing: Facing) -> f64 {
+    pub(crate) fn change(&self, first: usize, second: usize, facing: Facing) -> f64 {
         let [one, two] = [&self.outlines[first], &self.outlines[second]];
         if one.is_in_front_of(two) || two.is_in_front_of(one) {
             return 0.0;
@@ -108,80 +101,16 @@ impl Resolution {
         };
         change.min(most)
     }
-}
 
-impl ScenePairs<'_> {
-    /// The length by which each coordinate may be off; 0 if they are exact.
-    #[must_use]
-    pub fn resolution(&self) -> f64 {
-        self.loose().map_or(0.0, |loose| loose.surfaces.length)
+    /// A bound on the change of a polygon's area.
+    pub(crate) fn area_change(&self, polygon: usize) -> f64 {
+        self.outlines[polygon].ribbons
     }
 
-    /// A bound on what the resolution of the scene can change of the exchange area of two rows; 0
-    /// for an exact scene. It does not include the error of the computation, which stands beside.
-    ///
-    /// # Panics
-    /// If there is no such row.
-    #[must_use]
-    pub fn resolution_error(&self, first: usize, second: usize) -> f64 {
-        let Some(resolution) = self.loose() else {
-            return 0.0;
-        };
-        let roots = self.terms().roots();
-        let times = if first == second { 2.0 } else { 1.0 };
-        let change = |[one, two]: [RowTerm; 2]| {
-            let [one, two] = [one.polygon, two.polygon];
-            if roots[one] == roots[two] {
-                return 0.0;
-            }
-            resolution.change(one, two, self.facing_polygons(one, two))
-        };
-        times * self.terms().pairs(first, second).map(change).sum::<f64>()
-    }
-
-    /// Bounds on what a row's sum of exchange areas may be off its area in a closed scene, by what
-    /// the resolution explains of the cracks between its patches.
-    #[must_use]
-    pub fn crack_errors(&self) -> Vec<f64> {
-        parallel_map(self.rows(), &|row| self.crack_error(row))
-    }
-
-    /// The bound of one row among [`crack_errors`](Self::crack_errors).
-    pub(crate) fn crack_error(&self, row: usize) -> f64 {
-        let Some(Resolution { outlines, .. }) = self.loose() else {
-            return 0.0;
-        };
-        let terms = self.terms().of_row(row).iter();
-        let lost = terms.map(|term| {
-            let own = &outlines[term.polygon];
-            outlines.iter().map(|other| own.lost_to(other)).sum::<f64>()
-        });
-        lost.sum()
-    }
-
-    /// The error of the computation that nobody feels beside what the resolution can change of the
-    /// exchange area of two rows.
-    pub(crate) fn unfelt(&self, first: usize, second: usize) -> f64 {
-        UNFELT * self.resolution_error(first, second)
-    }
-
-    /// Whether the plan leaves out two rows as one lies behind the other's plane.
-    pub(crate) fn is_behind(&self, first: usize, second: usize) -> bool {
-        self.facing(first, second) == Facing::BackFacing
-    }
-
-    /// Bounds on what the resolution of the scene can change of the rows' areas.
-    #[must_use]
-    pub fn area_resolution_errors(&self) -> Vec<f64> {
-        let Some(resolution) = self.loose() else {
-            return vec![0.0; self.rows()];
-        };
-        let row = |row: usize| {
-            let terms = self.terms().of_row(row).iter();
-            terms
-                .map(|term| resolution.outlines[term.polygon].ribbons)
-                .sum()
-        };
-        (0..self.rows()).map(row).collect()
+    /// A bound on what a polygon's exchange areas may sum to beside its area, by the cracks of a
+    /// closed scene.
+    pub(crate) fn lost_in_cracks(&self, polygon: usize) -> f64 {
+        let own = &self.outlines[polygon];
+        self.outlines.iter().map(|other| own.lost_to(other)).sum()
     }
 }
