@@ -173,17 +173,19 @@ impl Scene {
     }
 
     /// A resolution at which a condition holds that does not hold now, if one would do that is far
-    /// below the width of every surface: the smallest of those tried, each a quarter of the one
-    /// before.
+    /// below the width of every surface: four times the smallest of those tried, each a quarter of the
+    /// one before.
     pub(crate) fn mending_resolution(&self, holds: impl Fn(&Self) -> bool) -> Option<f64> {
         let mends = |resolution: f64| holds(&self.clone().resolved(resolution));
         let mut found = None;
-        let mut next = LARGEST_MEND * self.narrowest();
+        let largest = LARGEST_MEND * self.narrowest();
+        let mut next = largest;
         while next > self.rounding().max(self.resolution) && mends(next) {
             found = Some(next);
             next *= 0.25;
         }
-        found
+        // what is no longer in the way may still gape, or be covered twice
+        found.map(|least| (4.0 * least).min(largest))
     }
 
     /// The surfaces that this resolution takes as bent, coplanar or touching, counted; `None` if
