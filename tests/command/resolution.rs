@@ -105,5 +105,5 @@ fn a_resolution_is_given() {
     assert_eq!(answer["resolution"].as_f64(), length.parse().ok());
     let message = refused(&["measure", &room, "--resolution", "1"]);
     assert!(message.contains("does not tell the surfaces"), "{message}");
-    assert!(refused(&["measure", &room, "--resolution", "-1"]).contains("resolution"));
+    assert!(refused(&["measure", &room, "--resolution=-1"]).contains("resolution"));
 }
