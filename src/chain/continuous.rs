@@ -150,8 +150,8 @@ fn joint(
         }
     });
     let values: Vec<f64> = checked.collect::<Result<_, _>>()?;
-    if let Some(index) = (0..parents.len()).find(|cell| fine.group_of(*cell) != *cell) {
-        let (index, what) = (parents[index], "is summed with others");
+    if let Some(cell) = fine.first_summed() {
+        let (index, what) = (parents[cell], "is summed with others");
         return Err(SceneError::NotAPatchOfItsOwn { index, what }.into());
     }
     let pairs = ScenePairs::unchecked(&fine, DEFAULT_TOLERANCE, Congruence::Shared)?;
@@ -160,7 +160,8 @@ fn joint(
     let mut joint = DMatrix::zeros(n, n);
     for (second, to) in parents.iter().enumerate() {
         for (first, from) in parents[..=second].iter().enumerate() {
-            let flux = values[first] * values[second] * exchange.get(first, second).exchange.value;
+            let [one, other] = [first, second].map(|cell| fine.group_of(cell));
+            let flux = values[first] * values[second] * exchange.get(one, other).exchange.value;
             joint[(*from, *to)] += flux;
             if first != second {
                 joint[(*to, *from)] += flux;

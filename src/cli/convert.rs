@@ -11,7 +11,8 @@ use std::path::PathBuf;
 pub(super) struct Convert {
     #[command(flatten)]
     scene: SceneArgument,
-    /// The file to write: a View3D .vs3, or a Wavefront .obj with its .mtl beside it.
+    /// The file to write: a View3D .vs3, a Wavefront .obj with its .mtl beside it, or an .stl,
+    /// which holds triangles only (with --triangulate all are).
     #[arg(value_name = "OUT")]
     out: PathBuf,
 }
@@ -29,7 +30,7 @@ impl Convert {
         if let Some(materials) = &written.materials {
             write_file(&self.materials(), materials.as_bytes())?;
         }
-        write_file(&self.out, written.text.as_bytes())?;
+        write_file(&self.out, &written.content)?;
         Ok(Outcome::Done)
     }
 
@@ -44,10 +45,14 @@ impl Convert {
         if extension.eq_ignore_ascii_case("vs3") {
             return Ok(SceneFormat::View3d);
         }
+        if extension.eq_ignore_ascii_case("stl") {
+            return Ok(SceneFormat::Stl);
+        }
         if !extension.eq_ignore_ascii_case("obj") {
             let out = self.out.display();
             let message = format!(
-                "{out}: a scene is written as .obj or .vs3, so let its name end in one of them"
+                "{out}: a scene is written as .obj, .vs3 or .stl, so let its name end in one of \
+                 them"
             );
             return Err(message.into());
         }

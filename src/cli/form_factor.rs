@@ -4,9 +4,10 @@ use super::Answer;
 use super::output::{Output, check_place, finished, replace_with, say};
 use super::progress::Bar;
 use super::scene::ScenePairsArguments;
-use infoscene::question::{FormFactorMatrix, FormFactors, PatchName, Unreached};
-use infoscene::report::{write_form_factors, write_npy_head, write_npy_row};
+use infoscene::question::{FormFactorMatrix, FormFactors, MatrixEntries, PatchName, Unreached};
+use infoscene::report::{MatrixFormat, MatrixWriter, write_form_factors};
 use std::error::Error;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 #[derive(Debug, clap::Args)]
@@ -20,9 +21,14 @@ pub(super) struct FormFactor {
     /// Only to this patch, likewise.
     #[arg(long, value_name = "PATCH")]
     to: Option<PatchName>,
-    /// Write the whole matrix here, too: NumPy's format, one row per patch that sends.
-    #[arg(long, value_name = "OUT.npy")]
+    /// Write the whole matrix here, too, one row per patch that sends. The end of the name says
+    /// how: .npy (NumPy), .mtx (Matrix Market, zeros left out), .array.mtx (Matrix Market, all
+    /// entries), .txt (lines "i j F", counted from 1) or .vf (as View3D writes).
+    #[arg(long, value_name = "OUT")]
     matrix: Option<PathBuf>,
+    /// Write the matrix of the bounds on the errors here, in any of these formats but .vf.
+    #[arg(long, value_name = "OUT")]
+    bounds: Option<PathBuf>,
     #[command(flatten)]
     output: Output,
 }
@@ -30,24 +36,22 @@ pub(super) struct FormFactor {
 impl FormFactor {
     pub(super) fn answer(&self) -> Answer {
         self.output.check()?;
-        if let Some(path) = &self.matrix {
-            check_place(path)?;
-        }
+        let files = self.matrices()?;
         let question = FormFactors {
             scene: self.scene.source(),
             tolerance: self.scene.tolerance(),
             congruence: self.scene.congruence(),
             from: self.from.clone(),
             to: self.to.clone(),
-            matrix: self.matrix.is_some(),
+            matrix: !files.is_empty(),
         };
         let bar = Bar::default();
         let answer = question.ask(&bar)?;
         say(&answer.notes);
         let mut unreached = answer.unreached.clone();
-        if let Some((path, matrix)) = self.matrix.as_ref().zip(answer.matrix()) {
+        if let Some(matrix) = answer.matrix() {
             // it has seen all pairs
-            unreached = write_matrix(path, &matrix)?;
+            unreached = write_matrices(&files, &matrix)?;
         }
         self.output.write_with(|format, text| {
             let (patches, records) = (&answer.patches, answer.records());
@@ -61,21 +65,66 @@ impl FormFactor {
         })?;
         Ok(finished(unreached.as_ref()))
     }
+
+    /// The files for matrices, which can be written.
+    fn matrices(&self) -> Result<Vec<MatrixFile<'_>>, Box<dyn Error>> {
+        let matrices = [
+            (&self.matrix, MatrixEntries::FormFactors),
+            (&self.bounds, MatrixEntries::Bounds),
+        ];
+        let named = matrices.into_iter();
+        let named = named.filter_map(|(path, entries)| Some((path.as_ref()?, entries)));
+        let files = named.map(|(path, entries)| {
+            check_place(path)?;
+            let format = MatrixFormat::of_file(path, entries)?;
+            Ok(MatrixFile {
+                path,
+                entries,
+                format,
+            })
+        });
+        files.collect()
+    }
 }
 
-/// Writes F row by row, the whole of it or nothing.
-fn write_matrix(
-    path: &Path,
+/// A file for a matrix.
+struct MatrixFile<'a> {
+    path: &'a Path,
+    entries: MatrixEntries,
+    format: MatrixFormat,
+}
+
+/// Writes matrices line by line in one pass, the whole of each or none.
+fn write_matrices(
+    files: &[MatrixFile<'_>],
     matrix: &FormFactorMatrix<'_>,
 ) -> Result<Option<Unreached>, Box<dyn Error>> {
+    if files.iter().any(|file| file.format == MatrixFormat::View3d) {
+        let unknown = matrix.reflectances()?.into_iter().filter(Option::is_none);
+        let count = unknown.count();
+        let note = format!("View3D's output has emissivities: {count} that are not known are 1");
+        say(&Vec::from_iter((count > 0).then_some(note)));
+    }
     let mut unreached = None;
-    replace_with(path, |file| {
-        write_npy_head(&mut *file, matrix.rows(), matrix.rows())?;
-        let written = matrix.for_each_row(|from, row| -> Result<(), Box<dyn Error>> {
-            Ok(write_npy_row(&mut *file, from, row.iter().copied())?)
-        });
-        unreached = written?;
-        Ok(())
-    })?;
+    let mut pass = |open: &mut [&mut dyn Write]| {
+        let begun = files
+            .iter()
+            .zip(open)
+            .map(|(file, open)| MatrixWriter::begin(open, file.format, file.entries, matrix));
+        let mut writers = begun.collect::<Result<Vec<_>, _>>()?;
+        unreached = matrix.for_each_line(|line| -> Result<(), Box<dyn Error>> {
+            Ok(writers
+                .iter_mut()
+                .try_for_each(|writer| writer.line(line))?)
+        })?;
+        Ok(writers.into_iter().try_for_each(MatrixWriter::end)?)
+    };
+    match files {
+        [] => {}
+        [file] => replace_with(file.path, |open| pass(&mut [open]))?,
+        [file, other, ..] => replace_with(file.path, |open| {
+            replace_with(other.path, |other| pass(&mut [&mut *open, other]))
+        })?,
+    }
     Ok(unreached)
 }

@@ -1,12 +1,16 @@
 //! The arguments that describe a chain of a scene and its light.
 
 use infoscene::question::{Light, MaterialChanges, PatchValue, SceneChain};
+use infoscene::scene::{Channel, Channels};
 
 #[derive(Debug, clap::Args)]
 pub(super) struct LightArguments {
     /// The chain that is meant.
     #[arg(long, value_enum, default_value_t = ChainName::Visibility)]
     chain: ChainName,
+    /// The channel of colour: that of coloured light must be named, each has a chain of its own.
+    #[arg(long, value_enum, value_name = "CHANNEL")]
+    channel: Option<ChannelName>,
     #[command(flatten)]
     materials: MaterialArguments,
     /// Direct importances, for the importance chain: PATCH=VALUE,…, or PATCH alone for 1; PATCH is
@@ -23,6 +27,26 @@ enum ChainName {
     Radiosity,
     /// Weighted with the reflected importances (§3.5).
     Importance,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+enum ChannelName {
+    /// Red.
+    R,
+    /// Green.
+    G,
+    /// Blue.
+    B,
+}
+
+impl From<ChannelName> for Channel {
+    fn from(name: ChannelName) -> Self {
+        match name {
+            ChannelName::R => Self::Red,
+            ChannelName::G => Self::Green,
+            ChannelName::B => Self::Blue,
+        }
+    }
 }
 
 impl From<ChainName> for SceneChain {
@@ -45,6 +69,7 @@ impl LightArguments {
     pub(super) fn light(&self) -> Light {
         Light {
             chain: self.chain.into(),
+            channel: self.channel.map(Channel::from),
             materials: self.materials.changes(),
             importance: self.importance.clone(),
         }
@@ -54,12 +79,13 @@ impl LightArguments {
 /// Materials given beside the scene's own.
 #[derive(Debug, clap::Args)]
 pub(super) struct MaterialArguments {
-    /// Reflectances in place of the scene's: PATCH=VALUE,…; PATCH is an index, a name, or all.
+    /// Reflectances in place of the scene's: PATCH=VALUE,…, or PATCH=R:G:B; PATCH is an index, a
+    /// name, or all.
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    reflectance: Vec<PatchValue>,
-    /// Emittances in place of the scene's: PATCH=VALUE,…, or PATCH alone for 1.
+    reflectance: Vec<PatchValue<Channels<f64>>>,
+    /// Emittances in place of the scene's: PATCH=VALUE,…, or PATCH=R:G:B, or PATCH alone for 1.
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    emittance: Vec<PatchValue>,
+    emittance: Vec<PatchValue<Channels<f64>>>,
 }
 
 impl MaterialArguments {

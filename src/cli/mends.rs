@@ -10,7 +10,7 @@ use infoscene::exchange::ExchangeError;
 use infoscene::geometry::GeometryError;
 use infoscene::question::{PatchValueError, QuestionError};
 use infoscene::scene::SceneError;
-use infoscene::scene::files::{Fault, OpenError};
+use infoscene::scene::files::{Fault, FileError, FileErrors, NotExpressible, OpenError};
 use infoscene::study::StudyError;
 use infoscene::transport::TransportError;
 use std::error::Error;
@@ -45,12 +45,36 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
     if let Some(SceneError::MayBeBlocked { .. }) = error.downcast_ref() {
         return Some("; --unoccluded computes as if nothing were in the way");
     }
+    if let Some(SceneError::MaterialUnknown { what, .. }) = error.downcast_ref() {
+        return Some(match *what {
+            "reflectance" => "; --reflectance gives one",
+            _ => "; --emittance gives one, all=0 to all",
+        });
+    }
     if let Some(ExchangeError::TurnedAway) = error.downcast_ref() {
         return Some("; --reverse does");
     }
-    if let Some(Fault::Geometry { source }) = error.downcast_ref() {
-        let is_bent = matches!(source, GeometryError::NotPlanar { .. });
-        return is_bent.then_some("; --triangulate does");
+    if let Some(errors) = error.downcast_ref::<FileErrors>() {
+        let is_bent = |fault: &FileError| {
+            let Fault::Geometry { source } = &fault.fault else {
+                return false;
+            };
+            matches!(source, GeometryError::NotPlanar { .. })
+        };
+        let [first, others @ ..] = errors.told() else {
+            return None;
+        };
+        return match others {
+            [] => is_bent(first).then_some("; --triangulate does"),
+            _ => errors
+                .told()
+                .iter()
+                .any(is_bent)
+                .then_some("\n--triangulate splits faces that are not planar into triangles"),
+        };
+    }
+    if let Some(refusal) = error.downcast_ref::<NotExpressible>() {
+        return (refusal.mend == NotExpressible::SPLIT).then_some("; --triangulate does");
     }
     if let Some(DiscretizeError::NotEnclosed) = error.downcast_ref() {
         return Some("; leave out --precision");
@@ -67,6 +91,7 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
     }
     match error.downcast_ref()? {
         QuestionError::OpenScene(_) => Some("; --open adds the state outside"),
+        QuestionError::ChannelNotNamed { .. } => Some(" with --channel r, g or b"),
         QuestionError::NoLightMeant => Some(": add --chain radiosity or --chain importance"),
         QuestionError::OccludedLines => Some(": leave out --unoccluded"),
         QuestionError::TooManyPairs { .. } => {
@@ -119,7 +144,9 @@ fn cause<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'stati
         _ => {}
     }
     match error.downcast_ref() {
+        Some(QuestionError::Open(inner)) => return Some(inner),
         Some(QuestionError::Scene(inner)) => return Some(inner),
+        Some(QuestionError::NotExpressible(inner)) => return Some(inner),
         Some(QuestionError::Exchange(inner)) => return Some(inner),
         Some(QuestionError::Chain(inner)) => return Some(inner),
         Some(QuestionError::Transport(inner)) => return Some(inner),

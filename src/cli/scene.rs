@@ -8,13 +8,18 @@ use infoscene::scene::files::NonPlanarFaces;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct SceneArgument {
-    /// A scene file (Wavefront .obj or View3D .vs3), or a built-in scene: two-squares,
+    /// A scene file (Wavefront .obj, View3D .vs3 or .stl), or a built-in scene: two-squares,
     /// three-squares, cube:N, box:X,Y,Z, tetrahedron, octahedron, dodecahedron, icosahedron or
     /// cornell-box.
     scene: String,
-    /// Split faces that are not planar into triangles.
+    /// Split faces that are not planar into triangles; when a scene is converted, also those of
+    /// more corners than the format holds.
     #[arg(long)]
     triangulate: bool,
+    /// Join patches that share an edge and lie in one plane, as the triangles of a wall do, if they
+    /// have the same material and are of the same object.
+    #[arg(long)]
+    merge: bool,
     /// Quarter every patch so many times: triangles and quadrilaterals into four alike.
     #[arg(long, value_name = "TIMES", default_value_t = 0,
         value_parser = clap::value_parser!(u32).range(0..=8))]
@@ -41,6 +46,7 @@ impl SceneArgument {
                 NonPlanarFaces::Refuse
             },
             resolution: self.resolution,
+            join: self.merge,
             reverse: self.reverse,
             subdivide: self.subdivide,
             occlusion: if self.unoccluded {

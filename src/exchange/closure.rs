@@ -10,10 +10,12 @@
 //! The 4 ε are for the area and the quotient; where an area is a sum or a difference, they are
 //! relative to the areas that it is made of.
 //!
-//! In an open scene the rest of the light of a row, one less its sum, escapes.
+//! In an open scene the rest of the light of a row, one less its sum, escapes. A row without area
+//! has no light: its sum is 0, nothing escapes, and it leaves a scene closed.
 //!
 //! **Not covered**: the state outside that takes this rest; it belongs to the chains.
 
+use super::row_pair::per_area;
 use super::{ExchangeAreas, ExchangeError, ScenePairs};
 use crate::numeric::CompensatedSum;
 use std::sync::Arc;
@@ -44,6 +46,7 @@ impl RowSum {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Closure {
     rows: Vec<RowSum>,
+    has_area: Vec<bool>,
     names: Arc<[String]>,
     is_turned_away: bool,
 }
@@ -62,13 +65,15 @@ impl Closure {
             .enumerate()
             .map(|(row, ([exchange, bound], (area, area_bound)))| RowSum {
                 row,
-                sum: exchange / area,
-                error: bound / area + area_bound / area,
+                sum: per_area(exchange, *area),
+                error: per_area(bound, *area) + per_area(*area_bound, *area),
                 resolution_error: 0.0,
             })
             .collect();
+        let has_area = areas.iter().map(|area| *area > 0.0).collect();
         Self {
             rows,
+            has_area,
             names,
             is_turned_away,
         }
@@ -79,7 +84,7 @@ impl Closure {
     #[must_use]
     pub(crate) fn resolved(mut self, areas: &[f64], errors: &[f64]) -> Self {
         for ((row, area), error) in self.rows.iter_mut().zip(areas).zip(errors) {
-            row.resolution_error = error / area;
+            row.resolution_error = per_area(*error, *area);
         }
         self
     }
@@ -140,20 +145,27 @@ impl Closure {
         &self.rows
     }
 
-    /// The row farthest from one.
+    /// The rows that have an area, in order.
+    fn with_area(&self) -> impl Iterator<Item = &RowSum> {
+        let rows = self.rows.iter().zip(&self.has_area);
+        rows.filter_map(|(row, has_area)| has_area.then_some(row))
+    }
+
+    /// The row farthest from one, of those with an area.
     ///
     /// # Panics
     /// If there are no rows; a scene has one at least.
     #[must_use]
     pub fn worst(&self) -> RowSum {
         let off = |row: &RowSum| (row.sum - 1.0).abs();
-        let mut worst = self.rows[0];
-        for row in &self.rows[1..] {
-            if off(row) > off(&worst) {
-                worst = *row;
+        let mut rows = self.with_area();
+        let mut worst = rows.next().unwrap_or(&self.rows[0]);
+        for row in rows {
+            if off(row) > off(worst) {
+                worst = row;
             }
         }
-        worst
+        *worst
     }
 
     /// The row farthest beyond its tolerance.
@@ -171,8 +183,7 @@ impl Closure {
     /// Whether every row sums to one within its bound, and what the resolution can change.
     #[must_use]
     pub fn is_closed(&self) -> bool {
-        self.rows
-            .iter()
+        self.with_area()
             .all(|row| (row.sum - 1.0).abs() <= row.tolerance())
     }
 
@@ -222,7 +233,7 @@ impl Closure {
     }
 
     /// The part of the power of row i that meets no patch; 0 where the row sums to one within its
-    /// bound.
+    /// bound, or has no area.
     ///
     /// # Panics
     /// If there is no row i.
@@ -230,7 +241,7 @@ impl Closure {
     pub fn escaping(&self, i: usize) -> f64 {
         let row = self.rows[i];
         let escaping = 1.0 - row.sum;
-        if escaping > row.tolerance() {
+        if self.has_area[i] && escaping > row.tolerance() {
             escaping
         } else {
             0.0

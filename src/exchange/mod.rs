@@ -14,7 +14,8 @@
 //! * A *part* is a patch that lies in another one, its *base*; the base counts without it.
 //! * A *group* is a set of patches that are summed
 //!   ([`Scene::group_of`](crate::scene::Scene::group_of)): one patch, unless labels say otherwise.
-//! * A *row* stands for a group in matrices, lists and sums: its patches less their parts.
+//! * A *row* stands for a group in matrices, lists and sums: its patches less their parts. A face
+//!   without area is a row without a patch, and exchanges nothing.
 //! * A *term* of a row is one of its polygons with its sign: 1, or −1 for a part of a base in it.
 //! * A *plane set* is the set of planes that the terms of a row lie in.
 //! * A *tile* is a block of pairs, some rows against some rows: the unit of work of a pass.
@@ -83,6 +84,7 @@ pub use plan::Congruence;
 pub use plan::counts::{PassCounts, PassSummary, PlanSummary, Unreached};
 pub use progress::{Progress, Unheard};
 pub use resolution_errors::ResolutionErrors;
+pub(crate) use row_pair::per_area;
 pub use scene_pairs::ScenePairs;
 pub use selection::Selection;
 pub use tolerance::Tolerance;

@@ -25,9 +25,10 @@ pub(crate) use polygon::convexity::is_convex;
 // hidden here and below: what a test judges by itself, not an interface
 #[doc(hidden)]
 pub use polygon::cut_lines::CutLines;
-pub(crate) use polygon::ears::EarClipper;
+pub(crate) use polygon::outline::{CleanOutline, is_on_one_line};
 pub use polygon::quarters::quartered;
-pub(crate) use polygon::triangulation::triangulated;
+pub(crate) use polygon::triangulation::{triangles_of, triangulated};
+pub(crate) use polygon::weakly_simple::FlatOutline;
 #[doc(hidden)]
 pub use rectangle::aligned::{AlignedRectangle, FlatBox};
 pub(crate) use rectangle::offsets::Offsets;

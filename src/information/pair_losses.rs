@@ -72,10 +72,10 @@ pub fn pair_losses(scene: &Scene, progress: &dyn Progress) -> Result<Vec<PairLos
     let n = scene.patches().len();
     for index in 0..n {
         scene.whole_patch(index)?;
-        if scene.group_of(index) != index {
-            let what = "is summed with others";
-            return Err(SceneError::NotAPatchOfItsOwn { index, what }.into());
-        }
+    }
+    if let Some(index) = scene.first_summed() {
+        let what = "is summed with others";
+        return Err(SceneError::NotAPatchOfItsOwn { index, what }.into());
     }
     let given = scene.patches().iter().map(NamedPatch::shape);
     let shapes = in_own_unit(given).map_err(|(index, source)| scene.refused(index, source))?;

@@ -6,8 +6,8 @@ use crate::chain::ChainError;
 use crate::claims::ClaimError;
 use crate::discretize::DiscretizeError;
 use crate::exchange::ExchangeError;
-use crate::scene::SceneError;
 use crate::scene::files::{NotExpressible, OpenError};
+use crate::scene::{Channel, SceneError};
 use crate::transport::TransportError;
 
 /// A question cannot be answered.
@@ -20,6 +20,25 @@ pub enum QuestionError {
     /// Light was described for the visibility chain.
     #[error("the visibility chain has no light")]
     NoLightMeant,
+    /// A chain of coloured light was asked for, and no channel was named.
+    #[error(
+        "patch {row} ({name}) is coloured, and each channel of its light has a chain of its own: \
+         name one"
+    )]
+    ChannelNotNamed {
+        /// The first row that is coloured.
+        row: usize,
+        /// Its name.
+        name: String,
+    },
+    /// The light of one channel was refused.
+    #[error("channel {}: {source}", channel.name())]
+    InChannel {
+        /// The channel.
+        channel: Channel,
+        /// The reason.
+        source: TransportError,
+    },
     /// Lines at random were to pass through what is in the way.
     #[error("lines at random end at what they first meet")]
     OccludedLines,

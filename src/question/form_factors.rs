@@ -3,12 +3,13 @@
 //! **Memory** All pairs are held up to [`FormFactors::MOST_HELD`] rows; beyond that one row at a
 //! time.
 
+use super::form_factor_matrix::{FormFactorMatrix, areas, quotient};
 use super::scene::SceneSource;
 use super::unreached::Unreached;
 use super::{PatchName, QuestionError};
 use crate::exchange::{
-    Closure, Congruence, Entry, ExchangeAreas, ExchangeError, PassSummary, PlanSummary, Progress,
-    ScenePairs, Selection, Tolerance,
+    Closure, Congruence, Entry, ExchangeAreas, ExchangeError, PlanSummary, Progress, ScenePairs,
+    Selection, Tolerance,
 };
 use crate::form_factor::Answer;
 use crate::scene::Scene;
@@ -88,19 +89,18 @@ impl FormFactorRecord {
     /// and of the area.
     fn new(
         [from, to]: [usize; 2],
-        [area, bound]: [f64; 2],
+        area: [f64; 2],
         answer: &Answer,
-        changes: [f64; 2],
+        [of_exchange, of_area]: [f64; 2],
     ) -> Self {
-        let value = answer.exchange.value / area;
-        let [of_exchange, of_area] = changes;
-        let change = (of_exchange + value * of_area) / (area - of_area).max(0.0);
+        let [value, error] = quotient(answer, area);
+        let change = (of_exchange + value * of_area) / (area[0] - of_area).max(0.0);
         let most = value.max(1.0 - value);
         Self {
             from,
             to,
             value,
-            error: answer.exchange.error / area + bound / area * value,
+            error,
             // 0/0 is of an area that says nothing
             resolution_error: if of_exchange + of_area > 0.0 {
                 if change < most { change } else { most }
@@ -144,6 +144,7 @@ pub struct FormFactorsAnswer<'p> {
     pairs: ScenePairs<'p>,
     /// All pairs, if they are held.
     held: Option<ExchangeAreas>,
+    scene: Scene,
     /// The pairs of a row or a column, if only these are asked for.
     part: Option<Vec<Entry>>,
     has_matrix: bool,
@@ -218,14 +219,16 @@ impl FormFactors {
             row_sum: sum_of[index].map(|sum| sum.sum),
             row_sum_error: sum_of[index].map(|sum| sum.error),
         });
+        let patches = patches.collect();
         Ok(FormFactorsAnswer {
-            patches: patches.collect(),
+            patches,
             resolution: scene.resolution(),
             plan: plan.unwrap_or_default(),
             unreached,
             notes: loaded.notes,
             held,
             part: part.map(|(entries, _)| entries),
+            scene,
             has_matrix: self.matrix,
             pairs,
         })
@@ -269,8 +272,7 @@ impl FormFactors {
 impl FormFactorsAnswer<'_> {
     /// The form factors that were asked for, each made as it is read.
     pub fn records(&self) -> impl Iterator<Item = FormFactorRecord> + '_ {
-        let areas = self.pairs.areas().iter().zip(self.pairs.area_bounds());
-        let areas: Vec<[f64; 2]> = areas.map(|(area, bound)| [*area, *bound]).collect();
+        let areas = areas(&self.pairs);
         let part = self.part.iter().flatten();
         let moved = self.pairs.area_resolution_errors();
         let part = part.map({
@@ -305,7 +307,12 @@ impl FormFactorsAnswer<'_> {
     /// The whole matrix, if it was asked for.
     #[must_use]
     pub fn matrix(&self) -> Option<FormFactorMatrix<'_>> {
-        self.has_matrix.then_some(FormFactorMatrix(self))
+        self.has_matrix.then_some(FormFactorMatrix {
+            scene: &self.scene,
+            pairs: &self.pairs,
+            held: self.held.as_ref(),
+            unreached: self.unreached.as_ref(),
+        })
     }
 }
 
@@ -323,50 +330,5 @@ impl Serialize for FormFactorsAnswer<'_> {
         record.serialize_field("resolution", &self.resolution)?;
         record.serialize_field("plan", &self.plan)?;
         record.end()
-    }
-}
-
-/// The matrix of a scene's form factors, a row at a time.
-#[derive(Debug)]
-pub struct FormFactorMatrix<'a>(&'a FormFactorsAnswer<'a>);
-
-impl FormFactorMatrix<'_> {
-    /// The number of rows, and of columns.
-    #[must_use]
-    pub const fn rows(&self) -> usize {
-        self.0.patches.len()
-    }
-
-    /// Shows all rows in order; if all pairs are not held, they are computed on the way.
-    ///
-    /// **Returns** the pairs that miss the tolerance, if some do.
-    ///
-    /// # Errors
-    /// [`ExchangeError::Pair`] if two patches are refused, or what `visit` returns.
-    pub fn for_each_row<E: From<ExchangeError>>(
-        &self,
-        mut visit: impl FnMut(usize, &[f64]) -> Result<(), E>,
-    ) -> Result<Option<Unreached>, E> {
-        let FormFactorsAnswer { pairs, held, .. } = self.0;
-        let n = self.rows();
-        let mut row = vec![0.0; n];
-        if let Some(held) = held {
-            for (from, area) in pairs.areas().iter().enumerate() {
-                for (to, entry) in row.iter_mut().enumerate() {
-                    *entry = held.get(from, to).exchange.value / area;
-                }
-                visit(from, &row)?;
-            }
-            return Ok(self.0.unreached.clone());
-        }
-        let summary: PassSummary = pairs.for_each_row(|from, answers| {
-            let area = pairs.areas()[from];
-            for (entry, answer) in row.iter_mut().zip(answers) {
-                *entry = answer.exchange.value / area;
-            }
-            visit(from, &row)
-        })?;
-        let names: Vec<&str> = self.0.patches.iter().map(|row| row.name.as_str()).collect();
-        Ok(Unreached::pairs(&names, &summary, pairs.tolerance()))
     }
 }

@@ -1,10 +1,11 @@
 //! The chain of a scene that is meant, and the light that it takes.
 
 use super::QuestionError;
-use super::patch_values::{MaterialChanges, PatchValue, values};
+use super::material_changes::{MaterialChanges, first_coloured, in_channel};
+use super::patch_values::{PatchValue, values};
 use crate::exchange::ExchangeAreas;
-use crate::scene::{Material, Scene};
-use crate::transport::{RadiositySolution, RadiositySystem};
+use crate::scene::{Channel, Channels, Scene};
+use crate::transport::{DenseExchange, RadiositySolution, RadiositySystem, TransportError};
 
 /// A chain of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
@@ -23,6 +24,9 @@ pub enum SceneChain {
 pub struct Light {
     /// The chain.
     pub chain: SceneChain,
+    /// The channel of colour, which a chain of coloured light needs: each has a chain of its own,
+    /// and their mean has none.
+    pub channel: Option<Channel>,
     /// Materials in place of the scene's own; none for the visibility chain.
     pub materials: MaterialChanges,
     /// Direct importances, for the importance chain.
@@ -36,7 +40,9 @@ impl Light {
     /// [`QuestionError::NoLightMeant`] if light is described nevertheless.
     pub(super) fn is_visibility(&self) -> Result<bool, QuestionError> {
         let is_visibility = self.chain == SceneChain::Visibility;
-        if is_visibility && !(self.materials.is_empty() && self.importance.is_empty()) {
+        let is_described =
+            !self.materials.is_empty() || !self.importance.is_empty() || self.channel.is_some();
+        if is_visibility && is_described {
             return Err(QuestionError::NoLightMeant);
         }
         Ok(is_visibility)
@@ -48,13 +54,52 @@ impl Light {
         scene: &Scene,
         exchange: &ExchangeAreas,
     ) -> Result<RadiositySolution, QuestionError> {
-        let materials = self.materials.of(scene)?;
-        let room = RadiositySystem::of(exchange, &materials)?;
+        let reflectances = self.materials.reflectances(scene)?;
         if self.chain == SceneChain::Importance {
+            let channel = self.channel_of(scene, [&reflectances, &[]])?;
             let direct = values(&self.importance, scene)?;
-            return Ok(room.importance(&direct)?.reflected);
+            let found = room(exchange, &reflectances, channel)
+                .and_then(|room| room.importance(&direct))
+                .map_err(|source| self.refused(source))?;
+            return Ok(found.reflected);
         }
-        let emittances: Vec<f64> = materials.iter().map(Material::emittance).collect();
-        Ok(room.radiosity(&emittances)?)
+        let emittances = self.materials.emittances(scene)?;
+        let channel = self.channel_of(scene, [&reflectances, &emittances])?;
+        room(exchange, &reflectances, channel)
+            .and_then(|room| room.radiosity(&in_channel(&emittances, channel)))
+            .map_err(|source| self.refused(source))
     }
+
+    /// The refusal of the light in the channel that is meant.
+    fn refused(&self, source: TransportError) -> QuestionError {
+        match self.channel {
+            Some(channel) => QuestionError::InChannel { channel, source },
+            None => source.into(),
+        }
+    }
+
+    /// The channel that is meant; any one if all are the same.
+    fn channel_of(
+        &self,
+        scene: &Scene,
+        colours: [&[Channels<f64>]; 2],
+    ) -> Result<Channel, QuestionError> {
+        let coloured = colours.into_iter().find_map(first_coloured);
+        match (self.channel, coloured) {
+            (None, Some(row)) => Err(QuestionError::ChannelNotNamed {
+                row,
+                name: scene.group_names()[row].to_owned(),
+            }),
+            (named, _) => Ok(named.unwrap_or(Channel::Red)),
+        }
+    }
+}
+
+/// The system of one channel.
+fn room<'e>(
+    exchange: &'e ExchangeAreas,
+    reflectances: &[Channels<f64>],
+    channel: Channel,
+) -> Result<RadiositySystem<DenseExchange<'e>>, TransportError> {
+    RadiositySystem::with_reflectances(exchange, in_channel(reflectances, channel))
 }

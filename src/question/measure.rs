@@ -12,7 +12,7 @@ use crate::information::{
     continuous_information, pair_losses, scene_information,
 };
 use crate::numeric::Grade;
-use crate::scene::{NamedPatch, Occlusion, Scene};
+use crate::scene::{Channel, NamedPatch, Occlusion, Scene};
 
 /// The question for the information of a scene.
 ///
@@ -64,6 +64,9 @@ impl Default for Measure {
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 #[non_exhaustive]
 pub struct MeasureAnswer {
+    /// The channel of colour, if one was named.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub channel: Option<Channel>,
     /// The number of rows: patches, of which those that are summed count as one.
     pub patches: usize,
     /// The sum of their areas.
@@ -147,10 +150,10 @@ pub struct PairLossRecord {
     pub error: f64,
 }
 
-impl From<&PairLoss> for PairLossRecord {
-    fn from(pair: &PairLoss) -> Self {
+impl PairLossRecord {
+    fn new(pair: &PairLoss, scene: &Scene) -> Self {
         Self {
-            patches: [pair.first, pair.second],
+            patches: [pair.first, pair.second].map(|patch| scene.group_of(patch)),
             probability: pair.probability,
             mutual_information: pair.mutual_information,
             continuous_mutual_information: pair.continuous_mutual_information,
@@ -210,6 +213,7 @@ impl Measure {
         let names = scene.group_names();
         let unreached = Unreached::pairs(&names, &measured.summary, pairs.tolerance());
         let mut answer = MeasureAnswer::new(&names, measured);
+        answer.channel = self.light.channel;
         answer.unreached = unreached;
         answer.resolution = scene.resolution();
         answer.notes = loaded.notes;
@@ -237,7 +241,8 @@ impl Measure {
             let patches = scene.patches().len() as u64;
             progress.begin(patches * (patches - 1) / 2, "pairs");
             let losses = pair_losses(room, progress)?;
-            answer.pair_losses = Some(losses.iter().map(PairLossRecord::from).collect());
+            let record = |pair| PairLossRecord::new(pair, scene);
+            answer.pair_losses = Some(losses.iter().map(record).collect());
         }
         Ok(())
     }
@@ -267,6 +272,7 @@ impl MeasureAnswer {
             row_sum: row.sum,
         });
         Self {
+            channel: None,
             patches: names.len(),
             total_area: measured.total_area,
             closed: closure.is_closed(),
@@ -309,7 +315,7 @@ impl MeasureAnswer {
             let patches = [first(pair.first), first(pair.second)];
             FacePairRecord {
                 faces: patches.map(|patch| names[patch].to_owned()),
-                patches,
+                patches: patches.map(|patch| scene.group_of(patch)),
                 probability: pair.probability,
                 mutual_information: pair.mutual_information,
             }

@@ -13,11 +13,14 @@ mod curve;
 mod cut;
 mod decimals;
 mod error;
+mod form_factor_matrix;
 mod form_factors;
 #[cfg(all(feature = "proptest", feature = "report"))]
 mod fuzz;
 mod grid;
 mod light;
+mod lights;
+mod material_changes;
 mod measure;
 mod patch_name;
 mod patch_values;
@@ -38,19 +41,20 @@ pub use convert::{Convert, ConvertAnswer, SceneFormat};
 pub use curve::{Curve, CurveAnswer, CurvePoint};
 pub use cut::{Cut, CutAnswer, CutEnclosures, Cuts, CutsAnswer, IrradianceExponent};
 pub use error::QuestionError;
-pub use form_factors::{
-    FormFactorMatrix, FormFactorRecord, FormFactors, FormFactorsAnswer, PatchRecord,
-};
+pub use form_factor_matrix::{FormFactorMatrix, MatrixEntries, MatrixLine};
+pub use form_factors::{FormFactorRecord, FormFactors, FormFactorsAnswer, PatchRecord};
 #[cfg(all(feature = "proptest", feature = "report"))]
 pub use fuzz::{Fuzz, FuzzAnswer};
 pub use grid::{Grid, GridAnswer, GridEnclosures, GridLines, GridSample};
 pub use light::{Light, SceneChain};
+pub use lights::{ChannelLight, ChannelSolution, Power};
+pub use material_changes::MaterialChanges;
 pub use measure::{
     Contribution, FacePairRecord, Measure, MeasureAnswer, PairLossRecord, RowSumRecord,
 };
 pub use patch_name::{PatchName, PatchNameError};
-pub use patch_values::{MaterialChanges, PatchValue, PatchValueError};
-pub use radiosity::{PatchLight, Power, Radiosity, RadiosityAnswer};
+pub use patch_values::{PatchValue, PatchValueError};
+pub use radiosity::{PatchLight, Radiosity, RadiosityAnswer};
 pub use reproduce::{JudgedClaim, Reproduce, ReproduceAnswer};
 pub use sample::{Sample, SampleAnswer};
 pub use sampled_information::SampledInformation;

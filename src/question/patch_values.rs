@@ -1,24 +1,28 @@
 //! Numbers for some patches of a scene: `floor=0.5,3=1`.
 
 use super::patch_name::{PatchName, PatchNameError};
-use crate::scene::{Material, MaterialError, Scene, SceneError};
+use crate::scene::{Channels, MaterialError, Scene, SceneError};
 use std::str::FromStr;
 
-/// A number for some patches: `PATCH=VALUE`, or `PATCH` alone for 1.
+/// A number for some patches, or one for each channel: `PATCH=VALUE`, or `PATCH` alone for 1, or
+/// `PATCH=R:G:B`.
 ///
 /// # Examples
 /// ```
 /// use infoscene::question::PatchValue;
+/// use infoscene::scene::Channels;
 /// let lamp: PatchValue = "lamp=2.5".parse()?;
 /// assert_eq!((lamp.patch, lamp.value), ("lamp".into(), 2.5));
+/// let red: PatchValue<Channels<f64>> = "wall=0.9:0.1:0.1".parse()?;
+/// assert_eq!(red.value, Channels { r: 0.9, g: 0.1, b: 0.1 });
 /// # Ok::<(), infoscene::question::PatchValueError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct PatchValue {
+pub struct PatchValue<T = f64> {
     /// The patches.
     pub patch: PatchName,
-    /// The number.
-    pub value: f64,
+    /// The number, or the numbers.
+    pub value: T,
 }
 
 /// A patch or its value was refused.
@@ -28,6 +32,14 @@ pub enum PatchValueError {
     /// The text after the equals sign is not a number.
     #[error("{text:?} is not a number: write PATCH=VALUE")]
     NotANumber {
+        /// The text.
+        text: String,
+    },
+    /// The text after the equals sign is not a number, nor three of them.
+    #[error(
+        "{text:?} is not a number, nor three as in 0.5:0.4:0.3: write PATCH=VALUE or PATCH=R:G:B"
+    )]
+    NotAColour {
         /// The text.
         text: String,
     },
@@ -53,15 +65,46 @@ impl FromStr for PatchValue {
     type Err = PatchValueError;
 
     fn from_str(text: &str) -> Result<Self, PatchValueError> {
-        let (patch, value) = match text.rsplit_once('=') {
-            None => (text, 1.0),
-            Some((patch, value)) => {
-                let number = value.trim().parse();
-                let number = number.map_err(|_| PatchValueError::NotANumber {
-                    text: value.to_owned(),
-                })?;
-                (patch, number)
+        Self::parsed(text, 1.0, |text| {
+            text.parse().map_err(|_| PatchValueError::NotANumber {
+                text: text.to_owned(),
+            })
+        })
+    }
+}
+
+impl FromStr for PatchValue<Channels<f64>> {
+    type Err = PatchValueError;
+
+    fn from_str(text: &str) -> Result<Self, PatchValueError> {
+        Self::parsed(text, Channels::grey(1.0), |text| {
+            let numbers = text.split(':').map(|number| number.trim().parse());
+            let numbers: Result<Vec<f64>, _> = numbers.collect();
+            match numbers.as_deref() {
+                Ok([all]) => Ok(Channels::grey(*all)),
+                Ok([r, g, b]) => Ok(Channels {
+                    r: *r,
+                    g: *g,
+                    b: *b,
+                }),
+                _ => Err(PatchValueError::NotAColour {
+                    text: text.to_owned(),
+                }),
             }
+        })
+    }
+}
+
+impl<T> PatchValue<T> {
+    /// `PATCH=VALUE`, or `PATCH` alone for one.
+    fn parsed(
+        text: &str,
+        one: T,
+        value: impl Fn(&str) -> Result<T, PatchValueError>,
+    ) -> Result<Self, PatchValueError> {
+        let (patch, value) = match text.rsplit_once('=') {
+            None => (text, one),
+            Some((patch, text)) => (patch, value(text.trim())?),
         };
         Ok(Self {
             patch: patch.into(),
@@ -79,52 +122,4 @@ pub(super) fn values(given: &[PatchValue], scene: &Scene) -> Result<Vec<f64>, Pa
         }
     }
     Ok(values)
-}
-
-/// Reflectances and emittances in place of the scene's own.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct MaterialChanges {
-    /// Reflectances; of several for one patch the last counts.
-    pub reflectance: Vec<PatchValue>,
-    /// Emittances, likewise.
-    pub emittance: Vec<PatchValue>,
-}
-
-impl MaterialChanges {
-    /// Whether none is given.
-    #[must_use]
-    pub const fn is_empty(&self) -> bool {
-        self.reflectance.is_empty() && self.emittance.is_empty()
-    }
-
-    /// The materials of the scene's rows, with these in place of its own.
-    ///
-    /// # Errors
-    /// [`PatchValueError::Name`], [`PatchValueError::Material`]; [`PatchValueError::Scene`]
-    /// if patches that are summed differ in their materials.
-    pub fn of(&self, scene: &Scene) -> Result<Vec<Material>, PatchValueError> {
-        let names = scene.group_names();
-        let own = (0..names.len()).map(|row| scene.group_material(row));
-        let mut numbers = Vec::with_capacity(names.len());
-        for material in own {
-            let material = material?;
-            numbers.push([material.reflectance(), material.emittance()]);
-        }
-        for (place, given) in [&self.reflectance, &self.emittance].into_iter().enumerate() {
-            for one in given {
-                for row in one.patch.rows(scene)? {
-                    numbers[row][place] = one.value;
-                }
-            }
-        }
-        let materials = numbers.into_iter().zip(names).enumerate();
-        materials
-            .map(|(row, ([reflectance, emittance], name))| {
-                Material::try_new(reflectance, emittance).map_err(|source| {
-                    let name = name.to_owned();
-                    PatchValueError::Material { row, name, source }
-                })
-            })
-            .collect()
-    }
 }

@@ -1,13 +1,13 @@
 //! The radiosities of a scene, and the importances.
 
 use super::QuestionError;
-use super::patch_values::{MaterialChanges, PatchValue, values};
+use super::lights::{ChannelLight, ChannelSolution, Power, Room};
+use super::material_changes::MaterialChanges;
+use super::patch_values::{PatchValue, values};
 use super::scene::SceneSource;
 use super::unreached::Unreached;
 use crate::exchange::{Closure, Congruence, ExchangeAreas, PlanSummary, Progress, Tolerance};
-use crate::numeric::compensated_sum;
-use crate::scene::Material;
-use crate::transport::{RadiositySolution, RadiositySystem};
+use crate::scene::Channels;
 
 /// The question for the radiosities of a scene.
 ///
@@ -56,7 +56,9 @@ impl Default for Radiosity {
     }
 }
 
-/// The light of a scene, as a record whose keys are relied on by scripts.
+/// The light of a scene, as a record whose keys are relied on by scripts. In a coloured scene each
+/// channel is solved by itself: lights and powers are their means, the residual and the error are
+/// their largest, iterations their sum.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 #[non_exhaustive]
 pub struct RadiosityAnswer {
@@ -74,6 +76,9 @@ pub struct RadiosityAnswer {
     pub resolution: f64,
     /// The balance of power.
     pub power: Power,
+    /// The solutions by channel, if the scene is coloured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub channels: Option<Channels<ChannelSolution>>,
     /// The pairs that were left out, shared and computed.
     pub plan: PlanSummary,
     /// The tolerance that is missed, if one is.
@@ -103,35 +108,9 @@ pub struct PatchLight {
     /// A bound on what the resolution of the coordinates can change of the radiosity, beside the
     /// errors; none where no bound is known.
     pub resolution_error: Option<f64>,
-}
-
-/// The balance of power: emitted light is absorbed or escapes.
-#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
-pub struct Power {
-    /// The power that is emitted.
-    pub emitted: f64,
-    /// The power that is absorbed.
-    pub absorbed: f64,
-    /// The power that escapes.
-    pub escaped: f64,
-}
-
-impl Power {
-    fn of(
-        materials: &[Material],
-        areas: &[f64],
-        closure: &Closure,
-        radiosity: &RadiositySolution,
-    ) -> Self {
-        let sum = |term: &dyn Fn(usize) -> f64| {
-            compensated_sum(areas.iter().enumerate().map(|(i, area)| area * term(i)))
-        };
-        Self {
-            emitted: sum(&|i| materials[i].emittance()),
-            absorbed: sum(&|i| (1.0 - materials[i].reflectance()) * radiosity.received[i]),
-            escaped: sum(&|i| closure.escaping(i) * radiosity.values[i]),
-        }
-    }
+    /// The light by channel, if the scene is coloured.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub channels: Option<Channels<ChannelLight>>,
 }
 
 impl Radiosity {
@@ -142,45 +121,47 @@ impl Radiosity {
     pub fn ask(&self, progress: &dyn Progress) -> Result<RadiosityAnswer, QuestionError> {
         let loaded = self.scene.open()?;
         let scene = loaded.scene;
-        let materials = self.materials.of(&scene)?;
+        let reflectances = self.materials.reflectances(&scene)?;
+        let emittances = self.materials.emittances(&scene)?;
         let direct = values(&self.importance, &scene)?;
         let asked = (self.tolerance, self.congruence);
         let pairs = self.scene.pairs(&scene, asked, progress)?;
         let exchange = pairs.exchange_areas()?;
-        let room = RadiositySystem::of(&exchange, &materials)?;
-        let emittances: Vec<f64> = materials.iter().map(Material::emittance).collect();
-        let radiosity = room.radiosity(&emittances)?;
-        let importance = if self.importance.is_empty() {
-            None
-        } else {
-            Some(room.importance(&direct)?)
-        };
-        let names = scene.group_names();
-        let errors = radiosity.form_factor_errors.as_ref();
-        let moved = match exchange.resolution_errors() {
-            None => Some(vec![0.0; names.len()]),
-            Some(bounds) => room.resolution_errors(bounds, &radiosity.values, &emittances),
-        };
-        let patches = names.iter().enumerate().map(|(index, name)| PatchLight {
-            index,
-            name: (*name).to_owned(),
-            radiosity: radiosity.values[index],
-            irradiance: radiosity.received[index],
-            importance: importance.as_ref().map(|found| found.values[index]),
-            form_factor_error: errors.map(|errors| errors[index]),
-            resolution_error: moved.as_ref().map(|errors| errors[index]),
-        });
         let closure = Closure::of_held(&exchange);
+        let room = Room {
+            exchange: &exchange,
+            closure: &closure,
+            reflectances: &reflectances,
+            emittances: &emittances,
+            direct: (!self.importance.is_empty()).then_some(direct.as_slice()),
+        };
+        let lights = room.lights()?;
+        let names = scene.group_names();
+        let patches = names.iter().enumerate().map(|(index, name)| {
+            let (light, channels) = lights.patch(index);
+            PatchLight {
+                index,
+                name: (*name).to_owned(),
+                radiosity: light.radiosity,
+                irradiance: light.irradiance,
+                importance: light.importance,
+                form_factor_error: light.form_factor_error,
+                resolution_error: light.resolution_error,
+                channels,
+            }
+        });
+        let (solution, channels) = lights.solution();
         Ok(RadiosityAnswer {
             patches: patches.collect(),
-            residual: radiosity.residual,
-            iterations: radiosity.iterations,
-            relative_error: radiosity.relative_error,
+            residual: solution.residual,
+            iterations: solution.iterations,
+            relative_error: solution.relative_error,
             closed: closure.is_closed(),
             resolution: scene.resolution(),
-            power: Power::of(&materials, exchange.areas(), &closure, &radiosity),
+            power: solution.power,
+            channels,
             plan: exchange.summary().plan.clone(),
-            unreached: self.unreached(&names, &exchange, &radiosity),
+            unreached: self.unreached(&names, &exchange, solution.relative_error),
             notes: loaded.notes,
         })
     }
@@ -189,9 +170,8 @@ impl Radiosity {
         &self,
         names: &[&str],
         exchange: &ExchangeAreas,
-        radiosity: &RadiositySolution,
+        relative_error: f64,
     ) -> Option<Unreached> {
-        let RadiositySolution { relative_error, .. } = *radiosity;
         let tolerance = self.tolerance;
         if relative_error > tolerance.relative {
             return Some(Unreached::Radiosity {

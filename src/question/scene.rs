@@ -27,6 +27,8 @@ pub struct SceneSource {
     /// The length by which each coordinate may be off, 0 for none; if it is not given, the decimals
     /// of a file say it ([`Scene::resolution`]).
     pub resolution: Option<f64>,
+    /// Whether neighbours in one plane are joined ([`Scene::joined`]).
+    pub join: bool,
     /// Whether the front of every patch is turned to its other side.
     pub reverse: bool,
     /// The number of times that every patch is quartered.
@@ -50,6 +52,7 @@ impl SceneSource {
             origin,
             faces: NonPlanarFaces::default(),
             resolution: None,
+            join: false,
             reverse: false,
             subdivide: 0,
             occlusion: Occlusion::default(),
@@ -79,6 +82,14 @@ impl SceneSource {
                 }
             }
         };
+        if self.join {
+            let before = loaded.scene.patches().len();
+            (loaded.scene, _) = loaded.scene.joined()?;
+            let after = loaded.scene.patches().len();
+            let note =
+                format!("{before} patches are joined with neighbours in their planes: {after}");
+            loaded.notes.push(note);
+        }
         if self.reverse {
             loaded.scene = loaded.scene.reversed();
         }

@@ -9,7 +9,7 @@ use crate::exchange::{Congruence, Progress, Tolerance};
 use crate::geometry::SplitAxis;
 use crate::numeric::interval::DecimalBounds;
 use crate::numeric::{Interval, compensated_sum, tolerance};
-use crate::scene::{Scene, SceneError};
+use crate::scene::{Channel, Scene};
 
 /// The question for the best cut of a patch.
 ///
@@ -60,6 +60,9 @@ impl Default for Split {
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 #[non_exhaustive]
 pub struct SplitAnswer {
+    /// The channel of colour, if one was named.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub channel: Option<Channel>,
     /// The patch.
     pub patch: usize,
     /// The axis across which it is cut, `"u"` or `"v"`.
@@ -149,15 +152,7 @@ impl Split {
     /// The patch to cut: one that is a row of its own.
     fn patch(&self, scene: &Scene) -> Result<usize, QuestionError> {
         let row = self.patch.row(scene)?;
-        let patches: Vec<usize> = scene.patches_of_group(row).collect();
-        match patches.as_slice() {
-            [patch] => Ok(*patch),
-            _ => Err(SceneError::NotAPatchOfItsOwn {
-                index: row,
-                what: "is summed of several patches",
-            }
-            .into()),
-        }
+        Ok(scene.patch_of_row(row)?)
     }
 
     /// The patches that the cut is judged against; a name of several may include the patch itself.
@@ -214,6 +209,7 @@ impl Split {
             (tolerance::POLYGON_POSITION, tolerance::POLYGON_GAIN)
         };
         Ok(SplitAnswer {
+            channel: self.light.channel,
             patch: scene.group_of(patch),
             axis: axis.name(),
             position: best.positions[0],

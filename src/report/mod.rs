@@ -30,7 +30,7 @@ pub use answers::studies::{study_figure, study_report};
 pub use error::ReportError;
 pub use render::document::{Format, Report, json_text};
 pub use render::figure::{Axis, Figure, Line};
-pub use render::npy::{write_npy_head, write_npy_row};
+pub use render::matrix::{MatrixFormat, MatrixWriter};
 pub(crate) use render::number::power_of_ten;
 pub use render::number::{certain_digits, enclosed_digits, scientific};
 pub use render::page::PageError;

@@ -1,6 +1,7 @@
 //! The refusals of a scene: of what is there, whatever is asked of it.
 
 use super::Obstacle;
+use super::material::MaterialFault;
 use crate::geometry::GeometryError;
 
 /// A scene was refused.
@@ -14,7 +15,7 @@ pub enum SceneError {
     #[error(
         "there is no built-in scene \"{name}\": use cornell-box, two-squares, three-squares, \
          cube:N (N from 1 to {largest}), box:X,Y,Z, tetrahedron, octahedron, dodecahedron or \
-         icosahedron, or the path of a file that ends in .obj or .vs3"
+         icosahedron, or the path of a file that ends in .obj, .vs3 or .stl"
     )]
     UnknownName {
         /// The name as given.
@@ -100,16 +101,30 @@ pub enum SceneError {
         /// Area less that of the parts.
         left: f64,
     },
-    /// The patches of a row have not the same material.
+    /// Light was asked for, and a patch has no known reflectance or emittance.
+    #[error("patch {index} ({name}) has no {what}: {fault}")]
+    MaterialUnknown {
+        /// The index of the patch.
+        index: usize,
+        /// The name of the patch.
+        name: String,
+        /// Reflectance or emittance.
+        what: &'static str,
+        /// The reason.
+        fault: MaterialFault,
+    },
+    /// The patches of a row have not the same reflectance or emittance.
     #[error(
-        "patches {first} ({}) and {second} ({}) are summed into one row and differ in reflectance \
-         or emittance: give both the same, or a row each", names[0], names[1]
+        "patches {first} ({}) and {second} ({}) are summed into one row and differ in {what}: give \
+         both the same, or a row each", names[0], names[1]
     )]
     MixedRow {
         /// Index of the first.
         first: usize,
         /// Index of the second.
         second: usize,
+        /// Reflectance or emittance.
+        what: &'static str,
         /// Their names.
         names: [String; 2],
     },
@@ -123,6 +138,24 @@ pub enum SceneError {
         resolution: f64,
         /// The length that it must be below.
         largest: f64,
+    },
+    /// A row without a patch is not where rows can be.
+    #[error(
+        "row {row} without a patch is out of order: such rows come upwards, none beyond {last}"
+    )]
+    EmptyRowOutOfOrder {
+        /// The row.
+        row: usize,
+        /// The largest row possible.
+        last: usize,
+    },
+    /// A row has no patch, and one was needed.
+    #[error("patch {row} ({name}) has no area and exchanges nothing: name one that has")]
+    RowWithoutPatch {
+        /// The row.
+        row: usize,
+        /// The name of the row.
+        name: String,
     },
     /// A label for each patch was needed.
     #[error("{labels} labels for {patches} patches: one for each is needed")]

@@ -10,23 +10,29 @@
 //! ([`Occlusion`]).
 
 mod built_in;
+mod channel;
 mod convex_room;
 mod cracks;
 mod edges;
 mod error;
 pub mod files;
 mod fronts;
+mod joined;
 mod material;
 mod overlap;
 mod parts;
 mod planes;
 mod resolution;
+mod row_materials;
 mod subdivision;
 mod visibility;
 
+pub use channel::{Channel, Channels};
 pub use edges::{FreeEdge, Joints};
 pub use error::SceneError;
-pub use material::{Material, MaterialError};
+pub use material::{Material, MaterialError, MaterialFault, PatchMaterial};
+pub(crate) use material::{checked_emittance, checked_reflectance};
+pub use parts::EmptyRow;
 pub use resolution::ResolvedSurfaces;
 pub use visibility::blockers::{Blocker, Blockers};
 pub use visibility::grid_lines::GridLines;
@@ -45,7 +51,7 @@ pub struct NamedPatch {
     /// The names of what it is a piece of: objects, groups, a face that was divided.
     wholes: Arc<[String]>,
     shape: Patch,
-    material: Material,
+    material: PatchMaterial,
 }
 
 impl NamedPatch {
@@ -56,14 +62,17 @@ impl NamedPatch {
             name,
             wholes: Arc::default(),
             shape,
-            material: Material::BLACK,
+            material: PatchMaterial::BLACK,
         }
     }
 
-    /// Gives the patch this material.
+    /// Gives the patch this material, a [`Material`] being that of all channels.
     #[must_use]
-    pub fn with_material(self, material: Material) -> Self {
-        Self { material, ..self }
+    pub fn with_material(self, material: impl Into<PatchMaterial>) -> Self {
+        Self {
+            material: material.into(),
+            ..self
+        }
     }
 
     /// Makes the patch a piece of what has these names: of an object, of a face.
@@ -98,10 +107,10 @@ impl NamedPatch {
         &self.shape
     }
 
-    /// The material.
+    /// The material, as far as it is known.
     #[must_use]
-    pub const fn material(&self) -> Material {
-        self.material
+    pub const fn material(&self) -> &PatchMaterial {
+        &self.material
     }
 }
 
@@ -116,6 +125,8 @@ pub struct Scene {
     groups: Vec<usize>,
     /// The length by which each coordinate may be off.
     resolution: f64,
+    /// The rows without a patch, in order.
+    empty_rows: Vec<EmptyRow>,
     /// Planes and trees of the surfaces, found when first asked for and dropped when surfaces
     /// change.
     prepared: Prepared,
@@ -138,6 +149,7 @@ impl Scene {
             bases,
             groups,
             resolution: 0.0,
+            empty_rows: Vec::new(),
             prepared: Prepared::default(),
         })
     }
@@ -223,11 +235,11 @@ impl Scene {
         }
     }
 
-    /// The refusal of a patch's shape, with its name.
+    /// The refusal of a surface's shape, with its name.
     pub(crate) fn refused(&self, index: usize, source: GeometryError) -> SceneError {
         SceneError::Patch {
             index,
-            name: self.patches[index].name.clone(),
+            name: self.surface(index).name.clone(),
             source,
         }
     }

@@ -12,7 +12,8 @@
 //! have the same one.
 //!
 //! In a View3D file, a surface with a `base` becomes a part of it, and surfaces with one `cmb`
-//! become one row of every answer, what they exchange among themselves on its diagonal. The error
+//! become one row of every answer, what they exchange among themselves on its diagonal. A row may
+//! also be without a patch: a face without area keeps its number and exchanges nothing. The error
 //! bounds of base and parts, and of all pairs of a row, add up. A plan and its counts are about
 //! pairs of patches, before they are summed into rows.
 //!
@@ -25,12 +26,24 @@
 //! the others. It does not say which emissivity a combined surface has, and the program combines
 //! areas and exchange areas only.
 
-use super::{Material, NamedPatch, Scene, SceneError};
+use super::{NamedPatch, PatchMaterial, Scene, SceneError};
 use crate::geometry::{NotContained, check_contained};
 use crate::numeric::tolerance;
 use crate::scene::visibility::surfaces::Prepared;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::hash::Hash;
+
+/// A row without a patch, such as a face without area: it keeps its number among the rows, has an
+/// area of 0 and exchanges nothing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EmptyRow {
+    /// Its number, among all rows.
+    pub row: usize,
+    /// Its name.
+    pub name: String,
+    /// Its material.
+    pub material: PatchMaterial,
+}
 
 impl Scene {
     /// Adds polygons that only obstruct, in place of those before: they are no patches and have no
@@ -52,6 +65,12 @@ impl Scene {
     /// the base's diameter, or the noise of a resolution; [`SceneError::PartFacesAway`]; [`SceneError::PartOutside`];
     /// [`SceneError::NothingLeft`] if the parts leave no area to the base.
     pub fn with_base(mut self, part: usize, base: usize) -> Result<Self, SceneError> {
+        self.lay(part, base)?;
+        Ok(self)
+    }
+
+    /// Makes patch `part` lie in patch `base`, if it can.
+    pub(crate) fn lay(&mut self, part: usize, base: usize) -> Result<(), SceneError> {
         self.check(part)?;
         self.check(base)?;
         let mut above = Some(base);
@@ -64,14 +83,15 @@ impl Scene {
         let [inner, outer] = [part, base].map(|patch| &self.patches[patch].shape);
         check_contained(inner, outer, self.part_noise())
             .map_err(|reason| refusal(part, base, reason))?;
-        self.bases[part] = Some(base);
+        let before = self.bases[part].replace(base);
         let left = self.net_area(base);
         // the rounding of the areas themselves
         let nothing = 8.0 * f64::EPSILON * self.patches[base].shape.area();
         if left <= nothing {
+            self.bases[part] = before;
             return Err(SceneError::NothingLeft { base, left });
         }
-        Ok(self)
+        Ok(())
     }
 
     /// The distance by which a part may leave its base for all that the coordinates say.
@@ -79,7 +99,7 @@ impl Scene {
         tolerance::RESOLVED_NOISE * self.resolution
     }
 
-    /// Sums patches with equal labels into one row.
+    /// Sums patches with equal labels into one row; rows without a patch are dropped.
     ///
     /// # Errors
     /// [`SceneError::LabelCount`] unless there is one label for each patch.
@@ -95,7 +115,51 @@ impl Scene {
             let next = rows.len();
             *group = *rows.entry(label).or_insert(next);
         }
+        self.empty_rows.clear();
         Ok(self)
+    }
+
+    /// Adds rows without a patch, in place of those before: the other rows move up.
+    ///
+    /// # Errors
+    /// [`SceneError::EmptyRowOutOfOrder`] unless their numbers increase and leave none out.
+    ///
+    /// # Examples
+    /// ```
+    /// use infoscene::scene::{EmptyRow, PatchMaterial, Scene};
+    /// let (name, material) = ("sliver".to_owned(), PatchMaterial::BLACK);
+    /// let squares = Scene::built_in("two-squares")?;
+    /// let squares = squares.with_empty_rows(vec![EmptyRow { row: 1, name, material }])?;
+    /// assert_eq!(squares.row_areas(), [1.0, 0.0, 1.0]);
+    /// assert_eq!(squares.patches().len(), 2);
+    /// # Ok::<(), infoscene::scene::SceneError>(())
+    /// ```
+    pub fn with_empty_rows(mut self, rows: Vec<EmptyRow>) -> Result<Self, SceneError> {
+        let old: Vec<usize> = self.empty_rows.iter().map(|empty| empty.row).collect();
+        let with_patches = self.group_count() - old.len();
+        let mut numbers = Vec::with_capacity(with_patches);
+        let mut next = 0;
+        for empty in &rows {
+            let last = with_patches + rows.len() - 1;
+            if empty.row < next || empty.row > last {
+                let row = empty.row;
+                return Err(SceneError::EmptyRowOutOfOrder { row, last });
+            }
+            numbers.extend(next..empty.row);
+            next = empty.row + 1;
+        }
+        numbers.extend(next..with_patches + rows.len());
+        for group in &mut self.groups {
+            *group = numbers[*group - old.partition_point(|row| row < group)];
+        }
+        self.empty_rows = rows;
+        Ok(self)
+    }
+
+    /// The rows without a patch, in order.
+    #[must_use]
+    pub fn empty_rows(&self) -> &[EmptyRow] {
+        &self.empty_rows
     }
 
     /// The polygons that only obstruct.
@@ -133,10 +197,51 @@ impl Scene {
         self.groups[index]
     }
 
-    /// The number of rows: that of the patches unless some are summed.
+    /// The number of rows: that of the patches unless some are summed or rows have none.
     #[must_use]
     pub fn group_count(&self) -> usize {
-        self.groups.iter().max().map_or(0, |last| last + 1)
+        let empty = self.empty_rows.iter().map(|empty| &empty.row);
+        let last = self.groups.iter().chain(empty).max();
+        last.map_or(0, |last| last + 1)
+    }
+
+    /// The first patch that is not the first of its row, if any patches are summed.
+    pub(crate) fn first_summed(&self) -> Option<usize> {
+        let mut is_seen = vec![false; self.group_count()];
+        let mut groups = self.groups.iter();
+        groups.position(|group| std::mem::replace(&mut is_seen[*group], true))
+    }
+
+    /// The one patch that a row is.
+    ///
+    /// # Errors
+    /// [`SceneError::NoSuchPatch`]; [`SceneError::RowWithoutPatch`];
+    /// [`SceneError::NotAPatchOfItsOwn`] if several are summed.
+    pub fn patch_of_row(&self, row: usize) -> Result<usize, SceneError> {
+        let last = self.group_count() - 1;
+        let mut patches = self.patches_of_group(row);
+        match (patches.next(), patches.next()) {
+            (Some(patch), None) => Ok(patch),
+            (Some(index), Some(_)) => {
+                let what = "is summed with others";
+                Err(SceneError::NotAPatchOfItsOwn { index, what })
+            }
+            (None, _) => Err(match self.empty_row(row) {
+                Some(EmptyRow { name, .. }) => SceneError::RowWithoutPatch {
+                    row,
+                    name: name.clone(),
+                },
+                None => SceneError::NoSuchPatch { index: row, last },
+            }),
+        }
+    }
+
+    /// The row with this number, if it has no patch.
+    pub(super) fn empty_row(&self, row: usize) -> Option<&EmptyRow> {
+        let place = self
+            .empty_rows
+            .binary_search_by_key(&row, |empty| empty.row);
+        place.ok().map(|place| &self.empty_rows[place])
     }
 
     /// The patches of a row, in order; the first one names it.
@@ -166,14 +271,15 @@ impl Scene {
         areas
     }
 
-    /// The name of each row, in order: that of its first patch.
+    /// The name of each row, in order: its own if it has no patch, else that of its first patch.
     #[must_use]
     pub fn group_names(&self) -> Vec<&str> {
-        let mut names = Vec::new();
-        for (patch, group) in self.patches.iter().zip(&self.groups) {
-            if *group == names.len() {
-                names.push(patch.name());
-            }
+        let mut names = vec![""; self.group_count()];
+        for (patch, group) in self.patches.iter().zip(&self.groups).rev() {
+            names[*group] = patch.name();
+        }
+        for empty in &self.empty_rows {
+            names[empty.row] = &empty.name;
         }
         names
     }
@@ -187,6 +293,8 @@ impl Scene {
                 rows.push(*group);
             }
         }
+        let empty = self.empty_rows.iter().filter(|empty| empty.name == name);
+        rows.extend(empty.map(|empty| empty.row));
         rows.sort_unstable();
         rows.dedup();
         rows
@@ -196,28 +304,8 @@ impl Scene {
     pub(crate) fn known_names(&self) -> BTreeSet<&str> {
         let own = self.patches.iter().map(|patch| patch.name.as_str());
         let wholes = self.patches.iter().flat_map(|patch| patch.wholes.iter());
-        own.chain(wholes.map(String::as_str)).collect()
-    }
-
-    /// The material that all patches of a row have; reflected power of different ones is not that
-    /// of any single one.
-    ///
-    /// # Errors
-    /// [`SceneError::NoSuchPatch`]; [`SceneError::MixedRow`] with the first two that differ.
-    pub fn group_material(&self, group: usize) -> Result<Material, SceneError> {
-        let last = self.group_count() - 1;
-        let mut patches = self.patches_of_group(group);
-        let no_row = SceneError::NoSuchPatch { index: group, last };
-        let first = patches.next().ok_or(no_row)?;
-        let material = self.patches[first].material;
-        match patches.find(|patch| self.patches[*patch].material != material) {
-            None => Ok(material),
-            Some(second) => Err(SceneError::MixedRow {
-                first,
-                second,
-                names: [first, second].map(|patch| self.patches[patch].name.clone()),
-            }),
-        }
+        let empty = self.empty_rows.iter().map(|empty| empty.name.as_str());
+        own.chain(wholes.map(String::as_str)).chain(empty).collect()
     }
 
     /// The area of a patch without what lies in it, in squared units of length.

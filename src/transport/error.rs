@@ -1,5 +1,6 @@
 //! Reasons why there is no equilibrium of light.
 
+use super::sinks::Sinkless;
 use crate::exchange::ExchangeError;
 
 /// A scene has no radiosity or importance; the message names the patch.
@@ -16,8 +17,8 @@ pub enum TransportError {
         /// Number of patches.
         expected: usize,
     },
-    /// A reflectance with which light would never die out, or none at all.
-    #[error("the reflectance of patch {patch} is {value}: it must be at least 0 and less than 1")]
+    /// A reflectance outside `[0, 1]`.
+    #[error("the reflectance of patch {patch} is {value}: it must be at least 0 and at most 1")]
     ReflectanceOutOfRange {
         /// The patch, from 0.
         patch: usize,
@@ -59,9 +60,34 @@ pub enum TransportError {
         /// Largest index.
         last: usize,
     },
+    /// Patches reflect all light, and none of it goes where it would end.
+    #[error(
+        "{group}: all light is reflected (R = 1), and none certainly escapes or comes to a patch \
+         that absorbs some, so that nothing determines how bright it gets: let one reflect less \
+         than 1, or let light out"
+    )]
+    NoSink {
+        /// The patches, each of which comes to all others.
+        group: Sinkless,
+    },
+    /// The error of a solution is not bounded.
+    #[error(
+        "no bound was found on the error of the solution: give reflectances farther from 1, or \
+         larger exchange areas"
+    )]
+    NoBound,
     /// An estimate was asked of no walks at all.
     #[error("no walks give no estimate: ask for one at least")]
     NoWalks,
+    /// A walk was not at its end after so many steps that its estimate would be too low.
+    #[error(
+        "a walk has not ended after {steps} steps, as hardly any light is absorbed or escapes: \
+         solve for the radiosities instead"
+    )]
+    EndlessWalk {
+        /// The steps that were made.
+        steps: u32,
+    },
     /// An exchange matrix was refused.
     #[error(
         "entry ({row}, {column}) of the exchange areas is {value}: it must be finite, ≥ 0 and \

@@ -10,13 +10,14 @@
 //!
 //! # Accuracy
 //!
-//! Reflectances may be any below 1. Each value has two bounds: one on the solution for the form
-//! factors as computed, and one on the effect of the form factors' own errors. A closed scene is
-//! solved in a form in which it is closed, so that no error is divided by 1 − R, and residuals are
-//! taken with 106 bits. Rooms that absorb 1e-15 of the light, rooms that see 1e-100 of each other,
-//! and emission over thirty orders of magnitude therefore keep all their digits, where elimination
-//! and iterated bounces lose some or all. `infoscene study stability` compares the three, judged by
-//! enclosures of 256 bits; `stiff_scenes_keep_their_digits` holds it.
+//! Reflectances may be any up to 1, as long as light from everywhere comes to a patch that absorbs
+//! some or to an opening ([`Sinkless`]). Each value has two bounds: one on the solution for the
+//! form factors as computed, and one on the effect of the form factors' own errors. A closed scene
+//! is solved in a form in which it is closed, so that no error is divided by 1 − R, and residuals
+//! are taken with 106 bits. Rooms that absorb 1e-15 of the light, rooms that see 1e-100 of each
+//! other, and emission over thirty orders of magnitude therefore keep all their digits, where
+//! elimination and iterated bounces lose some or all. `infoscene study stability` compares the
+//! three, judged by enclosures of 256 bits; `stiff_scenes_keep_their_digits` holds it.
 //! `cargo bench --bench transport` times 5,046 patches.
 //!
 //! ```
@@ -49,6 +50,7 @@ mod conjugate_gradients;
 mod dense;
 mod error;
 mod operator;
+mod sinks;
 mod solve;
 mod system;
 pub mod walks;
@@ -56,4 +58,5 @@ pub mod walks;
 pub use dense::DenseExchange;
 pub use error::TransportError;
 pub use operator::ExchangeOperator;
+pub use sinks::Sinkless;
 pub use system::{ExchangeRows, Importance, RadiositySolution, RadiositySystem};

@@ -42,7 +42,7 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
     ///
     /// # Errors
     /// [`TransportError::WrongCount`], [`TransportError::SourceOutOfRange`],
-    /// [`TransportError::NoSource`].
+    /// [`TransportError::NoSource`], [`TransportError::NoBound`].
     ///
     /// # Examples
     /// ```
@@ -58,7 +58,7 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
     /// ```
     pub fn radiosity(&self, emittances: &[f64]) -> Result<RadiositySolution, TransportError> {
         self.check("emittance", "emittances", emittances)?;
-        Ok(self.brightness(emittances))
+        self.brightness(emittances)
     }
 
     /// The importances for these direct importances V: 1 for a patch that is looked at, 0 for
@@ -72,7 +72,7 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
         let sources: Vec<f64> = sources.map(|(reflectance, v)| reflectance * v).collect();
         // what is looked at may reflect nothing
         let reflected = if sources.iter().any(|source| *source > 0.0) {
-            self.brightness(&sources)
+            self.brightness(&sources)?
         } else {
             RadiositySolution::dark(sources.len())
         };
@@ -110,7 +110,7 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
     }
 
     /// The answer for sources of which one is positive.
-    fn brightness(&self, sources: &[f64]) -> RadiositySolution {
+    fn brightness(&self, sources: &[f64]) -> Result<RadiositySolution, TransportError> {
         let largest = sources.iter().copied().fold(0.0, f64::max);
         let power = Scaled::new(largest).exponent;
         let sources: Vec<f64> = sources
@@ -118,6 +118,9 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
             .map(|source| Scaled::new(*source).times_power(-power))
             .collect();
         let solved = self.solve(&sources);
+        if !solved.relative_error.is_finite() {
+            return Err(TransportError::NoBound);
+        }
         let values = leading(&solved.values);
         let received = self.received(&values);
         let form_factor_errors = self.form_factor_errors(&values, &sources);
@@ -131,7 +134,7 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
             })
             .fold(0.0, f64::max);
         let unscaled = |value: f64| Scaled::new(value).times_power(power);
-        RadiositySolution {
+        Ok(RadiositySolution {
             values: values.into_iter().map(unscaled).collect(),
             received: received
                 .iter()
@@ -143,7 +146,7 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
                 .map(|errors| errors.into_iter().map(unscaled).collect()),
             residual,
             iterations: solved.iterations,
-        }
+        })
     }
 
     /// `Σ_j F_ij B_j`.
@@ -287,7 +290,8 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
             } else if self.escaping[i].is_some() {
                 // the area counts on its own: A (B − E)/R
                 let gained = (x[i] - sources[i]).max(0.0) / reflectance;
-                from_others[i] + self.open_area_bounds[i] * gained
+                let of_area = self.open_area_bounds[i] * gained;
+                from_others[i] + self.own_bounds[i] * x[i] + of_area
             } else {
                 let (lost, gained) = ((1.0 - reflectance) * x[i], sources[i]);
                 // the differences are those of numbers that are rounded themselves
@@ -343,7 +347,8 @@ fn largest_ratio(a: &[f64], b: &[f64]) -> f64 {
 }
 
 impl RadiositySolution {
-    fn dark(count: usize) -> Self {
+    /// No light at all.
+    pub(crate) fn dark(count: usize) -> Self {
         Self {
             values: vec![0.0; count],
             received: vec![0.0; count],

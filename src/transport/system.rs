@@ -5,16 +5,17 @@
 //!   B_i = E_i                                                                     R_i = 0
 //! ```
 //!
-//! with exchange areas `J_ij = A_i F_ij` and `e_i = A_i − Σ_j J_ij` of what escapes. In a closed
-//! scene e is 0 by construction, with `A_i = Σ_j J_ij`: the usual form `B = E + R F B` moves B by
-//! δ/(1−R) when a row sum is off by δ, this one does not.
+//! with exchange areas `J_ij = A_i F_ij` and `e_i = A_i − Σ_j J_ij` of what escapes. Patches with
+//! `R_i = 1` absorb nothing; what they reflect ends elsewhere, or the system is refused
+//! ([`sinks`]). In a closed scene e is 0 by construction, with `A_i = Σ_j J_ij`: the usual form
+//! `B = E + R F B` moves B by δ/(1−R) when a row sum is off by δ, this one does not.
 //!
 //! **Solution**: conjugate gradients, the residual anew with 106 bits, and again for the remainder.
 //!
 //! **Error of the solution**, a *bound*, of each B_i relative to itself. The matrix M has an
-//! inverse without negative entries. With its diagonal D, its other entries −D T and right sides b,
-//! light that bounced less than K times is `C = Σ_{k<K} T^k D⁻¹b`. For a residual r of B̂ with its
-//! rounding ρ,
+//! inverse without negative entries, as all light comes to a sink. With its diagonal D, its other
+//! entries −D T and right sides b, light that bounced less than K times is `C = Σ_{k<K} T^k D⁻¹b`.
+//! For a residual r of B̂ with its rounding ρ,
 //!
 //! ```text
 //!   S = Σ_{k<K} T^k D⁻¹(|r| + ρ) ≤ τ C
@@ -28,13 +29,17 @@
 //!
 //! ```text
 //!   |f_i| ≤ Σ_j δ_ij |B_i − B_j| + δA_i |(1−R_i) B_i − E_i|/R_i = g_i(B)     (closed)
-//!   |f_i| ≤ Σ_j δ_ij B_j = g_i(B)                                           (open)
+//!   |f_i| ≤ Σ_j δ_ij B_j + δ_ii B_i = g_i(B)                                (open)
 //! ```
 //!
-//! and any x with `M x − g(x) ≥ θ g(B)`, θ > 0, gives `|B* − B| ≤ x/θ`. Signs of f are not used, so
-//! that it is pessimistic by up to 1/(1−R).
+//! and any x with `M x − g(x) ≥ θ g(B)`, θ > 0, gives `|B* − B| ≤ x/θ`, as M* has an inverse
+//! without negative entries, too. Signs of f are not used, so that it is pessimistic by up to
+//! 1/(1−R).
+//!
+//! [`sinks`]: super::sinks
 
 use super::error::SMALLEST_REFLECTANCE;
+use super::sinks::Sinkless;
 use super::{DenseExchange, ExchangeOperator, TransportError};
 use crate::exchange::{Closure, ExchangeAreas, ResolutionErrors};
 use crate::numeric::{DoubleDouble, Scaled, Symmetric};
@@ -56,6 +61,8 @@ pub struct RadiositySystem<O> {
     pub(super) open_area_bounds: Vec<f64>,
     /// The exchange area of each patch with itself.
     pub(super) own: Vec<f64>,
+    /// The bounds on their errors.
+    pub(super) own_bounds: Vec<f64>,
     /// The sum of the row if nothing escapes, else the area.
     pub(super) areas: Vec<DoubleDouble>,
     /// The escaping part, as an area; `None` for a row that sums to the area.
@@ -111,9 +118,22 @@ impl<'e> RadiositySystem<DenseExchange<'e>> {
     ///
     /// # Errors
     /// [`TransportError::WrongCount`] unless there is a material for each patch;
-    /// [`TransportError::ReflectanceTooSmall`]; [`TransportError::Exchange`] if a row is above one,
-    /// as where patches hide each other and occlusion was ignored.
+    /// [`TransportError::ReflectanceTooSmall`]; [`TransportError::NoSink`] if patches reflect all
+    /// light and none of it ends; [`TransportError::Exchange`] if a row is above one, as where
+    /// patches hide each other and occlusion was ignored.
     pub fn of(exchange: &'e ExchangeAreas, materials: &[Material]) -> Result<Self, TransportError> {
+        let reflectances = materials.iter().map(Material::reflectance);
+        Self::with_reflectances(exchange, reflectances.collect())
+    }
+
+    /// The system of patches that reflect so much.
+    ///
+    /// # Errors
+    /// As [`of`](Self::of), and [`TransportError::ReflectanceOutOfRange`].
+    pub fn with_reflectances(
+        exchange: &'e ExchangeAreas,
+        reflectances: Vec<f64>,
+    ) -> Result<Self, TransportError> {
         let closure = Closure::of_held(exchange);
         closure.require_at_most_one()?;
         let rows = || 0..exchange.rows();
@@ -128,8 +148,14 @@ impl<'e> RadiositySystem<DenseExchange<'e>> {
                 own_bounds,
                 open_areas: rows().map(open).collect(),
             },
-            materials.iter().map(Material::reflectance).collect(),
+            reflectances,
         )
+        .map_err(|error| match error {
+            TransportError::NoSink { group } => TransportError::NoSink {
+                group: group.named(&exchange.shared_names()),
+            },
+            other => other,
+        })
     }
 
     /// The system of a closed scene with these exchange areas `A_i F_ij`, taken as exact; the areas
@@ -139,7 +165,7 @@ impl<'e> RadiositySystem<DenseExchange<'e>> {
     /// [`TransportError::InvalidExchange`] unless the matrix is finite, ≥ 0 and equal to its
     /// transpose; [`TransportError::WrongCount`] unless it has a row and a column for each
     /// reflectance; [`TransportError::ReflectanceOutOfRange`],
-    /// [`TransportError::ReflectanceTooSmall`].
+    /// [`TransportError::ReflectanceTooSmall`], [`TransportError::NoSink`].
     pub fn of_matrix(
         exchange: &DMatrix<f64>,
         reflectances: Vec<f64>,
@@ -252,8 +278,8 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
     ///
     /// # Errors
     /// [`TransportError::WrongCount`] unless there is a reflectance, an own exchange area with its
-    /// bound and an area or none for each row;
-    /// [`TransportError::ReflectanceOutOfRange`], [`TransportError::ReflectanceTooSmall`].
+    /// bound and an area or none for each row; [`TransportError::ReflectanceOutOfRange`],
+    /// [`TransportError::ReflectanceTooSmall`], [`TransportError::NoSink`].
     pub fn try_new(
         exchange: O,
         errors: Option<O>,
@@ -266,13 +292,13 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
         check_reflectances(&reflectances, exchange.order())?;
         let ones = vec![1.0; exchange.order()];
         let sums = exchange.gathered(&ones);
-        let row_bounds = match &errors {
+        let row_bounds: Vec<f64> = match &errors {
             Some(bounds) => {
                 let sums = bounds.gathered(&ones);
                 let sums = sums.iter().zip(&rows.own_bounds);
                 sums.map(|(sum, own)| sum.high() + own).collect()
             }
-            None => rows.own_bounds,
+            None => rows.own_bounds.clone(),
         };
         let (areas, escaping): (Vec<_>, Vec<_>) = sums
             .iter()
@@ -284,6 +310,17 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
                 (area.unwrap_or(row), area.map(|area| area - row))
             })
             .unzip();
+        if reflectances.iter().any(|reflectance| *reflectance >= 1.0) {
+            let is_sink = |i: usize| {
+                let escaping = escaping[i].map_or(0.0, DoubleDouble::high);
+                // what sees nothing has the brightness that it emits
+                reflectances[i] < 1.0 || escaping > row_bounds[i] || areas[i].high() <= 0.0
+            };
+            let sinks = (0..areas.len()).map(is_sink).collect();
+            if let Some(group) = Sinkless::of(&exchange, errors.as_ref(), sinks) {
+                return Err(TransportError::NoSink { group });
+            }
+        }
         let excess = excess(&reflectances, &areas, &escaping);
         let diagonal = reflectances.iter().zip(&sums).zip(&excess);
         let diagonal = diagonal.map(|((reflectance, sum), excess)| {
@@ -301,6 +338,7 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
             power: 0,
             open_area_bounds: vec![0.0; rows.own.len()],
             own: rows.own,
+            own_bounds: rows.own_bounds,
             areas,
             escaping,
             reflectances,
@@ -353,7 +391,7 @@ const fn check_count(
 fn check_reflectances(reflectances: &[f64], expected: usize) -> Result<(), TransportError> {
     check_count("materials", reflectances.len(), expected)?;
     for (patch, value) in reflectances.iter().copied().enumerate() {
-        if !(0.0..1.0).contains(&value) {
+        if !(0.0..=1.0).contains(&value) {
             return Err(TransportError::ReflectanceOutOfRange { patch, value });
         }
         if value > 0.0 && value < SMALLEST_REFLECTANCE {

@@ -63,7 +63,7 @@ impl Walks {
 #[expect(clippy::cast_precision_loss, reason = "a power of two")]
 const LEFT: f64 = 1.0 / (1u128 << 70) as f64;
 
-/// A walk that is longer is cut off: with reflectances up to 0.9999 none is.
+/// A walk that is longer is cut off and refused: with reflectances up to 0.9999 none is.
 const MOST_STEPS: u32 = 1_000_000;
 
 impl RadiositySystem<DenseExchange<'_>> {
@@ -75,7 +75,7 @@ impl RadiositySystem<DenseExchange<'_>> {
     /// # Errors
     /// [`TransportError::NoSuchPatch`]; [`TransportError::NoWalks`];
     /// [`TransportError::WrongCount`], [`TransportError::SourceOutOfRange`],
-    /// [`TransportError::NoSource`].
+    /// [`TransportError::NoSource`]; [`TransportError::EndlessWalk`] where hardly any light ends.
     pub fn gathering_walks(
         &self,
         from: usize,
@@ -256,13 +256,15 @@ fn statistics(
     }
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let mut longest = 0;
-    let found: Vec<f64> = (0..walks)
-        .map(|_| {
-            let (found, steps) = walk(&mut random);
-            longest = longest.max(steps);
-            found
-        })
-        .collect();
+    let one = |_| {
+        let (found, steps) = walk(&mut random);
+        longest = longest.max(steps);
+        if steps == MOST_STEPS {
+            return Err(TransportError::EndlessWalk { steps });
+        }
+        Ok(found)
+    };
+    let found: Vec<f64> = (0..walks).map(one).collect::<Result<_, _>>()?;
     let mean = compensated_sum(found.iter().copied()) / f64::from(walks);
     let deviations = || found.iter().map(|value| (value - mean).abs());
     let squares = compensated_sum(deviations().map(|d| d * d));

@@ -136,10 +136,12 @@ fn light_that_cannot_be_is_refused() {
         assert_refused(&[&["radiosity", "cube:1"], more].concat(), says);
     };
     of_cube(&[], "no patch has a positive emittance");
-    of_cube(&["--reflectance", "all=1"], "less than 1");
+    of_cube(&["--reflectance", "all=1.5"], "at most 1");
     of_cube(&["--reflectance", "3=-0.5"], "at least 0");
     of_cube(&["--emittance", "0=NaN"], "finite");
     of_cube(&["--emittance", "0=bright"], "is not a number");
+    of_cube(&["--emittance", "0=1:2"], "PATCH=R:G:B");
+    of_cube(&["--importance", "0=1:2:3"], "is not a number");
     of_cube(&["--emittance", "lamp"], "there is no patch \"lamp\"");
     of_cube(&["--emittance", "6"], "index from 0 to 5");
     of_cube(

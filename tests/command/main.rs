@@ -6,12 +6,16 @@
 )]
 
 mod answers;
+mod colours;
+mod conversions;
 #[cfg(feature = "proptest")]
 mod fuzzing;
 mod gradient_cuts;
 mod grids;
 mod keys;
 mod light;
+mod materials;
+mod matrices;
 mod refusals;
 mod resolution;
 mod sampling;

@@ -1,5 +1,6 @@
 //! SCENE as its users give it: a built-in name or a file, with messages on standard error only.
 
+use crate::scenes::read_npy;
 use crate::{infoscene, json};
 use std::path::{Path, PathBuf};
 
@@ -115,7 +116,8 @@ fn what_is_ignored_is_said_on_standard_error() {
     );
     let answered = infoscene(&arguments).arg("--unoccluded").assert().success();
     let message = String::from_utf8(answered.get_output().stderr.clone()).unwrap();
-    assert!(message.contains("encl, maxu are ignored"), "{message}");
+    let says = "ignored, they change nothing here: C encl (line 1), C maxU (line 1)";
+    assert!(message.contains(says), "{message}");
     let answer: serde_json::Value = serde_json::from_slice(&answered.get_output().stdout).unwrap();
     assert_eq!(answer, json(&["split", "two-squares", "--patch", "0"]));
 }
@@ -143,11 +145,11 @@ fn bad_files_are_refused_and_nothing_is_written() {
         (
             "noise.obj",
             "noise\n".repeat(1_000_000),
-            ["line 1", "no \"noise\""],
+            ["it has no patch", "\"f a b c\""],
         ),
         (
             "noise.vs3",
-            "noise\n".repeat(1_000_000),
+            "noise\nEnd of data\n".to_owned(),
             ["line 1", "no \"noise\""],
         ),
         (
@@ -160,18 +162,13 @@ fn bad_files_are_refused_and_nothing_is_written() {
             String::new(),
             ["\"End of data\" is missing", "add it"],
         ),
-        (
-            "lost.obj",
-            "mtllib lost.mtl\n".to_owned(),
-            ["line 1", "lost.mtl: it cannot be read"],
-        ),
-        ("room.stl", wall.to_owned(), [".obj", ".vs3"]),
+        ("room.step", wall.to_owned(), [".obj", ".stl"]),
     ] {
         assert_refused(&written(&folder, name, text), &parts);
     }
     assert_refused(
-        &written(&folder, "bytes.obj", b"v 0 0 0\n\xff\xfe"),
-        &["line 2", "UTF-8"],
+        &written(&folder, "bytes.obj", b"\xff\xfev\0 \x000\0"),
+        &["UTF-16", "UTF-8"],
     );
     assert_refused(&folder.path().join("missing.obj"), &["cannot be read"]);
     assert_refused(folder.path(), &["it is a folder"]);
@@ -192,6 +189,7 @@ fn scenes_are_converted() {
     for refused in [
         ["convert", "cornell-box", &path("room.vs3")],
         ["convert", "cornell-box", &path("room.stl")],
+        ["convert", "cornell-box", &path("room.step")],
         ["convert", "cornell-box", &path("no folder/room.obj")],
         ["convert", "cornell-box", &path("room #1.obj")],
         ["convert", "nothing", &path("room.obj")],
@@ -226,4 +224,181 @@ fn scenes_are_converted() {
     let built_in = |name: &str| infoscene::scene::Scene::built_in(name).unwrap();
     assert_eq!(read("my room.obj"), built_in("cornell-box"));
     assert_eq!(read("squares.vs3"), built_in("two-squares"));
+}
+
+/// The vertices of two unit squares at distance 1, and a point on an edge.
+const SQUARES: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n\
+    v 0.5 0 0\n";
+
+/// Parallel unit squares at distance 1: Howell, C-11.
+const OPPOSITE: f64 = 0.199_824_895_698_387_5;
+
+/// A repeated corner, a thread between the squares, a statement nobody knows and a name in Latin-1:
+/// one remark each, and the answer.
+#[test]
+fn what_is_clear_is_mended_and_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut text = format!("{SQUARES}frame 7\n").into_bytes();
+    text.extend(b"o W\xe4nde # 2\nf 1 2 3 4 4\nf 1 9 2\nf 5 8 7 6\n");
+    let path = written(&folder, "squares.obj", text);
+    let path = path.to_str().unwrap();
+    let output = infoscene(&["form-factor", path, "--from", "0", "--format", "json"])
+        .assert()
+        .success();
+    let answer: serde_json::Value = serde_json::from_slice(&output.get_output().stdout).unwrap();
+    let names = answer["patches"].as_array().unwrap().iter();
+    let names: Vec<&str> = names.map(|patch| patch["name"].as_str().unwrap()).collect();
+    assert_eq!(
+        names,
+        ["W\u{e4}nde # 2 0", "W\u{e4}nde # 2 1", "W\u{e4}nde # 2 2"]
+    );
+    let values = answer["form_factors"].as_array().unwrap().iter();
+    let values: Vec<f64> = values
+        .map(|record| record["value"].as_f64().unwrap())
+        .collect();
+    assert!(
+        values[0] == 0.0 && (values[1] - OPPOSITE).abs() < 1e-14,
+        "{values:?}"
+    );
+    let notes = String::from_utf8(output.get_output().stderr.clone()).unwrap();
+    for note in [
+        "1 face repeats a corner; that counts once (first: line 12)",
+        "1 face has no area; such a face keeps its number and exchanges nothing (first: line 13)",
+        "1 byte is not UTF-8 and read as Latin-1 (first: line 11)",
+        "ignored, they change nothing here: frame (line 10)",
+    ] {
+        assert_eq!(notes.matches(note).count(), 1, "{notes}");
+    }
+    assert_eq!(notes.lines().count(), 4, "{notes}");
+}
+
+/// A face without area has 0 in every answer and changes nothing for the others.
+#[test]
+fn a_face_without_area_exchanges_nothing_in_any_answer() {
+    let folder = tempfile::tempdir().unwrap();
+    let faces = "f 1 9 2\nf 1 2 3 4\nf 5 8 7 6\n";
+    let path = written(&folder, "squares.obj", format!("{SQUARES}{faces}"));
+    let path = path.to_str().unwrap();
+    let matrix = folder.path().join("f.npy");
+    let matrix = matrix.to_str().unwrap();
+    infoscene(&["form-factor", path, "--matrix", matrix])
+        .assert()
+        .success();
+    let (_, entries) = read_npy(&std::fs::read(matrix).unwrap());
+    let expected = [0.0, 0.0, 0.0, 0.0, 0.0, OPPOSITE, 0.0, OPPOSITE, 0.0];
+    for (entry, expected) in entries.iter().zip(expected) {
+        assert!((entry - expected).abs() < 1e-14, "{entries:?}");
+    }
+    // R = ½ and E = 1 on patch 1, E = 3 on the thread: B₂ = R F B₁, B₁ = 1 + R F B₂
+    let light = [
+        "--reflectance",
+        "all=0.5",
+        "--emittance",
+        "0=3,1=1",
+        "--importance",
+        "0",
+    ];
+    let answer = json(&[&["radiosity", path], light.as_slice()].concat());
+    let of = |patch: usize, key: &str| answer["patches"][patch][key].as_f64().unwrap();
+    let reflected = 0.5 * OPPOSITE;
+    let lit = 1.0 / (1.0 - reflected * reflected);
+    for (patch, radiosity) in [(0, 3.0), (1, lit), (2, reflected * lit)] {
+        assert!(
+            (of(patch, "radiosity") - radiosity).abs() < 1e-14,
+            "{answer}"
+        );
+    }
+    assert_eq!(
+        (
+            of(0, "irradiance"),
+            of(0, "importance"),
+            of(1, "importance")
+        ),
+        (0.0, 1.0, 0.0)
+    );
+    let measured = json(&["measure", path, "--open"]);
+    assert_eq!(measured["contributions"][0]["weight"].as_f64(), Some(0.0));
+    assert_eq!(measured["contributions"][0]["row_sum"].as_f64(), Some(0.0));
+    let bare = written(
+        &folder,
+        "bare.obj",
+        format!("{SQUARES}f 1 2 3 4\nf 5 8 7 6\n"),
+    );
+    let bare = json(&["measure", bare.to_str().unwrap(), "--open"]);
+    for key in [
+        "mutual_information",
+        "positional_entropy",
+        "total_area",
+        "plan",
+    ] {
+        assert_eq!(measured[key], bare[key], "{key}");
+    }
+    let refused = infoscene(&["split", path, "--patch", "0"]).assert().code(2);
+    let message = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
+    assert!(
+        message.contains("patch 0 (face 0) has no area"),
+        "{message}"
+    );
+    let split = json(&["split", path, "--patch", "1"]);
+    assert_eq!(split["patch"].as_u64(), Some(1));
+    let cut = json(&["form-factor", path, "--subdivide", "1"]);
+    assert_eq!(cut["patches"].as_array().unwrap().len(), 9);
+    assert_eq!(cut["patches"][0]["area"].as_f64(), Some(0.0));
+    let written = folder.path().join("again.obj");
+    infoscene(&["convert", path, written.to_str().unwrap()])
+        .assert()
+        .success();
+    let again = json(&["form-factor", written.to_str().unwrap()]);
+    assert_eq!(
+        again["form_factors"],
+        json(&["form-factor", path])["form_factors"]
+    );
+}
+
+/// A closed room with a thread in it is closed, in every measure and for lines at random.
+#[test]
+fn a_room_with_a_thread_in_it_is_closed() {
+    let folder = tempfile::tempdir().unwrap();
+    let room = std::fs::read_to_string(scene_file("cube.obj")).unwrap();
+    let path = written(
+        &folder,
+        "room.obj",
+        format!("{room}\no thread\nf -1 -2 -1\n"),
+    );
+    let path = path.to_str().unwrap();
+    let ask = |options: &[&str]| json(&[options, &[path]].concat());
+    let options = ["measure", "--continuous", "--pairs"];
+    let measured = ask(&options);
+    let bare = json(&[&options[..], &["cube:1"]].concat());
+    assert_eq!(measured["closed"], true);
+    for key in [
+        "mutual_information",
+        "continuous_mutual_information",
+        "pair_losses",
+    ] {
+        assert_eq!(measured[key], bare[key], "{key}");
+    }
+    let sampled = ask(&["sample", "--lines", "20000", "--seed", "3"]);
+    let bare = json(&["sample", "cube:1", "--lines", "20000", "--seed", "3"]);
+    assert_eq!(sampled["sampled"], bare["sampled"]);
+}
+
+/// All faults of a file in one message, a line each.
+#[test]
+fn all_faults_are_told_in_one_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = format!("{SQUARES}v x\nf 1 2 10\nf 1 2 99\nv 0 0 2\nf 1 2 7 4\nf 1 2 11 4\n");
+    let path = written(&folder, "faults.obj", text);
+    let refused = infoscene(&["measure", path.to_str().unwrap()])
+        .assert()
+        .code(2);
+    let message = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
+    let lines: Vec<&str> = message.lines().collect();
+    assert_eq!(lines.len(), 5, "{message}");
+    for (line, says) in lines
+        .iter()
+        .zip(["line 10", "line 12", "line 14", "line 15", "--triang"])
+    {
+        assert!(line.contains(says), "{message}");
+    }
 }

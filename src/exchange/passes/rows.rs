@@ -3,7 +3,7 @@
 use super::tiles::Block;
 use crate::exchange::plan::counts::{PassCounts, PassSummary};
 use crate::exchange::plan::facing::Facing;
-use crate::exchange::row_pair::nothing;
+use crate::exchange::row_pair::{nothing, per_area};
 use crate::exchange::{ExchangeError, RowSum, ScenePairs, Selection};
 use crate::form_factor::Answer;
 use crate::numeric::{CompensatedSum, try_parallel_map};
@@ -164,9 +164,9 @@ impl ScenePairs<'_> {
             let [area, bound] = [self.areas()[row], self.area_bounds()[row]];
             (area > 0.0).then(|| RowSum {
                 row,
-                sum: value.total() / area,
-                error: error.total() / area + bound / area,
-                resolution_error: self.crack_error(row) / area,
+                sum: per_area(value.total(), area),
+                error: per_area(error.total(), area) + per_area(bound, area),
+                resolution_error: per_area(self.crack_error(row), area),
             })
         };
         sums.into_iter().filter_map(of_row).collect()

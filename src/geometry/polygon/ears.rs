@@ -72,4 +72,29 @@ impl<'a, P: Copy + PartialEq, T: Fn(P, P, P) -> f64> EarClipper<'a, P, T> {
         self.left.remove(place);
         triangle
     }
+
+    /// Cuts the whole outline up; returns its triangles. Corners at which nothing turns are
+    /// corners of triangles as long as there is an ear, and are passed over then.
+    ///
+    /// **Arguments** `preferred`: one of the ears, if there are any.
+    pub(crate) fn triangles(
+        mut self,
+        preferred: impl Fn(&Self) -> Option<usize>,
+    ) -> Vec<[usize; 3]> {
+        let mut triangles = Vec::with_capacity(self.corners.len().saturating_sub(2));
+        while self.left.len() > 3 {
+            let places = || 0..self.left.len();
+            let is_straight = |place: &usize| self.turn(*place) == 0.0;
+            let chosen = preferred(&self).or_else(|| places().find(is_straight));
+            // none only if rounding hides all ears: any left turn will do then
+            let any_left_turn = || places().find(|place| self.turn(*place) > 0.0);
+            let place = chosen.or_else(any_left_turn).unwrap_or(0);
+            let has_area = self.turn(place) > 0.0;
+            let triangle = self.cut(place);
+            triangles.extend(has_area.then_some(triangle));
+        }
+        let rest = <[usize; 3]>::try_from(self.left()).ok();
+        triangles.extend(rest.filter(|_| self.turn(1) > 0.0));
+        triangles
+    }
 }

@@ -12,7 +12,8 @@
 //! share the middle of it, to the last bit.
 
 use super::convexity::is_convex;
-use crate::geometry::{GeometryError, Patch, triangulated};
+use super::triangulation::triangles_of;
+use crate::geometry::{GeometryError, Patch};
 use crate::numeric::real;
 use glam::DVec3;
 
@@ -55,10 +56,7 @@ pub fn quartered(patch: &Patch) -> Result<Vec<Patch>, GeometryError> {
         let at_corner = |i: usize| vec![corners[i], middles[i], centre, middles[(i + n - 1) % n]];
         (0..n).map(at_corner).collect()
     } else {
-        let triangles = triangulated(corners, patch.normal()).into_iter();
-        triangles
-            .map(|triangle| triangle.map(|i| corners[i]).to_vec())
-            .collect()
+        return triangles_of(patch);
     };
     let part = |corners| Patch::within(corners, patch.resolution());
     parts.into_iter().map(part).collect()

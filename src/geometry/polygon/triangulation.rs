@@ -5,7 +5,25 @@
 //! **Not covered**: speed beyond some hundred corners (the work grows with their cube).
 
 use super::ears::EarClipper;
+use super::weakly_simple::FlatOutline;
+use crate::geometry::{GeometryError, Patch};
 use glam::DVec3;
+
+/// Triangles with an area that make up a polygon; of straight corners only those that they need.
+///
+/// # Errors
+/// Those of a triangle that is too small for `f64`.
+pub(crate) fn triangles_of(patch: &Patch) -> Result<Vec<Patch>, GeometryError> {
+    let corners = patch.corners();
+    let patches = |triangles: Vec<[usize; 3]>| {
+        let triangles = triangles.into_iter();
+        let patches = triangles.map(|triangle| triangle.map(|i| corners[i]).to_vec());
+        patches.map(Patch::try_new).collect::<Result<Vec<_>, _>>()
+    };
+    // an ear may have left nothing but straight corners
+    patches(triangulated(corners, patch.normal()))
+        .or_else(|_| patches(FlatOutline::of(corners).triangles()))
+}
 
 /// Triangles of corner indices, counter-clockwise as the polygon is; `corners − 2` of them.
 ///

@@ -91,18 +91,20 @@ fn discrete_lines(answer: &MeasureAnswer) -> Vec<Line> {
             format!("{} ({})", scientific(error), answer.error_grade.name()),
         ),
     ];
-    let mut lines = lines
-        .map(|(quantity, value)| (quantity.to_owned(), value))
-        .to_vec();
-    if answer.resolution > 0.0 {
+    let channel = answer
+        .channel
+        .map(|channel| ("channel", channel.name().to_owned()));
+    let lines = channel.into_iter().chain(lines);
+    let resolution = (answer.resolution > 0.0).then(|| {
         let change = answer.resolution_error;
         let change = change.map_or_else(|| "unknown".to_owned(), scientific);
-        lines.push((
-            "what the resolution can change, bits".to_owned(),
-            format!("{change} (coordinates ± {:e})", answer.resolution),
-        ));
-    }
+        let change = format!("{change} (coordinates ± {:e})", answer.resolution);
+        ("what the resolution can change, bits", change)
+    });
     lines
+        .chain(resolution)
+        .map(|(quantity, value)| (quantity.to_owned(), value))
+        .collect()
 }
 
 /// The rows that stand out: by their sum, and by their weight.

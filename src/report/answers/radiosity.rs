@@ -2,6 +2,7 @@
 
 use crate::question::{PatchLight, Power, RadiosityAnswer};
 use crate::report::{Report, ReportError, Table, certain_digits, plan_notes, scientific};
+use crate::scene::Channels;
 
 /// Patches that a table shows; records carry all.
 const MOST_ROWS: usize = 100;
@@ -27,6 +28,9 @@ pub fn radiosity_report(answer: &RadiosityAnswer) -> Result<Report, ReportError>
         .any(|patch| patch.importance.is_some())
     {
         columns.push("importance");
+    }
+    if answer.channels.is_some() {
+        columns.extend(["radiosity r", "radiosity g", "radiosity b"]);
     }
     let shown = answer.patches.iter().take(MOST_ROWS);
     let table = Table {
@@ -61,9 +65,12 @@ fn row(patch: &PatchLight, relative_error: f64, is_rounded: bool) -> Vec<String>
         error(patch.form_factor_error),
     ];
     let resolution = is_rounded.then(|| error(patch.resolution_error));
+    let channels = patch.channels.iter().flat_map(Channels::iter);
+    let channels = channels.map(|light| format!("{:.6e}", light.radiosity));
     row.into_iter()
         .chain(resolution)
         .chain(importance)
+        .chain(channels)
         .collect()
 }
 

@@ -14,6 +14,9 @@ pub fn split_report(answer: &SplitAnswer) -> Result<Report, ReportError> {
     let positions: Vec<String> = positions
         .map(|position| certain_digits(*position, answer.position_error))
         .collect();
+    let channel = answer
+        .channel
+        .map(|channel| ("channel", channel.name().to_owned()));
     let rows = [
         ("patch", answer.patch.to_string()),
         ("axis", answer.axis.to_owned()),
@@ -37,9 +40,11 @@ pub fn split_report(answer: &SplitAnswer) -> Result<Report, ReportError> {
     });
     let table = Table {
         columns: vec!["quantity", "value"],
-        rows: rows
+        rows: channel
+            .into_iter()
+            .chain(rows)
             .map(|(name, value)| vec![name.to_owned(), value])
-            .to_vec(),
+            .collect(),
         notes: notes.collect(),
         ..Table::default()
     };

@@ -141,7 +141,8 @@ impl Report {
 
     fn to_csv(&self) -> Result<String, ReportError> {
         let mut writer = csv::Writer::from_writer(Vec::new());
-        if let Some(record) = self.records.first() {
+        let records: Vec<_> = self.records.iter().map(spread).collect();
+        if let Some(record) = records.first() {
             // a list of numbers becomes one cell; curves, lists of points, stay in JSON
             let fits = |value: &Value| match value {
                 Value::Array(list) => list.iter().all(Value::is_number),
@@ -153,7 +154,7 @@ impl Report {
                 .map(|(key, _)| key)
                 .collect();
             writer.write_record(&keys)?;
-            for record in &self.records {
+            for record in &records {
                 let cell = |key: &&String| match record.get(*key) {
                     None | Some(Value::Null) => String::new(),
                     Some(Value::String(text)) => text.clone(),
@@ -172,6 +173,20 @@ impl Report {
             .map_err(|error| csv::Error::from(error.into_error()))?;
         Ok(String::from_utf8_lossy(&bytes).into_owned())
     }
+}
+
+/// A record whose quantities by channel, `channels.r.radiosity`, have keys of their own,
+/// `radiosity_r`.
+fn spread(record: &Map<String, Value>) -> Map<String, Value> {
+    let mut spread = record.clone();
+    if let Some(Value::Object(channels)) = spread.shift_remove("channels") {
+        for (channel, quantities) in channels {
+            for (key, value) in quantities.as_object().into_iter().flatten() {
+                spread.insert(format!("{key}_{channel}"), value.clone());
+            }
+        }
+    }
+    spread
 }
 
 /// Any value as JSON text that ends in a newline.

@@ -118,7 +118,7 @@ impl Scene {
         let rectangle = self.rectangle(index)?;
         let name = self.patches[index].name.clone();
         let patch = &self.patches[index];
-        let material = patch.material;
+        let material = patch.material.clone();
         let own = std::iter::once(&name);
         let wholes: Arc<[String]> = patch.wholes.iter().chain(own).cloned().collect();
         let parts = rectangle
@@ -135,7 +135,7 @@ impl Scene {
             ..self.clone()
         };
         let part = |name, shape| {
-            let part = NamedPatch::new(name, shape).with_material(material);
+            let part = NamedPatch::new(name, shape).with_material(material.clone());
             part.with_wholes(Arc::clone(&wholes))
         };
         scene.patches[index] = part(format!("{name} (near)"), near);

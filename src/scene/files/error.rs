@@ -5,7 +5,7 @@ use crate::scene::{MaterialError, SceneError};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-/// A file was refused: the first fault that its reader met.
+/// One fault of a file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FileError {
     /// The file as it was named.
@@ -50,6 +50,79 @@ impl std::error::Error for FileError {
     }
 }
 
+/// The faults for which a file was refused, those of the files that it names included.
+///
+/// Its text has a line for each of the first [`MOST_TOLD`](Self::MOST_TOLD), and counts the others.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FileErrors {
+    told: Vec<FileError>,
+    more: usize,
+}
+
+impl FileErrors {
+    /// The number of faults that are told.
+    pub const MOST_TOLD: usize = 20;
+
+    /// The first faults, in the order in which they were met; one at least.
+    #[must_use]
+    pub fn told(&self) -> &[FileError] {
+        &self.told
+    }
+
+    /// The number of faults beyond those.
+    #[must_use]
+    pub const fn more(&self) -> usize {
+        self.more
+    }
+
+    /// Adds a fault.
+    pub(crate) fn push(&mut self, fault: FileError) {
+        if self.told.len() < Self::MOST_TOLD {
+            self.told.push(fault);
+        } else {
+            self.more += 1;
+        }
+    }
+
+    /// The value, or the fault, which is added.
+    pub(crate) fn keep<T>(&mut self, found: Result<T, FileError>) -> Option<T> {
+        found.map_err(|fault| self.push(fault)).ok()
+    }
+
+    /// Refuses what has a fault.
+    pub(crate) fn none_or_refused(self) -> Result<(), Self> {
+        if self.told.is_empty() {
+            Ok(())
+        } else {
+            Err(self)
+        }
+    }
+}
+
+impl From<FileError> for FileErrors {
+    fn from(fault: FileError) -> Self {
+        Self {
+            told: vec![fault],
+            more: 0,
+        }
+    }
+}
+
+impl fmt::Display for FileErrors {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (place, fault) in self.told.iter().enumerate() {
+            let end = if place == 0 { "" } else { "\n" };
+            write!(f, "{end}{fault}")?;
+        }
+        match self.more {
+            0 => Ok(()),
+            more => write!(f, "\nand {more} more"),
+        }
+    }
+}
+
+impl std::error::Error for FileErrors {}
+
 /// A name was refused: no built-in scene has it, and no file can be read under it.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -59,7 +132,7 @@ pub enum OpenError {
     Scene(#[from] SceneError),
     /// A file is not a scene.
     #[error(transparent)]
-    File(#[from] FileError),
+    File(#[from] FileErrors),
 }
 
 /// The condition that a file breaks; the message says what would mend it.
@@ -81,18 +154,15 @@ pub enum Fault {
         /// Most bytes that are read.
         limit: u64,
     },
-    /// Neither of the two formats, to judge by its name.
+    /// None of the formats, to judge by its name.
     #[error(
-        "its name does not say what it is: a scene is a Wavefront .obj or a View3D .vs3 file, so \
-         rename or export it"
+        "its name does not say what it is: a scene is a Wavefront .obj, a View3D .vs3 or an .stl \
+         file, so rename or export it"
     )]
     UnknownFormat,
-    /// Bytes that are no text.
-    #[error("byte {column} of the line is not UTF-8: save the file as UTF-8 text")]
-    NotUtf8 {
-        /// Position in the line, from 1.
-        column: usize,
-    },
+    /// Two bytes for each letter.
+    #[error("it is UTF-16: save the file as UTF-8 text")]
+    Utf16,
     /// No patch in the file.
     #[error("it has no patch: {mend}")]
     NoPatch {
@@ -162,12 +232,6 @@ pub enum Fault {
         /// Vertices defined so far.
         defined: usize,
     },
-    /// A corner of a face occurs twice.
-    #[error("vertex {vertex} is a corner twice: name each corner once")]
-    RepeatedCorner {
-        /// Number of the vertex.
-        vertex: String,
-    },
     /// A number that was given before.
     #[error("{what} {number} is defined already, in line {line}: give it another number")]
     DefinedTwice {
@@ -185,6 +249,12 @@ pub enum Fault {
         what: &'static str,
         /// The text as given, shortened.
         given: String,
+    },
+    /// A name that files have in several letter cases.
+    #[error("\"{}\" and \"{}\" both fit: write one of them as it is", names[0], names[1])]
+    Ambiguous {
+        /// The names of two of them.
+        names: [String; 2],
     },
     /// A material file that cannot be used.
     #[error("the material file {}: {source}", file.display())]
@@ -213,8 +283,39 @@ pub enum Fault {
         source: Box<SceneError>,
     },
     /// The last line is not there.
-    #[error("the line \"End of data\" is missing: add it, unless the file was cut short")]
-    NoEnd,
+    #[error("the line \"{last}\" is missing: add it, unless the file was cut short")]
+    NoEnd {
+        /// The beginning of that line.
+        last: &'static str,
+    },
+    /// A statement stands where it cannot.
+    #[error("\"{keyword}\" belongs {place}: move it there")]
+    Misplaced {
+        /// The statement.
+        keyword: String,
+        /// The place for it.
+        place: &'static str,
+    },
+    /// Too few bytes for the head of a binary STL file.
+    #[error(
+        "it has {bytes} bytes and does not begin with \"solid\": an STL file is such a text, or \
+         begins with a head of 84 bytes, so export the shape again"
+    )]
+    NoStlHead {
+        /// Bytes of the file.
+        bytes: usize,
+    },
+    /// The head of a binary STL file counts more facets than there are.
+    #[error(
+        "its head counts {counted} facets and {held} are there: it was cut short, or its head is \
+         wrong, so export the shape again"
+    )]
+    FacetsMissing {
+        /// Facets that the head counts.
+        counted: usize,
+        /// Whole facets in the file.
+        held: usize,
+    },
 }
 
 /// The format has no place for something that the scene has.
@@ -227,6 +328,11 @@ pub struct NotExpressible {
     pub what: String,
     /// The remedy.
     pub mend: &'static str,
+}
+
+impl NotExpressible {
+    /// The remedy of a patch with more corners than the format's faces have.
+    pub const SPLIT: &'static str = "cut it into triangles";
 }
 
 /// The remedy of a shape, as far as the geometry does not name it itself.

@@ -35,6 +35,11 @@ const FEWEST_TELLING: u32 = 4;
 /// The relative distance of two 32-bit floats, twice: an error of two units in the last place.
 const FLOAT_ERROR: f64 = 2.0 * f32::EPSILON as f64;
 
+/// The error of coordinates that were 32-bit floats, the largest of which has this size.
+pub(crate) fn error_of_floats(largest: f64) -> f64 {
+    FLOAT_ERROR * largest
+}
+
 /// The places of all coordinates read so far.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LastPlaces {
@@ -92,7 +97,7 @@ impl LastPlaces {
         let significant = highest.filter(|_| self.digits >= FEWEST_DIGITS);
         let float = !self.is_wider && self.telling >= FEWEST_TELLING;
         let float = if float {
-            FLOAT_ERROR * self.largest
+            error_of_floats(self.largest)
         } else {
             0.0
         };

@@ -1,39 +1,54 @@
-//! Scene files: Wavefront OBJ with MTL, and View3D `.vs3`; read and written.
+//! Scene files: Wavefront OBJ with MTL, View3D `.vs3`, and STL; read and written.
 //!
 //! ```text
 //!   .obj   v x y z | f v…                 one face, one patch    o g: names
-//!          mtllib usemtl: Kd reflectance, Ke emittance
+//!          mtllib usemtl: Kd reflectance, Ke emittance, of three channels
 //!   .vs3   V n x y z | S n v1 v2 v3 v4 base cmb emit name        O: obstructs only
 //!          reflectance = 1 − emit
+//!   .stl   binary or text: one facet, one patch; no materials
 //! ```
 //!
-//! Coordinates may be rounded: a reader takes note of their last place, and the scene takes it as its
-//! [resolution](Scene::resolution) where surfaces miss each other on that scale.
+//! A reader tells all faults of a file, where each is and what would mend it ([`FileErrors`]). What
+//! is clear it mends, what has no effect it ignores, and says so once for each kind
+//! ([`LoadedScene::notes`]). Faults of materials are notes, too, and leave the material of the
+//! patches concerned [unknown](super::PatchMaterial). Numbers are written so that they read back to
+//! the same `f64`. Coordinates may be rounded: a reader takes note of their last place, and the
+//! scene takes it as its [resolution](Scene::resolution) where surfaces miss each other on that
+//! scale.
 //!
-//! A reader stops at the first fault and says where it is and what would mend it ([`FileError`]).
-//! Numbers are written so that they read back to the same `f64`.
+//! Open `obj`, `view3d` or `stl` for a format (each with its `writer`), `source` for lines and
+//! their numbers, `faces` for the way from an outline to patches, `rows` for their rows, `remarks`
+//! for what is mended or ignored, `unknown_materials` for notes on these, `last_place` for the
+//! decimals of coordinates, `decimal` for emissivities, `plain` for what OBJ and STL cannot say, and
+//! `error` for the refusals.
 //!
-//! Open `obj` or `view3d` for a format (each with its `writer`), `source` for lines and their
-//! numbers, `faces` for the triangulation of faces that are not planar, `last_place` for the decimals
-//! of coordinates, `decimal` for emissivities, and `error` for the refusals.
-//!
-//! Both readers are our own: the libraries for OBJ keep coordinates in 32 bits or cut polygons into
-//! triangles, and none says in which line a number is wrong, or which patch is not planar; for
-//! `.vs3` there is none.
+//! All readers are our own: the libraries for OBJ and STL keep coordinates in 32 bits or cut
+//! polygons into triangles, and none says in which line a number is wrong, or which patch is not
+//! planar; for `.vs3` there is none.
 
 pub(crate) mod decimal;
 pub(crate) mod error;
 pub(crate) mod faces;
 pub(crate) mod last_place;
 pub(crate) mod obj;
+pub(crate) mod plain;
+pub(crate) mod remarks;
+pub(crate) mod rows;
 pub(crate) mod source;
+pub(crate) mod stl;
+pub(crate) mod unknown_materials;
 pub(crate) mod view3d;
 
-pub use error::{Fault, FileError, NotExpressible, OpenError};
+pub use error::{Fault, FileError, FileErrors, NotExpressible, OpenError};
+use obj::library;
 pub use obj::read_obj;
+pub(crate) use obj::writer::left_out_of_obj;
 pub use obj::writer::{ObjText, write_obj};
 pub use source::Source;
+pub use stl::read_stl;
+pub use stl::writer::{StlFile, write_stl};
 pub use view3d::read_view3d;
+pub(crate) use view3d::writer::left_out_of_view3d;
 pub use view3d::writer::write_view3d;
 
 use super::{Scene, SceneError};
@@ -72,6 +87,14 @@ impl From<NonPlanarFaces> for Reading {
 }
 
 impl Reading {
+    /// The treatment of faces whose coordinates were written to half a unit in the last place.
+    fn rules(self, half_unit: f64) -> faces::FaceRules {
+        faces::FaceRules {
+            non_planar: self.faces,
+            resolution: self.resolution.unwrap_or(half_unit),
+        }
+    }
+
     /// The scene of a file whose coordinates were written to half a unit in the last place.
     fn resolved(self, scene: Scene, half_unit: f64) -> Result<Scene, SceneError> {
         match self.resolution {
@@ -92,7 +115,7 @@ fn remark(source: &Source, scene: &Scene) -> Option<String> {
 pub struct LoadedScene {
     /// The scene.
     pub scene: Scene,
-    /// Statements that were read and have no effect, a sentence each.
+    /// Mends, and statements that were read and have no effect: a sentence for each kind.
     pub notes: Vec<String>,
 }
 
@@ -123,8 +146,8 @@ fn is_path(name: &str) -> bool {
 /// Reads a scene file; what follows the last dot of its name says of which format it is.
 ///
 /// # Errors
-/// A [`FileError`] at the first fault.
-pub fn read(path: &Path, reading: impl Into<Reading>) -> Result<LoadedScene, FileError> {
+/// All faults of the file.
+pub fn read(path: &Path, reading: impl Into<Reading>) -> Result<LoadedScene, FileErrors> {
     let reading = reading.into();
     let extension = path
         .extension()
@@ -135,13 +158,15 @@ pub fn read(path: &Path, reading: impl Into<Reading>) -> Result<LoadedScene, Fil
             .is_some_and(|extension| extension.eq_ignore_ascii_case(format))
     };
     if is("obj") {
-        let beside = |name: &str| Source::read(&path.with_file_name(name));
+        let beside = |name: &str| library::read_beside(path, name);
         read_obj(&Source::read(path)?, &beside, reading)
     } else if is("vs3") {
         read_view3d(&Source::read(path)?, reading)
+    } else if is("stl") {
+        read_stl(path, Source::bytes(path)?, reading)
     } else {
         Source::check(path)?;
-        Err(FileError::of_file(path, Fault::UnknownFormat))
+        Err(FileError::of_file(path, Fault::UnknownFormat).into())
     }
 }
 

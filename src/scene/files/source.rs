@@ -13,6 +13,8 @@ const LARGEST: u64 = 1 << 28;
 pub struct Source {
     file: PathBuf,
     text: String,
+    /// The number of bytes that are not UTF-8, and the line of the first.
+    latin_1: Option<(usize, usize)>,
 }
 
 impl Source {
@@ -22,41 +24,57 @@ impl Source {
         Self {
             file: file.into(),
             text: text.into(),
+            latin_1: None,
         }
     }
 
-    /// The text that these bytes are, in UTF-8 with or without a byte order mark.
+    /// The text that these bytes are: UTF-8 with or without a byte order mark; bytes that are not
+    /// UTF-8 are read as Latin-1.
     ///
     /// # Errors
-    /// [`Fault::NotUtf8`] with the line.
+    /// [`Fault::Utf16`].
     pub fn from_bytes(file: impl Into<PathBuf>, bytes: Vec<u8>) -> Result<Self, FileError> {
         let file = file.into();
-        match String::from_utf8(bytes) {
-            Ok(mut text) => {
-                if text.starts_with('\u{feff}') {
-                    text.drain(..'\u{feff}'.len_utf8());
-                }
-                Ok(Self { file, text })
-            }
-            Err(error) => {
-                let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-                let lines = valid.split(|byte| *byte == b'\n');
-                let column = 1 + lines.clone().next_back().map_or(0, <[u8]>::len);
-                let line = Some(lines.count());
-                let fault = Fault::NotUtf8 { column };
-                Err(FileError {
-                    line,
-                    ..FileError::of_file(&file, fault)
-                })
-            }
+        if let [0xff, 0xfe, ..] | [0xfe, 0xff, ..] | [0, _, ..] | [_, 0, ..] = bytes.as_slice() {
+            return Err(FileError::of_file(&file, Fault::Utf16));
         }
+        let mut latin_1 = None;
+        let mut text = String::from_utf8(bytes).unwrap_or_else(|error| {
+            let valid = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+            let line = 1 + line_ends(&String::from_utf8_lossy(valid));
+            let mut count = 0;
+            let mut text = String::with_capacity(error.as_bytes().len());
+            for chunk in error.as_bytes().utf8_chunks() {
+                text.push_str(chunk.valid());
+                text.extend(chunk.invalid().iter().map(|byte| char::from(*byte)));
+                count += chunk.invalid().len();
+            }
+            latin_1 = Some((count, line));
+            text
+        });
+        if text.starts_with('\u{feff}') {
+            text.drain(..'\u{feff}'.len_utf8());
+        }
+        Ok(Self {
+            file,
+            text,
+            latin_1,
+        })
     }
 
     /// The text of a file.
     ///
     /// # Errors
-    /// [`Fault::CannotRead`], [`Fault::IsFolder`], [`Fault::TooLarge`], [`Fault::NotUtf8`].
+    /// [`Fault::CannotRead`], [`Fault::IsFolder`], [`Fault::TooLarge`], [`Fault::Utf16`].
     pub fn read(path: &Path) -> Result<Self, FileError> {
+        Self::from_bytes(path, Self::bytes(path)?)
+    }
+
+    /// The bytes of a file.
+    ///
+    /// # Errors
+    /// [`Fault::CannotRead`], [`Fault::IsFolder`], [`Fault::TooLarge`].
+    pub(crate) fn bytes(path: &Path) -> Result<Vec<u8>, FileError> {
         Self::check(path)?;
         let mut bytes = Vec::new();
         fs::File::open(path)
@@ -65,7 +83,7 @@ impl Source {
         if bytes.len() as u64 > LARGEST {
             return Err(FileError::of_file(path, Fault::TooLarge { limit: LARGEST }));
         }
-        Self::from_bytes(path, bytes)
+        Ok(bytes)
     }
 
     /// Checks that there is a file that could be read.
@@ -86,9 +104,15 @@ impl Source {
         &self.file
     }
 
-    /// The lines, without their ends and numbered from 1.
+    /// The number of bytes that are not UTF-8, and the line of the first, if there are any.
+    pub(crate) const fn latin_1(&self) -> Option<(usize, usize)> {
+        self.latin_1
+    }
+
+    /// The lines, without their ends and numbered from 1; they end in LF, CR or both.
     pub(crate) fn lines(&self) -> impl Iterator<Item = (usize, &str)> {
-        self.text.lines().zip(1..).map(|(text, line)| (line, text))
+        let lines = self.text.lines().flat_map(|line| line.split('\r'));
+        lines.zip(1..).map(|(text, line)| (line, text))
     }
 
     /// A fault in a line of this file.
@@ -106,6 +130,12 @@ impl Source {
             ..self.fault(line, fault)
         }
     }
+}
+
+/// The number of line ends in a text.
+fn line_ends(text: &str) -> usize {
+    let returns = text.matches('\r').count() - text.matches("\r\n").count();
+    returns + text.matches('\n').count()
 }
 
 fn cannot_read(path: &Path, error: &std::io::Error) -> FileError {

@@ -278,7 +278,7 @@ fn weights_of_a_varying_solution_are_row_sums() {
     // the light of a bright face of a cube on the others, where it is smooth: between two facing
     // squares in the open
     let scene = Scene::facing_squares(1.0).unwrap();
-    let (fine, parents) = scene.subdivided(5).unwrap();
+    let (fine, parents) = scene.subdivided(4).unwrap();
     let exchange = fine.exchange_areas().unwrap();
     let materials: Vec<Material> = parents
         .iter()

@@ -1,5 +1,6 @@
 //! Values computed in doubles agree with their enclosures, over all configurations.
 
+use crate::support::breadth::some_of;
 use glam::DVec3;
 use infoscene::discretize::{
     BestGrid, BoxGrid, CertifiedCut, CertifiedGrid, Cut, GradientCut, PatchSplit, UNIT_CUBE,
@@ -126,7 +127,7 @@ const FLAT_POSITION: f64 = 4.0 * tolerance::POSITION;
 /// `tolerance::GAIN`; and all these are certified.
 #[test]
 fn best_cuts_agree_with_certified_ones() {
-    for example in examples() {
+    for example in some_of(examples()) {
         let Example {
             scene,
             against,
@@ -247,7 +248,7 @@ fn grids_agree_with_certified_ones() {
         let allowed = tolerance::GRID_INFORMATION * fast;
         assert_near(fast, &enclosure, allowed, &format!("{cells} regular cells"));
     }
-    (1..=5).for_each(assert_best_grid);
+    some_of([4, 5, 3, 2, 1]).for_each(assert_best_grid);
 }
 
 /// A floor that reaches behind the wall's plane, up to a share of it, where it is dark.

@@ -200,7 +200,7 @@ fn all_ways_to_the_rows_agree() {
 }
 
 #[test]
-fn a_row_has_a_material_if_its_patches_agree() {
+fn a_row_has_a_reflectance_if_its_patches_agree() {
     let mut patches = Scene::built_in("cube:1").unwrap().patches()[1..].to_vec();
     let paint = Material::try_new(0.5, 1.0).unwrap();
     patches[0] = patches[0].clone().with_material(paint);
@@ -208,18 +208,23 @@ fn a_row_has_a_material_if_its_patches_agree() {
     let scene = Scene::try_new(patches).unwrap();
     let same = scene.clone().with_groups(&[0, 1, 1, 0, 2]).unwrap();
     assert_eq!(
-        [0, 1, 2].map(|row| same.group_material(row).unwrap()),
-        [paint, Material::BLACK, Material::BLACK]
+        [0, 1, 2].map(|row| same.group_reflectance(row).unwrap().g),
+        [0.5, 0.0, 0.0]
     );
+    assert_eq!(same.group_emittance(0).unwrap().b, 1.0);
     assert_eq!(same.group_names(), ["ceiling 0,0", "left 0,0", "back 0,0"]);
     let none = SceneError::NoSuchPatch { index: 3, last: 2 };
-    assert_eq!(same.group_material(3).unwrap_err(), none);
+    assert_eq!(same.group_reflectance(3).unwrap_err(), none);
     let mixed = scene.with_groups(&[0, 1, 0, 2, 3]).unwrap();
-    let refusal = mixed.group_material(0).unwrap_err().to_string();
-    assert!(
-        refusal.contains("(ceiling 0,0)") && refusal.contains("(right 0,0)"),
-        "{refusal}"
-    );
+    for (what, refused) in [
+        ("reflectance", mixed.group_reflectance(0)),
+        ("emittance", mixed.group_emittance(0)),
+    ] {
+        let refusal = refused.unwrap_err().to_string();
+        for part in ["(ceiling 0,0)", "(right 0,0)", what] {
+            assert!(refusal.contains(part), "{refusal}");
+        }
+    }
 }
 
 /// Every pass tells of each pair once, whether it is left out or not.

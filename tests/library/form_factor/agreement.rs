@@ -5,6 +5,7 @@
 //!   |value − A F| ≤ 1e-12 A F          as asked for
 //! ```
 
+use crate::support::breadth::some_of;
 use crate::support::references::rows;
 use infoscene::form_factor::{Answer, DEFAULT_TOLERANCE, Polygon};
 use infoscene::reference::exchange as reference;
@@ -122,7 +123,7 @@ fn assert_agreement(families: &[Family], count: u64) {
 /// `|value − A F| ≤ min(error, 1e-12 A F)` for some pairs of each family.
 #[test]
 fn answers_agree_with_the_slow_reference() {
-    assert_agreement(&Family::ALL, 2);
+    assert_agreement(&Family::ALL, some_of([1, 2]).last().unwrap_or(1));
 }
 
 /// All of this for 200 pairs of each family; the number may be set, and one family chosen.

@@ -4,8 +4,8 @@
 use infoscene::exchange::{ExchangeError, Unheard};
 use infoscene::information::OpenScene;
 use infoscene::question::{
-    FormFactors, Light, MaterialChanges, Measure, QuestionError, Radiosity, Sample, SceneSource,
-    Split,
+    FormFactors, Light, MaterialChanges, MatrixEntries, Measure, QuestionError, Radiosity, Sample,
+    SceneSource, Split,
 };
 use infoscene::scene::files::{NonPlanarFaces, Source, read_obj};
 use infoscene::scene::{Occlusion, Scene, SceneError};
@@ -138,9 +138,9 @@ fn a_matrix_has_the_form_factors_of_the_records_and_comes_only_if_asked_for() {
     let answer = question.ask(&Unheard).unwrap();
     let mut first = Vec::new();
     let matrix = answer.matrix().unwrap();
-    let unreached = matrix.for_each_row(|from, row| {
-        if from == 0 {
-            first = row.to_vec();
+    let unreached = matrix.for_each_line(|line| {
+        if line.index() == 0 {
+            first = line.row(MatrixEntries::FormFactors).collect();
         }
         Ok::<(), ExchangeError>(())
     });

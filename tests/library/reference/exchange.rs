@@ -1,5 +1,6 @@
 //! The slow reference against values from outside, and against enclosures of rectangles.
 
+use crate::support::breadth::some_of;
 use crate::support::references::rows;
 use glam::DVec3;
 use infoscene::form_factor::RectanglePair;
@@ -99,7 +100,7 @@ fn the_reference_gives_the_digits_asked_for() {
     let base = patch([DVec3::X, DVec3::Z, DVec3::Y]);
     let like = Interval::precise(1.0, 256);
     let exact = like.constant(0.5) / &like.constant(3.0).sqrt();
-    for digits in [3, 6, 12, 18, 24] {
+    for digits in some_of([3, 6, 12, 24, 18]) {
         let relative = 10f64.powi(-digits);
         let found = reference::exchange_area(&leg, &base, relative).unwrap();
         let difference = (as_interval(&found, &like) - &exact).abs().to_f64();

@@ -1,8 +1,10 @@
 //! The promise that no answer carries NaN or infinity.
 
-use infoscene::question::{FormFactorRecord, PatchRecord};
+use infoscene::exchange::Unheard;
+use infoscene::form_factor::{Answer, ExchangeArea, Route};
+use infoscene::question::{FormFactorRecord, FormFactors, MatrixEntries, MatrixLine, PatchRecord};
 use infoscene::report::{
-    Format, Report, ReportError, Table, json_text, write_form_factors, write_npy_row,
+    Format, MatrixFormat, MatrixWriter, Report, ReportError, Table, json_text, write_form_factors,
 };
 use infoscene::scene::Scene;
 use serde::Serialize;
@@ -147,8 +149,29 @@ fn form_factors_that_are_not_finite_are_named_in_every_format() {
 
 #[test]
 fn a_matrix_with_nan_is_refused() {
-    let written = write_npy_row(Vec::new(), 2, [0.5, f64::NAN]);
-    assert_eq!(refused_key(written), "matrix[2][1]");
+    let question = FormFactors {
+        scene: "two-squares".into(),
+        matrix: true,
+        ..FormFactors::default()
+    };
+    let answer = question.ask(&Unheard).unwrap();
+    let matrix = answer.matrix().unwrap();
+    let exchange = |value| Answer {
+        exchange: ExchangeArea { value, error: 0.0 },
+        route: Route::Coplanar,
+    };
+    let answers = [exchange(0.5), exchange(f64::NAN)];
+    let line = MatrixLine::new(1, &answers, &[[1.0, 0.0]; 2]);
+    for format in [
+        MatrixFormat::Npy,
+        MatrixFormat::Coordinates,
+        MatrixFormat::Array,
+        MatrixFormat::Triplets,
+        MatrixFormat::View3d,
+    ] {
+        let begun = MatrixWriter::begin(Vec::new(), format, MatrixEntries::FormFactors, &matrix);
+        assert_eq!(refused_key(begun.unwrap().line(&line)), "matrix[1][1]");
+    }
 }
 
 /// A campaign whose first case is a counterexample has seen no gain: null, and not 0.

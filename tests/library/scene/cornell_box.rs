@@ -118,7 +118,7 @@ fn reflectances_are_the_published_ones() {
         ("front", 0.0, 0.0),
     ] {
         for patch in named(&scene, name) {
-            let material = patch.material();
+            let material = patch.material().grey().unwrap();
             assert_eq!(
                 (material.reflectance(), material.emittance()),
                 (reflectance, emittance)

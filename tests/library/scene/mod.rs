@@ -4,6 +4,7 @@ mod blockers;
 mod cornell_box;
 mod files;
 mod fronts;
+mod joined;
 mod joints;
 mod overlap;
 mod parts;

@@ -137,7 +137,11 @@ fn cutting_keeps_base_row_and_material() {
         (cut.base_of(2), cut.net_area(0), cut.group_count()),
         (Some(0), 0.75, 3)
     );
-    assert!(cut.patches().iter().all(|patch| patch.material() == paint));
+    assert!(
+        cut.patches()
+            .iter()
+            .all(|patch| patch.material().grey() == Some(paint))
+    );
     let one_row = whole.clone().with_groups(&["row", "row"]).unwrap();
     let cut = one_row.with_patch_split(1, SplitAxis::U, 0.5).unwrap();
     assert_eq!((cut.group_of(2), cut.group_count()), (0, 1));

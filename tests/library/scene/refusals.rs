@@ -5,7 +5,7 @@ use infoscene::scene::{Scene, SceneError};
 #[test]
 fn unknown_scenes_and_patches_are_refused() {
     for name in [
-        "", "sphere", "cube:", "cube:0", "cube:65", "cube:-1", "cube:1.5",
+        "", "sphere", "cube:", "cube:0", "cube:257", "cube:-1", "cube:1.5",
     ] {
         assert!(
             matches!(Scene::built_in(name), Err(SceneError::UnknownName { .. })),

@@ -34,14 +34,12 @@ fn what_is_emitted_is_absorbed_or_escapes() {
         let exchange = scene.exchange_areas().unwrap();
         let n = exchange.rows();
         let closure = Closure::of_held(&exchange);
-        // every fourth patch reflects nothing
+        // every fourth patch reflects nothing, another one all
         let reflectances: Vec<f64> = (0..n)
-            .map(|patch| {
-                if patch % 4 == 1 {
-                    0.0
-                } else {
-                    uneven(patch, 1)
-                }
+            .map(|patch| match patch % 4 {
+                1 => 0.0,
+                2 => 1.0,
+                _ => uneven(patch, 1),
             })
             .collect();
         let emittances: Vec<f64> = (0..n).map(|patch| uneven(patch, 2)).collect();
@@ -88,10 +86,10 @@ fn importance_is_adjoint_to_radiosity() {
         let n = exchange.rows();
         let materials: Vec<_> = (0..n)
             .map(|patch| {
-                let reflectance = if patch % 5 == 2 {
-                    0.0
-                } else {
-                    uneven(patch, 4)
+                let reflectance = match patch % 5 {
+                    2 => 0.0,
+                    3 => 1.0,
+                    _ => uneven(patch, 4),
                 };
                 infoscene::scene::Material::try_new(reflectance, 0.0).unwrap()
             })

@@ -2,8 +2,9 @@
 
 use super::{closed_scenes, uneven};
 use infoscene::exchange::{Congruence, ScenePairs};
+use infoscene::numeric::Symmetric;
 use infoscene::scene::{Material, Occlusion, Scene};
-use infoscene::transport::RadiositySystem;
+use infoscene::transport::{DenseExchange, ExchangeRows, RadiositySystem};
 
 /// Form factors asked for 1e-3 … 1e-9 only: their errors move the radiosities by no more than the
 /// bound says, in closed scenes and open ones.
@@ -16,10 +17,10 @@ fn form_factor_errors_stay_within_their_bound() {
         let n = scene.patches().len();
         let materials: Vec<Material> = (0..n)
             .map(|patch| {
-                let reflectance = if patch % 4 == 1 {
-                    0.0
-                } else {
-                    0.9 * uneven(patch, 1)
+                let reflectance = match patch % 4 {
+                    1 => 0.0,
+                    2 => 1.0,
+                    _ => 0.9 * uneven(patch, 1),
                 };
                 Material::try_new(reflectance, 0.0).unwrap()
             })
@@ -61,7 +62,7 @@ fn bounds_follow_the_form_factors() {
     let materials: Vec<Material> = scene
         .patches()
         .iter()
-        .map(|patch| patch.material())
+        .map(|patch| patch.material().grey().unwrap())
         .collect();
     let emittances: Vec<f64> = materials.iter().map(Material::emittance).collect();
     let largest = |tolerance: f64| {
@@ -102,5 +103,29 @@ fn the_bound_is_no_lower_than_what_one_error_does() {
     assert!(
         moved > 0.0 && (moved..2.0 * moved).contains(&bound),
         "{moved:e} {bound:e}"
+    );
+}
+
+/// A row of the open that sees itself, as summed patches may: `B = E/(1 − R J_ii)` with A = 1, and
+/// an error of J_ii moves it within the bound.
+#[test]
+fn errors_of_a_rows_own_exchange_enter_the_bound() {
+    let solved = |own: f64, bound: f64| {
+        let rows = ExchangeRows {
+            own: vec![own],
+            own_bounds: vec![bound],
+            open_areas: vec![Some(1.0)],
+        };
+        let none = || DenseExchange::from(Symmetric::filled(1, 0.0));
+        let room = RadiositySystem::try_new(none(), Some(none()), rows, vec![0.8]).unwrap();
+        room.radiosity(&[1.0]).unwrap()
+    };
+    let found = solved(0.5, 1e-3);
+    assert!((found.values[0] - 1.0 / 0.6).abs() < 1e-15);
+    let moved = solved(0.501, 0.0).values[0] - found.values[0];
+    let bound = found.form_factor_errors.unwrap()[0];
+    assert!(
+        moved > 1e-3 && (moved..1.1 * moved).contains(&bound),
+        "{moved} {bound}"
     );
 }

@@ -1,5 +1,6 @@
 //! Radiosity and importance: exact gates, bounds against truth, chains, walks.
 
+mod adiabatic;
 mod balance;
 mod bounds;
 mod furnaces;

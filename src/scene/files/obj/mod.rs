@@ -6,31 +6,44 @@
 //!                                  the last so far
 //!   o name, g name                 the name of a face, before its number among those of that name,
 //!                                  from 0
-//!   mtllib file, usemtl name       reflectance and emittance (MTL); black without
+//!   mtllib file, usemtl name       reflectance and emittance (MTL); black without usemtl
 //! ```
 //!
-//! The front of a face is the side from which it runs counter-clockwise. `#` begins a comment, a
-//! backslash at its end continues a line. Texture coordinates, normals and smoothing groups are
-//! read over; points and lines, which have no area, are noted as left out.
+//! The front of a face is the side from which it runs counter-clockwise. `#` begins a comment, but
+//! belongs to a name, which is all of its line; a backslash at its end continues a line. Texture
+//! coordinates, normals and smoothing groups are read over; points and lines, which have no area,
+//! and statements that nobody knows are noted as left out.
 //!
 //! **Not covered**: curves and free-form surfaces, which are refused.
 
+pub(crate) mod library;
+pub(crate) mod materials;
 pub(crate) mod mtl;
 pub(crate) mod writer;
 
-use super::error::{Fault, FileError, excerpt};
-use super::faces::patches_of_face;
+use super::error::{Fault, FileError, FileErrors, excerpt};
+use super::faces::{Face, FaceRules, face_of};
 use super::last_place::LastPlaces;
+use super::remarks::{Remark, Remarks};
+use super::rows::Rows;
 use super::source::{Source, number};
-use super::{LoadedScene, NonPlanarFaces, Reading, remark};
-use crate::scene::{Material, NamedPatch, Scene};
+use super::unknown_materials::notes_on_unknown_materials;
+use super::{LoadedScene, Reading, remark};
+use crate::scene::{NamedPatch, PatchMaterial, Scene};
 use glam::DVec3;
-use mtl::read_mtl;
+use materials::Materials;
 use std::borrow::Cow;
 use std::collections::HashMap;
+use std::sync::Arc;
 
 const VERTEX: &str = "\"v x y z\"";
 const FACE: &str = "\"f a b c\", with a vertex number for each corner";
+
+/// Statements that give a name: all of the line, `#` included.
+const NAMING: [&str; 4] = ["o", "g", "usemtl", "mtllib"];
+
+/// Numbers that may follow the coordinates of a vertex: a weight, or a colour and its opacity.
+const MOST_AFTER_COORDINATES: usize = 4;
 
 /// Statements without an effect on the shape of a face or on diffuse light.
 const SILENT: [&str; 14] = [
@@ -59,41 +72,56 @@ const FREE_FORM: [&str; 17] = [
 /// The scene in an OBJ file; `library` finds a material file by the name that `mtllib` gives.
 ///
 /// # Errors
-/// A [`FileError`] at the first fault, in this file or in a material file.
+/// The faults of this file; those of materials are notes.
 pub fn read_obj(
     source: &Source,
     library: &dyn Fn(&str) -> Result<Source, FileError>,
     reading: impl Into<Reading>,
-) -> Result<LoadedScene, FileError> {
+) -> Result<LoadedScene, FileErrors> {
     let reading = reading.into();
     let half_unit = last_places(source).half_unit();
+    let lines: Vec<_> = logical_lines(source)
+        .filter(|(_, text)| split(text).0 == "mtllib")
+        .collect();
+    let named = lines.iter().map(|(line, text)| (*line, split(text).1));
     let mut reader = Reader {
         source,
-        library,
-        faces: reading.faces,
-        resolution: reading.resolution.unwrap_or(half_unit),
+        rules: reading.rules(half_unit),
         vertices: Vec::new(),
-        materials: HashMap::new(),
-        material: Material::BLACK,
+        materials: Materials::of(source, named, library),
+        material: PatchMaterial::BLACK,
         object: String::new(),
         group: String::new(),
+        wholes: Arc::default(),
+        faces: 0,
+        faulty: 0,
         faces_named: HashMap::new(),
         patches: Vec::new(),
-        notes: Vec::new(),
+        rows: Rows::default(),
+        remarks: Remarks::of(source),
     };
+    // a list that grows takes its memory twice for a moment
+    let may_be_face = |text: &str| text.starts_with('f') && text.len() >= "f 1 2 3".len();
+    let faces = source.lines().filter(|(_, text)| may_be_face(text));
+    reader.patches.reserve(faces.count());
+    let mut faults = FileErrors::default();
     for (line, text) in logical_lines(source) {
-        reader.statement(line, &text)?;
+        faults.keep(reader.statement(line, &text));
     }
-    let Reader {
-        patches, mut notes, ..
-    } = reader;
-    let mend = "a face is a line \"f a b c\"";
-    let scene = Scene::try_new(patches)
-        .map_err(|_| FileError::of_file(source.file(), Fault::NoPatch { mend }))?;
-    let scene = reading.resolved(scene, half_unit).map_err(|error| {
-        let error = Box::new(error);
-        FileError::of_file(source.file(), Fault::Scene { source: error })
-    })?;
+    faults.none_or_refused()?;
+    let mut notes = reader.remarks.into_notes(source.file());
+    notes.append(&mut reader.materials.into_notes());
+    notes.append(&mut notes_on_unknown_materials(&reader.patches));
+    let mend = "a face with an area is a line \"f a b c\"";
+    let whole = |fault| FileError::of_file(source.file(), fault);
+    let scene = Scene::try_new(reader.patches).map_err(|_| whole(Fault::NoPatch { mend }))?;
+    let refused = |error| {
+        whole(Fault::Scene {
+            source: Box::new(error),
+        })
+    };
+    let scene = reading.resolved(scene, half_unit).map_err(refused)?;
+    let scene = reader.rows.of(scene).map_err(refused)?;
     notes.extend(remark(source, &scene));
     Ok(LoadedScene { scene, notes })
 }
@@ -115,9 +143,19 @@ fn last_places(source: &Source) -> LastPlaces {
 /// Lines without comments; those that end in a backslash are joined with the next.
 fn logical_lines(source: &Source) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let mut lines = source.lines();
-    let bare = |text: &'_ str| text.split('#').next().map_or(0, str::len);
     std::iter::from_fn(move || {
         let (line, text) = lines.next()?;
+        let keyword = text.split_whitespace().next().unwrap_or_default();
+        let comment = if NAMING.contains(&keyword) {
+            None
+        } else {
+            Some('#')
+        };
+        let bare = |text: &'_ str| {
+            text.split(|c| Some(c) == comment)
+                .next()
+                .map_or(0, str::len)
+        };
         let text = &text[..bare(text)];
         let Some(start) = text.trim_end().strip_suffix('\\') else {
             return Some((line, Cow::Borrowed(text)));
@@ -135,51 +173,67 @@ fn logical_lines(source: &Source) -> impl Iterator<Item = (usize, Cow<'_, str>)>
     })
 }
 
+/// The keyword of a line, and the rest.
+fn split(text: &str) -> (&str, &str) {
+    let text = text.trim();
+    text.split_once(char::is_whitespace).unwrap_or((text, ""))
+}
+
 struct Reader<'a> {
     source: &'a Source,
-    library: &'a dyn Fn(&str) -> Result<Source, FileError>,
-    faces: NonPlanarFaces,
-    resolution: f64,
+    rules: FaceRules,
+    /// A vertex that is at fault keeps its number, and is not finite.
     vertices: Vec<DVec3>,
-    materials: HashMap<String, Material>,
-    material: Material,
+    materials: Materials<'a>,
+    /// The material in use.
+    material: PatchMaterial,
     object: String,
     group: String,
+    /// The names of object and group, which those of their faces begin with.
+    wholes: Arc<[String]>,
+    /// The number of faces with patches so far.
+    faces: usize,
+    /// The number of faces that are at fault.
+    faulty: usize,
     faces_named: HashMap<String, usize>,
     patches: Vec<NamedPatch>,
-    notes: Vec<String>,
+    rows: Rows,
+    remarks: Remarks,
 }
 
 impl Reader<'_> {
     fn statement(&mut self, line: usize, text: &str) -> Result<(), FileError> {
         let at = |fault| self.source.fault(line, fault);
-        let text = text.trim();
-        let (keyword, rest) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
+        let (keyword, rest) = split(text);
         let name = || rest.split_whitespace().collect::<Vec<_>>().join(" ");
         match keyword {
             "" => {}
-            "v" => self.vertices.push(vertex(rest).map_err(at)?),
-            "f" | "fo" => self.face(line, rest)?,
-            "o" => self.object = name(),
+            "v" | "V" => {
+                let vertex = vertex(rest).map_err(at);
+                let place = vertex.as_ref().map_or(DVec3::NAN, |(vertex, _)| *vertex);
+                self.vertices.push(place);
+                if !vertex?.1 {
+                    self.remarks.count(Remark::AfterCoordinates, line);
+                }
+            }
+            "f" | "F" | "fo" => self.face(line, rest)?,
+            "o" => {
+                self.object = self.remarks.short_name(line, name());
+                self.wholes = self.wholes();
+            }
             "g" => {
-                let name = name();
+                let name = self.remarks.short_name(line, name());
                 self.group = if name == "default" {
                     String::new()
                 } else {
                     name
                 };
+                self.wholes = self.wholes();
             }
-            "usemtl" => {
-                let name = name();
-                self.material = *self.materials.get(&name).ok_or_else(|| {
-                    at(Fault::Undefined {
-                        what: "material",
-                        given: excerpt(&name),
-                    })
-                })?;
-            }
-            "mtllib" => self.materials_of(line, rest.trim())?,
-            "p" | "l" => self.note(format!("\"{keyword}\" has no area and is left out")),
+            "usemtl" => self.material = self.materials.named(line, rest),
+            "mtllib" => {} // read before
+            "p" => self.remarks.count(Remark::LeftOut("p"), line),
+            "l" => self.remarks.count(Remark::LeftOut("l"), line),
             _ if SILENT.contains(&keyword) => {}
             _ if FREE_FORM.contains(&keyword) => {
                 return Err(at(Fault::NotSupported {
@@ -187,93 +241,86 @@ impl Reader<'_> {
                     mend: "export the surface as polygons",
                 }));
             }
-            _ => {
-                return Err(at(Fault::UnknownKeyword {
-                    format: "Wavefront OBJ",
-                    keyword: excerpt(keyword),
-                }));
-            }
-        }
-        Ok(())
-    }
-
-    /// One file, or, if there is none of that name, several files separated by spaces.
-    fn materials_of(&mut self, line: usize, names: &str) -> Result<(), FileError> {
-        if names.is_empty() {
-            let (what, form) = ("the name of the material file", "\"mtllib file.mtl\"");
-            return Err(self.source.fault(line, Fault::Missing { what, form }));
-        }
-        let libraries = match (self.library)(names) {
-            Ok(library) => vec![library],
-            Err(error) => {
-                let several: Vec<&str> = names.split_whitespace().collect();
-                let read = several.iter().map(|name| (self.library)(name));
-                let read: Result<Vec<_>, _> = read.collect();
-                let only_one = several.len() == 1;
-                read.map_err(|other| if only_one { error } else { other })
-                    .map_err(|error| match error {
-                        // a line of the library itself is at fault
-                        FileError { line: Some(_), .. } => error,
-                        FileError { file, fault, .. } => {
-                            let source = Box::new(fault);
-                            self.source.fault(line, Fault::Library { file, source })
-                        }
-                    })?
-            }
-        };
-        for library in &libraries {
-            read_mtl(library, &mut self.materials, &mut self.notes)?;
+            _ => self.remarks.ignore(keyword, line),
         }
         Ok(())
     }
 
     fn face(&mut self, line: usize, rest: &str) -> Result<(), FileError> {
-        let named: Vec<&str> = [self.object.as_str(), self.group.as_str()]
-            .into_iter()
-            .filter(|name| !name.is_empty())
-            .collect();
-        let group = if named.is_empty() {
-            "face".to_owned()
-        } else {
-            named.join(" ")
-        };
+        let whole = self.wholes.last().map_or("face", String::as_str);
+        let group = whole.to_owned();
         let number = self.faces_named.entry(group.clone()).or_insert(0);
         let name = format!("{group} {number}");
         *number += 1;
-        let index = self.patches.len();
-        let at = |fault| {
-            let patch = format!("{index} ({})", excerpt(&name));
-            self.source.patch_fault(line, patch, fault)
+        let index = self.rows.len() + self.faulty;
+        let face = self.corners(rest).and_then(|corners| {
+            // the fault of a vertex is told already
+            let is_known = corners.iter().all(|corner| corner.is_finite());
+            let face = is_known.then(|| face_of(corners, self.rules)).transpose();
+            face.map_err(|source| Fault::Geometry { source })
+        });
+        let Ok(Some(face)) = face else {
+            self.faulty += 1;
+            return face.map(|_| ()).map_err(|fault| {
+                let patch = format!("{index} ({})", excerpt(&name));
+                self.source.patch_fault(line, patch, fault)
+            });
         };
-        let corners = self.corners(rest).map_err(at)?;
-        let patches = patches_of_face(corners, self.faces, self.resolution)
-            .map_err(|source| at(Fault::Geometry { source }))?;
-        let parts = patches.len();
-        for (part, shape) in patches.into_iter().enumerate() {
-            let name = if parts == 1 {
-                name.clone()
-            } else {
-                format!("{name} (triangle {part})")
-            };
-            let patch = NamedPatch::new(name, shape).with_material(self.material);
-            self.patches.push(patch);
-        }
+        self.remarks.count_face(&face, line);
+        self.add(name, face);
         Ok(())
     }
 
+    fn add(&mut self, name: String, face: Face) {
+        let Face {
+            patches, is_split, ..
+        } = face;
+        if patches.is_empty() {
+            self.rows.push_empty(name, self.material.clone());
+            return;
+        }
+        self.rows.push(self.faces, patches.len(), is_split);
+        self.faces += 1;
+        let wholes = if is_split {
+            let face = std::iter::once(&name);
+            self.wholes.iter().chain(face).cloned().collect()
+        } else {
+            Arc::clone(&self.wholes)
+        };
+        for (part, shape) in patches.into_iter().enumerate() {
+            let name = if is_split {
+                format!("{name} (triangle {part})")
+            } else {
+                name.clone()
+            };
+            let patch = NamedPatch::new(name, shape).with_material(self.material.clone());
+            self.patches.push(patch.with_wholes(Arc::clone(&wholes)));
+        }
+    }
+
+    /// The names of object and group, and of both if there are both.
+    fn wholes(&self) -> Arc<[String]> {
+        let (object, group) = (self.object.as_str(), self.group.as_str());
+        let both = format!("{object} {group}");
+        let names: &[&str] = match (object, group) {
+            ("", "") => &[],
+            (one, "") | ("", one) => &[one],
+            (object, group) => &[object, group, &both],
+        };
+        names.iter().map(|name| (*name).to_owned()).collect()
+    }
+
     fn corners(&self, rest: &str) -> Result<Vec<DVec3>, Fault> {
-        let mut named = HashMap::new();
-        let corners = rest.split_whitespace().map(|corner| {
+        let mut corners = rest.split_whitespace().peekable();
+        if corners.peek().is_none() {
+            let (what, form) = ("the first corner", FACE);
+            return Err(Fault::Missing { what, form });
+        }
+        let place = |corner: &str| {
             let given = corner.split('/').next().unwrap_or_default();
-            let vertex = self.vertex_at(given)?;
-            match named.insert(vertex, ()) {
-                None => Ok(self.vertices[vertex]),
-                Some(()) => Err(Fault::RepeatedCorner {
-                    vertex: excerpt(given),
-                }),
-            }
-        });
-        corners.collect()
+            Ok(self.vertices[self.vertex_at(given)?])
+        };
+        corners.map(place).collect()
     }
 
     fn vertex_at(&self, given: &str) -> Result<usize, Fault> {
@@ -299,30 +346,15 @@ impl Reader<'_> {
                 defined,
             })
     }
-
-    fn note(&mut self, text: String) {
-        let note = format!("{}: {text}", self.source.file().display());
-        if !self.notes.contains(&note) {
-            self.notes.push(note);
-        }
-    }
 }
 
-/// Three coordinates; a weight or a colour may follow.
-fn vertex(rest: &str) -> Result<DVec3, Fault> {
+/// Three coordinates, and whether no more follows than a weight or a colour, which may be anything.
+fn vertex(rest: &str) -> Result<(DVec3, bool), Fault> {
     let mut values = rest.split_whitespace();
     let mut coordinate = |what| number(values.next(), what, VERTEX);
     let vertex = DVec3::new(coordinate("x")?, coordinate("y")?, coordinate("z")?);
-    let mut further = 0;
-    for value in values {
-        number(Some(value), "what follows the coordinates", VERTEX)?;
-        further += 1;
-        if further > 4 {
-            return Err(Fault::TooMany {
-                given: excerpt(value),
-                form: VERTEX,
-            });
-        }
-    }
-    Ok(vertex)
+    let is_number = |value: &str| value.parse::<f64>().is_ok();
+    let further: Vec<&str> = values.take(MOST_AFTER_COORDINATES + 1).collect();
+    let is_known = further.len() <= MOST_AFTER_COORDINATES && further.into_iter().all(is_number);
+    Ok((vertex, is_known))
 }

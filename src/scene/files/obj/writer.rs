@@ -1,10 +1,13 @@
 //! A scene as Wavefront OBJ and MTL.
 
 use crate::scene::files::error::{NotExpressible, excerpt};
-use crate::scene::{Material, NamedPatch, Scene};
+use crate::scene::files::plain::plain_rows;
+use crate::scene::{Channels, PatchMaterial, Scene};
 use glam::DVec3;
 use std::collections::HashMap;
 use std::fmt::Write;
+
+const FORMAT: &str = "Wavefront OBJ";
 
 /// The two texts of a scene.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -15,55 +18,47 @@ pub struct ObjText {
     pub mtl: String,
 }
 
+/// The material that stands for all that are not known: no library defines it.
+const UNKNOWN: &str = "unknown";
+
 /// Writes a scene whose materials go to a file of the name `library`.
 ///
-/// Shapes and materials read back exactly. Names do if they are a text and the number of the patch
-/// among those of that text, as the reader makes them; else the reader puts such a number after
-/// them. `#` and `\` in a name become `_`.
+/// Shapes and materials read back exactly; a row without area is a face that is one point. Names do
+/// if they are a text and the number of the patch among those of that text, as the reader makes
+/// them; else the reader puts such a number after them. `\` in a name becomes `_`. Materials that
+/// are not known are named and not defined.
 ///
 /// # Errors
 /// [`NotExpressible`] if polygons only obstruct, a patch lies in another one, or patches are
 /// summed; or if `library` is no name that such a file can hold.
 pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible> {
-    let not = |what: &str| NotExpressible {
-        format: "Wavefront OBJ",
-        what: what.to_owned(),
-        mend: "write View3D .vs3",
-    };
-    let count = scene.patches().len();
     if library.is_empty() || library.trim() != library || library.contains(['#', '\\', '\n']) {
         return Err(NotExpressible {
-            format: "Wavefront OBJ",
+            format: FORMAT,
             what: format!("its materials are in \"{}\"", excerpt(library)),
             mend: "choose a name without # and \\, and without spaces around it",
         });
     }
-    if !scene.obstructions().is_empty() {
-        return Err(not("a polygon only obstructs"));
-    }
-    if let Some(part) = (0..count).find(|index| scene.base_of(*index).is_some()) {
-        return Err(not(&format!("patch {part} lies in another one")));
-    }
-    if scene.group_count() < count {
-        return Err(not("patches are summed into one row"));
-    }
+    let rows = plain_rows(scene, FORMAT)?;
     let (mut obj, mut mtl) = (format!("mtllib {library}\n"), String::new());
     let mut vertices = VertexNumbers::default();
-    let mut materials: Vec<Material> = Vec::new();
+    let mut materials: Vec<PatchMaterial> = Vec::new();
     let mut named: HashMap<String, usize> = HashMap::new();
-    let mut current = (String::new(), None);
-    for patch in scene.patches() {
-        let group = group_of(patch, &mut named);
-        let material = materials
-            .iter()
-            .position(|known| *known == patch.material());
-        let material = material.unwrap_or_else(|| {
-            materials.push(patch.material());
-            materials.len() - 1
-        });
-        let corners: Vec<usize> = patch
-            .shape()
-            .given_corners()
+    let mut current = (String::new(), String::new());
+    for row in rows {
+        let group = group_of(row.name, &mut named);
+        let material = if is_known(row.material) {
+            let place = materials.iter().position(|known| known == row.material);
+            let place = place.unwrap_or_else(|| {
+                materials.push(row.material.clone());
+                materials.len() - 1
+            });
+            format!("m{place}")
+        } else {
+            UNKNOWN.to_owned()
+        };
+        let corners: Vec<usize> = row
+            .corners
             .iter()
             .map(|corner| {
                 vertices.number_or(*corner, |_| {
@@ -75,10 +70,10 @@ pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible
         if current.0 != group {
             let _ = writeln!(obj, "g {group}");
         }
-        if current.1 != Some(material) {
-            let _ = writeln!(obj, "usemtl m{material}");
+        if current.1 != material {
+            let _ = writeln!(obj, "usemtl {material}");
         }
-        current = (group, Some(material));
+        current = (group, material);
         obj.push('f');
         for corner in corners {
             let _ = write!(obj, " {corner}");
@@ -86,18 +81,34 @@ pub fn write_obj(scene: &Scene, library: &str) -> Result<ObjText, NotExpressible
         obj.push('\n');
     }
     for (index, material) in materials.iter().enumerate() {
-        let (kd, ke) = (material.reflectance(), material.emittance());
-        let _ = write!(
-            mtl,
-            "newmtl m{index}\nKd {kd:?} {kd:?} {kd:?}\nKe {ke:?} {ke:?} {ke:?}\n"
-        );
+        let _ = writeln!(mtl, "newmtl m{index}");
+        for (keyword, property) in [("Kd", material.reflectance()), ("Ke", material.emittance())] {
+            if let Ok(Channels { r, g, b }) = property {
+                let _ = writeln!(mtl, "{keyword} {r:?} {g:?} {b:?}");
+            }
+        }
     }
     Ok(ObjText { obj, mtl })
 }
 
+/// Notes on what [`write_obj`] leaves out of a scene.
+pub(crate) fn left_out_of_obj(scene: &Scene) -> Vec<String> {
+    let patches = scene.patches().iter();
+    let unknown = patches.filter(|patch| !is_known(patch.material())).count();
+    let note = format!(
+        "{unknown} patches whose material is not known have \"usemtl {UNKNOWN}\", which is not \
+         defined"
+    );
+    (unknown > 0).then_some(note).into_iter().collect()
+}
+
+fn is_known(material: &PatchMaterial) -> bool {
+    material.faults().next().is_none()
+}
+
 /// The name without the number that the reader will put after it.
-fn group_of(patch: &NamedPatch, named: &mut HashMap<String, usize>) -> String {
-    let name = patch.name().replace(['#', '\\'], "_");
+fn group_of(name: &str, named: &mut HashMap<String, usize>) -> String {
+    let name = name.replace('\\', "_");
     let words: Vec<&str> = name.split_whitespace().collect();
     let without_number = words.split_last().and_then(|(last, group)| {
         let group = group.join(" ");

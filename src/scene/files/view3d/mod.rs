@@ -14,8 +14,9 @@
 //! a comment, letters are of any case. Patches are the surfaces `S` in the order of the file,
 //! whatever their numbers.
 //!
-//! The keys of `C` control computations of View3D and change nothing here: they are noted as
-//! ignored.
+//! The keys of `C` control computations of View3D and change nothing here, whatever they are: they
+//! are noted as ignored. So is what follows `End of data`; a file without that line may be cut
+//! short and is refused.
 //!
 //! **Not covered**, and refused by name: masks and null surfaces (`M`, `N`), coordinate
 //! transformations (`X`), formats other than `F 3`.
@@ -28,47 +29,55 @@ pub(crate) mod surfaces;
 pub(crate) mod writer;
 
 use super::decimal::complement;
-use super::error::{Fault, FileError, excerpt};
+use super::error::{Fault, FileError, FileErrors, excerpt};
 use super::last_place::LastPlaces;
+use super::remarks::Remarks;
 use super::source::{Source, number};
+use super::unknown_materials::notes_on_unknown_materials;
 use super::{LoadedScene, Reading, remark};
 use crate::scene::{Material, MaterialError};
 use glam::DVec3;
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use surfaces::{Surface, assemble};
 
 const FORMAT: &str = "\"F 3\"";
 const VERTEX: &str = "\"V n x y z\"";
 const SURFACE: &str = "\"S n v1 v2 v3 v4 base cmb emit name\"";
 
-/// The keys of a `C` statement, which View3D alone obeys.
-const CONTROL: [&str; 14] = [
-    "eps", "maxu", "maxo", "mino", "row", "col", "encl", "emit", "out", "list", "prjd", "prjr",
-    "maxv", "solu",
-];
-
 /// The scene in a View3D file.
 ///
 /// # Errors
-/// A [`FileError`] at the first fault.
-pub fn read_view3d(source: &Source, reading: impl Into<Reading>) -> Result<LoadedScene, FileError> {
+/// All faults of the file.
+pub fn read_view3d(
+    source: &Source,
+    reading: impl Into<Reading>,
+) -> Result<LoadedScene, FileErrors> {
     let reading = reading.into();
-    let mut reader = Reader::default();
+    let mut faults = FileErrors::default();
+    let mut reader = Reader {
+        remarks: Remarks::of(source),
+        ..Reader::default()
+    };
+    let mut has_end = false;
     for (line, text) in source.lines() {
         let words: Vec<&str> = uncommented(text).split_whitespace().collect();
         let at = |fault| source.fault(line, fault);
-        match reader.statement(line, &words).map_err(at)? {
-            Statement::Read => {}
-            Statement::End => {
-                let known = (reading, reader.places.half_unit());
-                let scene = assemble(source, &reader.vertices, &reader.surfaces, known)?;
-                let mut notes = reader.notes(source);
-                notes.extend(remark(source, &scene));
-                return Ok(LoadedScene { scene, notes });
-            }
+        let read = faults.keep(reader.statement(line, &words).map_err(at));
+        if let Some(Statement::End) = read {
+            has_end = true;
+            break;
         }
     }
-    Err(FileError::of_file(source.file(), Fault::NoEnd))
+    if !has_end {
+        let last = "End of data";
+        faults.push(FileError::of_file(source.file(), Fault::NoEnd { last }));
+    }
+    let scene = assemble(source, &mut reader, reading, faults)?;
+    let mut notes = reader.remarks.into_notes(source.file());
+    notes.append(&mut notes_on_unknown_materials(scene.patches()));
+    notes.extend(remark(source, &scene));
+    Ok(LoadedScene { scene, notes })
 }
 
 /// The line up to a `!`, or to a `/` that begins a word.
@@ -93,12 +102,14 @@ enum Statement {
 }
 
 #[derive(Debug, Default)]
-struct Reader {
+pub(crate) struct Reader {
+    /// The line of each vertex and its place; one that is at fault keeps its number, and is not
+    /// finite.
     vertices: HashMap<usize, (usize, DVec3)>,
     surfaces: Vec<Surface>,
     surface_lines: HashMap<usize, usize>,
     places: LastPlaces,
-    ignored: Vec<&'static str>,
+    remarks: Remarks,
 }
 
 impl Reader {
@@ -108,7 +119,7 @@ impl Reader {
         };
         match keyword.to_ascii_uppercase().as_str() {
             "T" => {}
-            "C" => self.control(values)?,
+            "C" => self.control(line, values),
             "F" => format_of(values)?,
             "V" => self.vertex(line, values)?,
             "S" => self.surface(line, values, false)?,
@@ -136,64 +147,47 @@ impl Reader {
         Ok(Statement::Read)
     }
 
-    fn control(&mut self, values: &[&str]) -> Result<(), Fault> {
+    /// Keys, each with a value or without.
+    fn control(&mut self, line: usize, values: &[&str]) {
         let words = values.join(" ").replace(',', " ").replace('=', " = ");
         let mut words = words.split_whitespace().peekable();
-        while let Some(word) = words.next() {
-            let key = CONTROL
-                .into_iter()
-                .find(|key| word.eq_ignore_ascii_case(key));
-            let Some(key) = key else {
-                return Err(Fault::UnknownKeyword {
-                    format: "View3D's C line",
-                    keyword: excerpt(word),
-                });
-            };
-            words.next_if_eq(&"=");
-            number(words.next(), "the value of a key", "\"C key=value …\"")?;
-            if !self.ignored.contains(&key) {
-                self.ignored.push(key);
-            }
+        while let Some(key) = words.next() {
+            let has_sign = words.next_if_eq(&"=").is_some();
+            words.next_if(|value| has_sign || value.parse::<f64>().is_ok());
+            self.remarks.ignore(&format!("C {key}"), line);
         }
-        Ok(())
     }
 
     fn vertex(&mut self, line: usize, values: &[&str]) -> Result<(), Fault> {
         let index = positive(values.first(), "the number of the vertex", VERTEX)?;
-        let coordinate = |place: usize, what| number(values.get(place).copied(), what, VERTEX);
-        let vertex = DVec3::new(
-            coordinate(1, "x")?,
-            coordinate(2, "y")?,
-            coordinate(3, "z")?,
-        );
-        if let Some(given) = values.get(4) {
-            return Err(Fault::TooMany {
-                given: excerpt(given),
-                form: VERTEX,
-            });
+        for word in values.iter().skip(1).take(3) {
+            self.places.note(word, word.parse().unwrap_or(0.0));
         }
-        for (text, value) in values[1..].iter().zip(vertex.to_array()) {
-            self.places.note(text, value);
-        }
-        match self.vertices.insert(index, (line, vertex)) {
-            None => Ok(()),
-            Some((line, _)) => Err(Fault::DefinedTwice {
+        let vertex = coordinates(values);
+        let place = vertex.as_ref().map_or(DVec3::NAN, |vertex| *vertex);
+        match self.vertices.entry(index) {
+            Entry::Vacant(entry) => {
+                entry.insert((line, place));
+                vertex.map(|_| ())
+            }
+            Entry::Occupied(entry) => Err(Fault::DefinedTwice {
                 what: "vertex",
                 number: index,
-                line,
+                line: entry.get().0,
             }),
         }
     }
 
     fn surface(&mut self, line: usize, values: &[&str], obstructs: bool) -> Result<(), Fault> {
         let number = positive(values.first(), "the number of the surface", SURFACE)?;
-        if let Some(line) = self.surface_lines.insert(number, line) {
+        if let Some(line) = self.surface_lines.get(&number).copied() {
             return Err(Fault::DefinedTwice {
                 what: "surface",
                 number,
                 line,
             });
         }
+        self.surface_lines.insert(number, line);
         let mut vertices = Vec::with_capacity(4);
         for place in 1..=3 {
             vertices.push(positive(values.get(place), "a vertex", SURFACE)?);
@@ -209,13 +203,13 @@ impl Reader {
             obstructs,
             base: 0,
             combined: 0,
-            material: Material::BLACK,
+            material: Ok(Material::BLACK),
             name: String::new(),
         };
         if !obstructs {
             surface.base = whole(values.get(5), "the base", SURFACE)?;
             surface.combined = whole(values.get(6), "the surface to combine with", SURFACE)?;
-            surface.material = material(values.get(7).copied())?;
+            surface.material = material(values.get(7).copied());
         }
         surface.name = values.get(8..).unwrap_or_default().join(" ");
         if surface.name.is_empty() {
@@ -224,16 +218,21 @@ impl Reader {
         self.surfaces.push(surface);
         Ok(())
     }
+}
 
-    fn notes(&self, source: &Source) -> Vec<String> {
-        if self.ignored.is_empty() {
-            return Vec::new();
-        }
-        vec![format!(
-            "{}: the C keys {} are ignored, they change nothing here",
-            source.file().display(),
-            self.ignored.join(", ")
-        )]
+fn coordinates(values: &[&str]) -> Result<DVec3, Fault> {
+    let coordinate = |place: usize, what| number(values.get(place).copied(), what, VERTEX);
+    let vertex = DVec3::new(
+        coordinate(1, "x")?,
+        coordinate(2, "y")?,
+        coordinate(3, "z")?,
+    );
+    match values.get(4) {
+        None => Ok(vertex),
+        Some(given) => Err(Fault::TooMany {
+            given: excerpt(given),
+            form: VERTEX,
+        }),
     }
 }
 
@@ -254,19 +253,24 @@ fn format_of(values: &[&str]) -> Result<(), Fault> {
     }
 }
 
-/// Reflects what it does not emit: 1 − emit, without a rounding in between.
+/// Reflects what it does not emit: 1 − emit, without a rounding in between. With an emissivity of 0
+/// it is adiabatic.
 fn material(emit: Option<&str>) -> Result<Material, Fault> {
     let emissivity = number(emit, "emit", SURFACE)?;
-    let exact = emit.and_then(complement);
-    let reflectance = match exact {
+    let reflectance = match emit.and_then(complement) {
         Some(decimal) => number(Some(&decimal), "emit", SURFACE)?,
         None => 1.0 - emissivity,
     };
-    // a reflectance that rounds to 1 is as bad as 1 itself
-    Material::try_new(reflectance, 0.0).map_err(|_| {
-        let source = MaterialError::EmissivityOutOfRange { emissivity };
-        Fault::Material { source }
-    })
+    let mantissa = emit.and_then(|emit| emit.split(['e', 'E']).next());
+    let is_none = mantissa.is_none_or(|mantissa| !mantissa.contains(|c| ('1'..='9').contains(&c)));
+    let material = if reflectance >= 1.0 && emissivity >= 0.0 && !is_none {
+        // the little that it absorbs would be lost
+        Err(MaterialError::EmissivityTooSmall { emissivity })
+    } else {
+        Material::try_new(reflectance, 0.0)
+            .map_err(|_| MaterialError::EmissivityOutOfRange { emissivity })
+    };
+    material.map_err(|source| Fault::Material { source })
 }
 
 fn whole(given: Option<&&str>, what: &'static str, form: &'static str) -> Result<usize, Fault> {

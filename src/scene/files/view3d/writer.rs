@@ -3,13 +3,14 @@
 use crate::scene::files::decimal::complement;
 use crate::scene::files::error::NotExpressible;
 use crate::scene::files::obj::writer::VertexNumbers;
-use crate::scene::{NamedPatch, Scene};
+use crate::scene::{Channels, NamedPatch, PatchMaterial, Scene};
 use glam::DVec3;
 use std::collections::HashMap;
 use std::fmt::Write;
 
-/// Writes a scene: shapes, reflectances, bases and rows read back exactly.
+/// Writes a scene: shapes, grey reflectances, bases and rows read back exactly.
 ///
+/// The reflectance of a coloured patch is the mean of its channels; one that is not known is 0.
 /// In a name, white space becomes single spaces, and `!` and a `/` that begins a word become `_`.
 ///
 /// # Errors
@@ -34,11 +35,38 @@ pub fn write_view3d(scene: &Scene) -> Result<String, NotExpressible> {
             combined = if *lead < index { *lead + 1 } else { 0 };
         }
         let reflectance = patch.material().reflectance();
-        let emissivity = complement(&format!("{reflectance:?}")).unwrap_or_else(|| "1".to_owned());
+        let emissivity = emissivity(reflectance.map_or(0.0, Channels::mean));
         let name = word_by_word(patch.name());
         let _ = writeln!(surfaces, " {base} {combined} {emissivity} {name}");
     }
     Ok(format!("F 3\n{points}{surfaces}End of data\n"))
+}
+
+/// The emissivity of a surface with this reflectance, as a decimal: 1 − reflectance, not rounded.
+pub(crate) fn emissivity(reflectance: f64) -> String {
+    complement(&format!("{reflectance:?}")).unwrap_or_else(|| "1".to_owned())
+}
+
+/// Notes on what [`write_view3d`] leaves out of a scene.
+pub(crate) fn left_out_of_view3d(scene: &Scene) -> Vec<String> {
+    let count = |is: &dyn Fn(&PatchMaterial) -> bool| {
+        let patches = scene.patches().iter();
+        patches.filter(|patch| is(patch.material())).count()
+    };
+    let unknown = count(&|material| material.faults().next().is_some());
+    let coloured = count(&|material| material.reflectance().is_ok_and(|colour| !colour.is_grey()));
+    let notes = [
+        (unknown, "whose material is not known are written as black"),
+        (coloured, "are coloured and have the mean of their channels"),
+    ];
+    let without_area = scene.empty_rows().len();
+    let notes = notes
+        .into_iter()
+        .chain([(without_area, "without an area are left out")]);
+    let notes = notes.filter(|(patches, _)| *patches > 0);
+    notes
+        .map(|(patches, what)| format!("{patches} patches {what}"))
+        .collect()
 }
 
 fn corners(
@@ -52,7 +80,11 @@ fn corners(
         what,
         mend,
     };
-    if patch.material().emittance() > 0.0 {
+    if patch
+        .material()
+        .emittance()
+        .is_ok_and(|colour| colour.largest() > 0.0)
+    {
         let what = format!("patch {index} ({}) emits light", patch.name());
         return Err(not(what, "write Wavefront OBJ, which has Ke"));
     }
@@ -63,7 +95,7 @@ fn corners(
             patch.name(),
             given.len()
         );
-        return Err(not(what, "cut it into triangles or quadrilaterals"));
+        return Err(not(what, NotExpressible::SPLIT));
     }
     let mut numbers = [0; 4];
     for (number, corner) in numbers.iter_mut().zip(given) {

@@ -1,5 +1,6 @@
 //! Derivatives by the lines against differences of enclosures.
 
+use crate::support::breadth::some_of;
 use infoscene::discretize::{BestGrid, BoxGrid, UNIT_CUBE};
 use infoscene::numeric::{Interval, Scalar};
 
@@ -29,13 +30,13 @@ fn aside(lines: usize, of: &[(usize, f64)]) -> Vec<f64> {
 /// `(I(t + h) − I(t − h))/(2h)`
 #[test]
 fn gradients_are_differences() {
-    for (edges, half, cells) in [
+    for (edges, half, cells) in some_of([
         (UNIT_CUBE, vec![0.3], 3),
         (UNIT_CUBE, vec![0.07, 0.3], 5),
         ([1.0, 2.0, 3.0], vec![0.3], 4),
-        ([1.0, 0.05, 0.05], vec![0.1, 0.2], 5),
         ([1.0, 0.01, 7.0], vec![0.45], 3),
-    ] {
+        ([1.0, 0.05, 0.05], vec![0.1, 0.2], 5),
+    ]) {
         let like = Interval::precise(1.0, BITS);
         let exact: Vec<f64> = (0..half.len())
             .map(|line| {
@@ -65,7 +66,7 @@ fn gradients_are_differences() {
 /// The largest eigenvalue of the Hessian, whose entries are second differences.
 #[test]
 fn curvatures_are_second_differences() {
-    for (edges, cells) in [(UNIT_CUBE, 3), ([1.0, 2.0, 3.0], 4), ([1.0, 0.1, 0.1], 5)] {
+    for (edges, cells) in some_of([([1.0, 2.0, 3.0], 4), ([1.0, 0.1, 0.1], 5), (UNIT_CUBE, 3)]) {
         let best = BestGrid::find(edges, cells).unwrap();
         let half: Vec<f64> = best
             .grid

@@ -1,6 +1,7 @@
 //! Other roads: quadrature of the definition, sums over parts, random chords, a sphere.
 
 use super::{SOLIDS, information};
+use crate::support::breadth::some_of;
 use crate::support::rooms::{L, patch, polygon, prism};
 use glam::DVec3;
 use infoscene::exchange::ExchangeError;
@@ -88,7 +89,7 @@ fn pairs_apart_agree_with_quadrature_of_the_definition() {
 /// Integrals over a pair are sums over pairs of parts, most of which touch elsewhere or not at all.
 #[test]
 fn parts_of_touching_pairs_sum_to_the_whole() {
-    for name in ["tetrahedron", "octahedron", "dodecahedron", "box:1,2,0.3"] {
+    for name in some_of(["tetrahedron", "octahedron", "box:1,2,0.3", "dodecahedron"]) {
         let scene = Scene::built_in(name).unwrap();
         let first = scene.patches()[0].shape();
         for second in &scene.patches()[1..scene.patches().len().min(6)] {

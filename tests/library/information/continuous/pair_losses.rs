@@ -1,6 +1,7 @@
 //! Losses of pairs of patches: sums, signs, refusals.
 
 use super::information;
+use crate::support::breadth::some_of;
 use crate::support::rooms::{L, mapped, prism};
 use infoscene::chain::ChainError;
 use infoscene::exchange::{Congruence, ScenePairs, Unheard};
@@ -23,12 +24,12 @@ fn discrete(scene: &Scene) -> f64 {
 /// errors said.
 #[test]
 fn parts_of_pairs_sum_to_both_informations() {
-    for (name, times) in [
+    for (name, times) in some_of([
         ("cube:1", 1),
-        ("tetrahedron", 1),
         ("dodecahedron", 0),
         ("box:1,2,0.1", 1),
-    ] {
+        ("tetrahedron", 1),
+    ]) {
         let (scene, _) = Scene::built_in(name).unwrap().subdivided(times).unwrap();
         let parts = losses(&scene);
         let sum = |of: fn(&PairLoss) -> f64| parts.iter().map(of).sum::<f64>();

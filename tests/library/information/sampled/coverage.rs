@@ -1,6 +1,7 @@
 //! Intervals of 95 % cover the exact values, of discrete and of continuous mutual information.
 
 use super::{exact, scene};
+use crate::support::breadth::some_of;
 use infoscene::information::{LineKind, LineSample};
 use rayon::prelude::*;
 
@@ -64,12 +65,12 @@ fn coverage_over_200_seeds() {
 /// samples a cell.
 #[test]
 fn a_fifth_is_missing_of_what_is_taken_off() {
-    for (name, times, lines, seeds) in [
+    for (name, times, lines, seeds) in some_of([
         ("cube:4", 0, 4000, 40),
-        ("cube:6", 0, 40_000, 20),
         ("cube:12", 0, 400_000, 2),
         ("tetrahedron", 2, 3000, 60),
-    ] {
+        ("cube:6", 0, 40_000, 20),
+    ]) {
         let scene = scene(name, times);
         let exact = exact(&scene);
         let [mut taken, mut missing] = [0.0; 2];

@@ -1,6 +1,7 @@
 //! Standard errors are the spread over seeds.
 
 use super::{scene, slabs};
+use crate::support::breadth::some_of;
 use crate::support::rooms::{L, prism};
 use infoscene::information::{LineKind, LineSample};
 use infoscene::scene::Scene;
@@ -39,7 +40,7 @@ fn samples(scene: &Scene, kind: LineKind, lines: u32) -> Vec<LineSample> {
 #[test]
 fn standard_errors_are_the_spread_over_seeds() {
     let concave = prism(&L);
-    for (name, scene, kind, lines) in [
+    for (name, scene, kind, lines) in some_of([
         ("cube:2", scene("cube:2", 0), LineKind::Local, 4000),
         (
             "tetrahedron",
@@ -50,7 +51,7 @@ fn standard_errors_are_the_spread_over_seeds() {
         ("box", scene("box:1,1,2", 1), LineKind::Global, 8000),
         ("slabs", slabs(12), LineKind::Global, 1000),
         ("L", concave, LineKind::Global, 3000),
-    ] {
+    ]) {
         let samples = samples(&scene, kind, lines);
         let discrete = samples
             .iter()

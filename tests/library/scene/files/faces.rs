@@ -4,10 +4,10 @@ use glam::DVec3;
 use infoscene::geometry::{GeometryError, Patch};
 use infoscene::numeric::tolerance;
 use infoscene::scene::Scene;
-use infoscene::scene::files::{Fault, FileError, NonPlanarFaces, Source, read_obj};
+use infoscene::scene::files::{Fault, FileErrors, NonPlanarFaces, Source, read_obj};
 use proptest::prelude::*;
 
-fn face(corners: &[DVec3], faces: NonPlanarFaces) -> Result<Vec<Patch>, FileError> {
+fn face(corners: &[DVec3], faces: NonPlanarFaces) -> Result<Vec<Patch>, FileErrors> {
     let mut text = String::new();
     for DVec3 { x, y, z } in corners {
         text.push_str(&format!("v {x:?} {y:?} {z:?}\n"));
@@ -48,7 +48,8 @@ fn a_bulging_wall_keeps_its_room_convex() {
     let by_hand: Vec<Patch> = by_hand.map(|patch| patch.shape().clone()).collect();
     assert_eq!(triangles(&corners), by_hand);
     // 3.2 between the diagonals, shared by four corners
-    let refusal = face(&corners, NonPlanarFaces::Refuse).unwrap_err();
+    let refusals = face(&corners, NonPlanarFaces::Refuse).unwrap_err();
+    let refusal = &refusals.told()[0];
     assert_eq!(
         (refusal.line, refusal.patch.as_deref()),
         (Some(5), Some("0 (face 0)"))
@@ -128,7 +129,7 @@ fn a_crossing_outline_is_no_face_of_triangles_either() {
     ];
     let refusal = face(&corners.map(DVec3::from_array), NonPlanarFaces::Triangulate).unwrap_err();
     let is_crossing = matches!(
-        refusal.fault,
+        refusal.told()[0].fault,
         Fault::Geometry {
             source: GeometryError::NotSimple { .. }
         }

@@ -1,7 +1,8 @@
 //! Whatever the bytes, a reader answers with a scene or with one message, and never panics.
 
 use infoscene::scene::files::{
-    FileError, LoadedScene, NonPlanarFaces, Source, read_obj, read_view3d,
+    FileErrors, LoadedScene, NonPlanarFaces, Source, read_obj, read_stl, read_view3d, write_obj,
+    write_stl, write_view3d,
 };
 use proptest::prelude::*;
 use proptest::sample::Index;
@@ -14,8 +15,16 @@ const VS3: &str = "T title\nC encl=1 eps=1e-4\nF 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 
     S 4 2 3 5 0 0 3 1 b\nO 5 3 4 5 0\n\
     End of data\n";
 
-/// The three readers, by what the file would be.
-fn read(format: usize, bytes: &[u8], faces: NonPlanarFaces) -> Result<LoadedScene, FileError> {
+const STL: &str = "solid room\nfacet normal 0 0 1\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n\
+    vertex 1 1 0.0\n endloop\nendfacet\nfacet normal 0 0 -1\nouter loop\nvertex 0 0 0\n\
+    vertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid room\nsolid\nfacet normal 1 0 0\n\
+    outer loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 0 .5 1e0\nendloop\nendfacet\nendsolid\n";
+/// The number of formats that are text, and of all.
+const TEXTS: usize = 4;
+const FORMATS: usize = 5;
+
+/// The readers, by what the file would be.
+fn read(format: usize, bytes: &[u8], faces: NonPlanarFaces) -> Result<LoadedScene, FileErrors> {
     let source = |name: &str| Source::from_bytes(name, bytes.to_vec());
     let library = |name: &str| Ok(Source::new(name, MTL));
     match format {
@@ -24,7 +33,8 @@ fn read(format: usize, bytes: &[u8], faces: NonPlanarFaces) -> Result<LoadedScen
             let materials = |_: &str| source("a.mtl");
             read_obj(&Source::new("a.obj", OBJ), &materials, faces)
         }
-        _ => read_view3d(&source("a.vs3")?, faces),
+        2 => read_view3d(&source("a.vs3")?, faces),
+        _ => read_stl("a.stl".as_ref(), bytes.to_vec(), faces),
     }
 }
 
@@ -36,31 +46,51 @@ fn check(format: usize, bytes: &[u8]) -> Result<(), TestCaseError> {
             Ok(loaded) => {
                 let mut patches = loaded.scene.patches().iter();
                 prop_assert!(patches.all(|patch| patch.shape().area() > 0.0));
+                // what is read can be joined, and written or refused
+                let joined = loaded.scene.joined();
+                prop_assert!(joined.is_ok(), "{:?}", joined);
+                let [obj, vs3, stl] = [
+                    write_obj(&loaded.scene, "a.mtl").is_ok(),
+                    write_view3d(&loaded.scene).is_ok(),
+                    write_stl(&loaded.scene).is_ok(),
+                ];
+                prop_assert!(format < TEXTS - 1 || (obj && vs3) || !stl);
             }
             Err(refusal) => {
-                let message = refusal.to_string();
-                prop_assert!(message.starts_with("a."), "{}", message);
-                prop_assert!(!message.contains(char::is_control), "{:?}", message);
-                prop_assert!(message.len() < 600, "{}", message);
-                let lines = bytes
-                    .split(|byte| *byte == b'\n')
-                    .count()
-                    .max(OBJ.lines().count());
-                prop_assert!(refusal.line.is_none_or(|line| (1..=lines).contains(&line)));
+                let ends = |byte: &u8| matches!(byte, b'\n' | b'\r');
+                let lines = bytes.split(ends).count().max(OBJ.lines().count());
+                for fault in refusal.told() {
+                    let message = fault.to_string();
+                    prop_assert!(message.starts_with("a."), "{}", message);
+                    prop_assert!(!message.contains(char::is_control), "{:?}", message);
+                    prop_assert!(message.len() < 600, "{}", message);
+                    prop_assert!(fault.line.is_none_or(|line| (1..=lines).contains(&line)));
+                }
             }
         }
     }
     Ok(())
 }
 
-fn valid(format: usize) -> &'static str {
-    [OBJ, MTL, VS3][format]
+fn valid(format: usize) -> Vec<u8> {
+    match format {
+        0..TEXTS => [OBJ, MTL, VS3, STL][format].into(),
+        // two of the facets, and what follows the last
+        _ => {
+            let scene = read(3, STL.as_bytes(), NonPlanarFaces::Refuse)
+                .unwrap()
+                .scene;
+            let mut bytes = write_stl(&scene).unwrap().bytes;
+            bytes[80] = 2;
+            bytes
+        }
+    }
 }
 
 #[test]
 fn the_files_that_are_spoilt_are_valid() {
-    for format in 0..3 {
-        read(format, valid(format).as_bytes(), NonPlanarFaces::Refuse).unwrap();
+    for format in 0..FORMATS {
+        read(format, &valid(format), NonPlanarFaces::Refuse).unwrap();
     }
 }
 
@@ -68,10 +98,10 @@ fn the_files_that_are_spoilt_are_valid() {
 /// refused.
 #[test]
 fn truncated_files_are_read_or_refused() {
-    for format in 0..3 {
-        let text = valid(format);
-        for length in 0..text.len() {
-            check(format, &text.as_bytes()[..length]).unwrap();
+    for format in 0..FORMATS {
+        let bytes = valid(format);
+        for length in 0..bytes.len() {
+            check(format, &bytes[..length]).unwrap();
         }
     }
     for length in 0..=VS3.find("End").unwrap() {
@@ -84,7 +114,8 @@ fn truncated_files_are_read_or_refused() {
 fn word() -> impl Strategy<Value = String> {
     let keywords = [
         "v", "f", "o", "g", "usemtl", "mtllib", "newmtl", "Kd", "Ke", "V", "S", "O", "F", "C", "T",
-        "End", "\n", "\n", "\n", "\\\n", "#", "!", "/", "\\", "=", "grey", "\u{2028}", "\0", "\r",
+        "End", "solid", "facet", "vertex", "endfacet", "endsolid", "\n", "\n", "\n", "\\\n", "#",
+        "!", "/", "\\", "=", "grey", "\u{2028}", "\0", "\r",
     ];
     let numbers = [
         "0",
@@ -121,7 +152,7 @@ proptest! {
 
     #[test]
     fn random_bytes_are_refused(
-        format in 0..3usize,
+        format in 0..FORMATS,
         bytes in proptest::collection::vec(any::<u8>(), 0..400),
     ) {
         check(format, &bytes)?;
@@ -130,7 +161,7 @@ proptest! {
     /// Words of the formats in any order.
     #[test]
     fn random_words_are_read_or_refused(
-        format in 0..3usize,
+        format in 0..TEXTS,
         words in proptest::collection::vec(word(), 0..80),
     ) {
         check(format, words.join(" ").as_bytes())?;
@@ -139,13 +170,14 @@ proptest! {
     /// A valid file with words replaced, and lines left out or said twice.
     #[test]
     fn files_with_wrong_words_are_read_or_refused(
-        format in 0..3usize,
+        format in 0..TEXTS,
         changes in proptest::collection::vec(
             (any::<Index>(), any::<Index>(), 0..6usize, word()),
             1..4,
         ),
     ) {
-        let mut lines: Vec<String> = valid(format).lines().map(str::to_owned).collect();
+        let text = String::from_utf8(valid(format)).unwrap();
+        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
         for (line, place, kind, word) in changes {
             let line = line.index(lines.len());
             match kind {
@@ -165,7 +197,7 @@ proptest! {
     /// A valid file with bytes changed, cut out and put in.
     #[test]
     fn mutated_files_are_read_or_refused(
-        format in 0..3usize,
+        format in 0..FORMATS,
         changes in proptest::collection::vec(
             (
                 any::<Index>(),
@@ -178,7 +210,7 @@ proptest! {
             1..12,
         ),
     ) {
-        let mut bytes = valid(format).as_bytes().to_vec();
+        let mut bytes = valid(format);
         for (place, kind, byte) in changes {
             let place = place.index(bytes.len());
             match kind {

@@ -5,7 +5,7 @@ use infoscene::geometry::Patch;
 use infoscene::scene::files::{
     NonPlanarFaces, Source, read_obj, read_view3d, write_obj, write_view3d,
 };
-use infoscene::scene::{Material, NamedPatch, Scene};
+use infoscene::scene::{Channels, Material, NamedPatch, Scene};
 use proptest::prelude::*;
 
 /// A reflectance, often 0, next to 0 or next to 1.
@@ -61,9 +61,14 @@ fn bits(patches: &[NamedPatch]) -> Vec<u64> {
             .corners()
             .iter()
             .flat_map(|corner| corner.to_array());
-        let material = [patch.material().reflectance(), patch.material().emittance()];
+        let material = patch.material();
+        let material = [
+            material.reflectance().unwrap(),
+            material.emittance().unwrap(),
+        ];
+        let material = material.map(|channels| [channels.r, channels.g, channels.b]);
         corners
-            .chain(material)
+            .chain(material.concat())
             .map(f64::to_bits)
             .collect::<Vec<_>>()
     });
@@ -93,19 +98,22 @@ proptest! {
     #[test]
     fn wavefront_reads_back(
         patches in proptest::collection::vec(
-            (patch(3..9), reflectance(), emittance(), 0..3usize),
+            (patch(3..9), [(); 3].map(|()| (reflectance(), emittance())), 0..3usize),
             1..8,
         ),
     ) {
         let mut counts = [0; 3];
         let patches = patches
             .into_iter()
-            .map(|(shape, reflectance, emittance, name)| {
-                let label = ["floor", "side wall", "a 1"][name];
+            .map(|(shape, channels, name)| {
+                let label = ["floor", "side wall", "a # 1"][name];
                 counts[name] += 1;
                 let name = format!("{label} {}", counts[name] - 1);
-                let material = Material::try_new(reflectance, emittance).unwrap();
-                NamedPatch::new(name, shape).with_material(material)
+                let [r, g, b] = channels
+                    .map(|(reflectance, emittance)| Material::try_new(reflectance, emittance))
+                    .map(Result::unwrap);
+                let patch = NamedPatch::new(name, shape).with_material(Channels { r, g, b });
+                patch.with_wholes([label.to_owned()].into())
             });
         let scene = Scene::try_new(patches.collect()).unwrap();
         let back = read_back_obj(&scene);

@@ -13,7 +13,7 @@ fn read(surfaces: &str) -> infoscene::scene::files::LoadedScene {
 #[test]
 fn letters_may_be_of_any_case_and_lines_end_in_any_way() {
     let text = "t A title / with ! anything\n! comment\n/ comment\n\
-        c ENCL=1 Eps=1e-4,list = 2\nf 3\nv 1 0 0 0 / corner\n\
+        c ENCL=1 Eps=1e-4,list = 2 colour=red fast\nC out\nf 3\nv 1 0 0 0 / corner\n\
         v 2 1 0 0\nv 3 1 1 0!\n\ns 1 1 2 3 0 0 0 .9 Tri/angle one ! name\nEND OF DATA\nwhatever";
     for text in [
         text.to_owned(),
@@ -25,19 +25,28 @@ fn letters_may_be_of_any_case_and_lines_end_in_any_way() {
         assert!(patch.name().eq_ignore_ascii_case("tri/angle one"));
         assert_eq!(patch.shape().corners().len(), 3);
         assert_eq!(patch.shape().area(), 0.5);
-        assert_eq!(
-            loaded.notes,
-            ["room.vs3: the C keys encl, eps, list are ignored, they change nothing here"]
-        );
+        let [note] = loaded.notes.as_slice() else {
+            panic!("{:?}", loaded.notes)
+        };
+        let note = note.to_ascii_lowercase();
+        let says = "c encl (line 4), c eps (line 4), c list (line 4), c colour (line 4), c fast \
+            (line 4), c out (line 5)";
+        assert!(note.contains("ignored") && note.ends_with(says), "{note}");
     }
 }
 
 /// 1 − emit as decimals are subtracted: 1 − 0.9 is 0.1, though 1.0 − 0.9 in f64 is not.
 #[test]
 fn reflectance_is_one_less_emissivity() {
-    for (emit, reflectance) in [("0.9", 0.1), ("1", 0.0), (".253", 0.747), ("1e-3", 0.999)] {
+    for (emit, reflectance) in [
+        ("0.9", 0.1),
+        ("1", 0.0),
+        (".253", 0.747),
+        ("1e-3", 0.999),
+        ("0", 1.0),
+    ] {
         let loaded = read(&format!("S 1 1 2 3 4 0 0 {emit} floor\n"));
-        let material = loaded.scene.patches()[0].material();
+        let material = loaded.scene.patches()[0].material().grey().unwrap();
         assert_eq!(
             (material.reflectance(), material.emittance()),
             (reflectance, 0.0)
@@ -90,4 +99,34 @@ fn parts_and_rows_are_those_of_the_file() {
     let loaded =
         read("S 1 1 4 6 0 0 7 .5 wall\nS 2 1 6 5 0 0 7 .5 wall too\nS 3 1 2 3 4 0 0 .5 floor\n");
     assert_eq!([0, 1, 2].map(|i| loaded.scene.group_of(i)), [0, 0, 1]);
+}
+
+/// A fourth vertex that is the third or the first makes a triangle, and so does 0; a surface of two
+/// vertices has no area, and keeps its row unless it is summed with others.
+#[test]
+fn repeated_vertices_are_mended() {
+    for fourth in [0, 1, 3] {
+        let loaded = read(&format!("S 1 1 2 3 {fourth} 0 0 .5 half\n"));
+        let shape = loaded.scene.patches()[0].shape();
+        assert_eq!((shape.corners().len(), shape.area()), (3, 0.5), "{fourth}");
+        let says = "room.vs3: 1 face repeats a corner; that counts once (first: line 11)";
+        assert_eq!(
+            loaded.notes.first().map(String::as_str),
+            (fourth > 0).then_some(says)
+        );
+    }
+    let loaded = read(
+        "S 1 1 2 3 4 0 0 .5 floor\nS 2 1 7 2 0 0 0 .5 sliver\nS 3 1 4 6 5 0 0 .5 wall\n\
+         S 4 1 2 2 1 0 3 .5 of the wall\nO 5 1 2 1 2\n",
+    );
+    assert_eq!(loaded.scene.group_names(), ["floor", "sliver", "wall"]);
+    assert_eq!(loaded.scene.row_areas(), [1.0, 0.0, 1.0]);
+    assert_eq!(loaded.scene.obstructions(), []);
+    assert_eq!(
+        loaded.notes,
+        [
+            "room.vs3: 3 faces have no area; such a face keeps its number and exchanges nothing \
+             (first: line 12)"
+        ]
+    );
 }
