@@ -58,7 +58,7 @@ impl FormFactor {
             Ok(write_form_factors(
                 patches,
                 records,
-                &answer.plan,
+                (answer.resolution, &answer.plan),
                 format,
                 text,
             )?)

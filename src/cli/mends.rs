@@ -16,10 +16,28 @@ use infoscene::transport::TransportError;
 use std::error::Error;
 
 /// The end of a message: the option that mends the error, if one does.
-pub(super) fn mend(error: &(dyn Error + 'static)) -> &'static str {
-    let causes = std::iter::successors(Some(error), |error| cause(*error));
-    let mut mends = causes.filter_map(option);
-    mends.next().unwrap_or_default()
+pub(super) fn mend(error: &(dyn Error + 'static)) -> String {
+    let causes = || std::iter::successors(Some(error), |error| cause(*error));
+    let option = causes().find_map(option).unwrap_or_default();
+    let resolution = causes().find_map(resolution);
+    let resolution = resolution.map(|length| format!("; --resolution {length:.1e} takes them so"));
+    format!("{option}{}", resolution.unwrap_or_default())
+}
+
+/// The resolution that would mend an error itself.
+fn resolution(error: &(dyn Error + 'static)) -> Option<f64> {
+    if let Some(
+        SceneError::MayBeBlocked { resolution, .. } | SceneError::Overlap { resolution, .. },
+    ) = error.downcast_ref()
+    {
+        return *resolution;
+    }
+    match error.downcast_ref() {
+        Some(Fault::Geometry {
+            source: GeometryError::NotPlanar { resolution, .. },
+        }) => *resolution,
+        _ => None,
+    }
 }
 
 /// The option that mends an error itself, whatever it is the cause of.

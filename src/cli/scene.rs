@@ -24,6 +24,10 @@ pub(super) struct SceneArgument {
     #[arg(long, value_name = "TIMES", default_value_t = 0,
         value_parser = clap::value_parser!(u32).range(0..=8))]
     subdivide: u32,
+    /// The length by which each coordinate may be off, 0 to take them as exact; if it is not given,
+    /// half a unit in the last decimal of the file, where surfaces miss each other by so little.
+    #[arg(long, value_name = "LENGTH", value_parser = length)]
+    resolution: Option<f64>,
     /// Turn the front of every patch to its other side.
     #[arg(long)]
     reverse: bool,
@@ -41,6 +45,7 @@ impl SceneArgument {
             } else {
                 NonPlanarFaces::Refuse
             },
+            resolution: self.resolution,
             join: self.merge,
             reverse: self.reverse,
             subdivide: self.subdivide,
@@ -69,6 +74,13 @@ pub(super) struct ScenePairsArguments {
     /// Compute congruent pairs, too.
     #[arg(long, hide = true)]
     every_pair: bool,
+}
+
+fn length(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(number) if number >= 0.0 && f64::is_finite(number) => Ok(number),
+        _ => Err("it must be a length, 0 or more".to_owned()),
+    }
 }
 
 fn relative(text: &str) -> Result<f64, String> {

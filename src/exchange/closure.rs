@@ -1,8 +1,11 @@
 //! The sums of the rows of form factors, which are one in a closed scene.
 //!
 //! ```text
-//!   closed:  |Σ_j F_ij − 1| ≤ Σ_j bound_ij / A_i + 4 ε  for every i
+//!   closed:  |Σ_j F_ij − 1| ≤ Σ_j bound_ij / A_i + 4 ε + ρ_i  for every i
 //! ```
+//!
+//! ρ is what the cracks between surfaces can change that the resolution of the coordinates explains
+//! ([`ScenePairs::crack_errors`]), 0 where they are exact.
 //!
 //! The 4 ε are for the area and the quotient; where an area is a sum or a difference, they are
 //! relative to the areas that it is made of.
@@ -26,6 +29,17 @@ pub struct RowSum {
     pub sum: f64,
     /// A bound on the error of the sum.
     pub error: f64,
+    /// A bound on what cracks that the resolution of the coordinates explains can change of a sum of
+    /// one.
+    pub resolution_error: f64,
+}
+
+impl RowSum {
+    /// The distance from one up to which the row counts as closed.
+    #[must_use]
+    pub fn tolerance(&self) -> f64 {
+        self.error + self.resolution_error
+    }
 }
 
 /// The rows of a scene's form factors.
@@ -53,6 +67,7 @@ impl Closure {
                 row,
                 sum: per_area(exchange, *area),
                 error: per_area(bound, *area) + per_area(*area_bound, *area),
+                resolution_error: 0.0,
             })
             .collect();
         let has_area = areas.iter().map(|area| *area > 0.0).collect();
@@ -64,18 +79,29 @@ impl Closure {
         }
     }
 
+    /// The closure of rows between whose surfaces there are cracks, each with what these change of
+    /// the sum of its exchange areas.
+    #[must_use]
+    pub(crate) fn resolved(mut self, areas: &[f64], errors: &[f64]) -> Self {
+        for ((row, area), error) in self.rows.iter_mut().zip(areas).zip(errors) {
+            row.resolution_error = per_area(*error, *area);
+        }
+        self
+    }
+
     /// Computes the row sums of a scene's form factors.
     ///
     /// # Errors
     /// [`ExchangeError::Pair`] if two patches are refused.
     pub fn of(pairs: &ScenePairs<'_>) -> Result<Self, ExchangeError> {
         let (sums, summary) = pairs.row_sums(|_, _, exchange| [exchange.value, exchange.error])?;
-        Ok(Self::new(
+        let closure = Self::new(
             pairs.shared_names(),
             [pairs.areas(), pairs.area_bounds()],
             sums,
             summary.is_turned_away,
-        ))
+        );
+        Ok(closure.resolved(pairs.areas(), &pairs.crack_errors()))
     }
 
     /// Sums the rows of exchange areas that are held.
@@ -101,12 +127,16 @@ impl Closure {
             sums[i] = row;
         }
         let sums = sums.iter().map(|row| row.map(|sum| sum.total()));
-        Self::new(
+        let closure = Self::new(
             exchange.shared_names(),
             [exchange.areas(), exchange.area_bounds()],
             sums,
             exchange.summary().is_turned_away,
-        )
+        );
+        match exchange.resolution_errors() {
+            Some(errors) => closure.resolved(exchange.areas(), errors.cracks()),
+            None => closure,
+        }
     }
 
     /// All rows, in order.
@@ -138,11 +168,23 @@ impl Closure {
         *worst
     }
 
-    /// Whether every row sums to one within its bound.
+    /// The row farthest beyond its tolerance.
+    fn farthest(&self) -> RowSum {
+        let beyond = |row: &RowSum| (row.sum - 1.0).abs() - row.resolution_error;
+        let mut worst = self.rows[0];
+        for row in &self.rows[1..] {
+            if beyond(row) > beyond(&worst) {
+                worst = *row;
+            }
+        }
+        worst
+    }
+
+    /// Whether every row sums to one within its bound, and what the resolution can change.
     #[must_use]
     pub fn is_closed(&self) -> bool {
         self.with_area()
-            .all(|row| (row.sum - 1.0).abs() <= row.error)
+            .all(|row| (row.sum - 1.0).abs() <= row.tolerance())
     }
 
     /// Refuses a scene that is not closed.
@@ -158,12 +200,13 @@ impl Closure {
         if self.is_closed() {
             return Ok(());
         }
-        let RowSum { row, sum, error } = self.worst();
+        let worst = self.farthest();
         Err(ExchangeError::OpenScene {
-            row,
-            name: self.names[row].clone(),
-            sum,
-            tolerance: error,
+            row: worst.row,
+            name: self.names[worst.row].clone(),
+            sum: worst.sum,
+            tolerance: worst.error,
+            resolution_error: worst.resolution_error,
         })
     }
 
@@ -174,7 +217,7 @@ impl Closure {
     pub fn require_at_most_one(&self) -> Result<(), ExchangeError> {
         let mut worst: Option<&RowSum> = None;
         for row in &self.rows {
-            if row.sum - 1.0 > row.error && worst.is_none_or(|worst| row.sum > worst.sum) {
+            if row.sum - 1.0 > row.tolerance() && worst.is_none_or(|worst| row.sum > worst.sum) {
                 worst = Some(row);
             }
         }
@@ -184,6 +227,7 @@ impl Closure {
                 name: self.names[row.row].clone(),
                 sum: row.sum,
                 tolerance: row.error,
+                resolution_error: row.resolution_error,
             })
         })
     }
@@ -195,9 +239,10 @@ impl Closure {
     /// If there is no row i.
     #[must_use]
     pub fn escaping(&self, i: usize) -> f64 {
-        let RowSum { sum, error, .. } = self.rows[i];
-        if self.has_area[i] && 1.0 - sum > error {
-            1.0 - sum
+        let row = self.rows[i];
+        let escaping = 1.0 - row.sum;
+        if self.has_area[i] && escaping > row.tolerance() {
+            escaping
         } else {
             0.0
         }

@@ -28,7 +28,7 @@ pub enum ExchangeError {
     /// The patches do not enclose their surroundings.
     #[error(
         "the scene is open: row {row} of the form factors (patch {name}) sums to {sum}, \
-         1 ± {tolerance:e} is closed"
+         1 ± {tolerance:e} is closed{}", also(*resolution_error)
     )]
     OpenScene {
         /// The row farthest from 1.
@@ -37,8 +37,10 @@ pub enum ExchangeError {
         name: String,
         /// The sum of the row.
         sum: f64,
-        /// The deviation that would count as closed.
+        /// The bound on the error of the sum.
         tolerance: f64,
+        /// The deviation that the resolution of the coordinates explains beside it.
+        resolution_error: f64,
     },
     /// Every patch faces away from all others.
     #[error("all patches face away from each other: reverse the corners of every face")]
@@ -46,7 +48,9 @@ pub enum ExchangeError {
     /// The form factors of a patch sum to more than one.
     #[error(
         "row {row} of the form factors (patch {name}) sums to {sum}, 1 + {tolerance:e} at most is \
-         possible: patches overlap, or hide each other"
+         possible{}: patches overlap, or hide each other{}",
+        also(*resolution_error),
+        unless_rounded(*sum - 1.0, *tolerance)
     )]
     RowAboveOne {
         /// The row farthest above 1.
@@ -57,6 +61,8 @@ pub enum ExchangeError {
         sum: f64,
         /// The bound on the error of the sum.
         tolerance: f64,
+        /// The excess that the resolution of the coordinates explains beside it.
+        resolution_error: f64,
     },
     /// Random lines left the scene.
     #[error(
@@ -84,3 +90,24 @@ pub enum ExchangeError {
     #[error(transparent)]
     Scene(#[from] SceneError),
 }
+
+/// The words on what a resolution explains, beside the error of a computation.
+fn also(resolution_error: f64) -> String {
+    if resolution_error > 0.0 {
+        format!(" (and {resolution_error:.1e} more for the resolution of the coordinates)")
+    } else {
+        String::new()
+    }
+}
+
+/// The words on an excess so small that rounded coordinates may explain it.
+fn unless_rounded(excess: f64, tolerance: f64) -> &'static str {
+    if tolerance < excess && excess < LARGEST_ROUNDING {
+        ", or their coordinates are rounded to more than the resolution that they are taken to have"
+    } else {
+        ""
+    }
+}
+
+/// An excess that is not taken for rounding any more.
+const LARGEST_ROUNDING: f64 = 0.01;

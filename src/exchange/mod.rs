@@ -36,6 +36,9 @@
 //!    [`ScenePairs::for_each_row`] one row, [`ScenePairs::tile`] one tile, [`ExchangeAreas`] the
 //!    whole matrix.
 //!
+//! Where coordinates are rounded, [`ScenePairs::resolution_error`] bounds what that can change of an
+//! exchange area; it stands beside the error of the computation and is never mixed with it.
+//!
 //! [`Closure`] asks whether the rows of form factors sum to one; [`PassSummary`] counts pairs by
 //! route and reports the pair that is farthest from its tolerance.
 //!
@@ -63,6 +66,8 @@ mod error;
 mod passes;
 mod plan;
 mod progress;
+mod resolution;
+mod resolution_errors;
 mod row_pair;
 mod rows;
 mod scene_pairs;
@@ -78,6 +83,7 @@ pub use passes::tiles::{Tile, TileAnswers};
 pub use plan::Congruence;
 pub use plan::counts::{PassCounts, PassSummary, PlanSummary, Unreached};
 pub use progress::{Progress, Unheard};
+pub use resolution_errors::ResolutionErrors;
 pub(crate) use row_pair::per_area;
 pub use scene_pairs::ScenePairs;
 pub use selection::Selection;

@@ -102,8 +102,10 @@ impl ScenePairs<'_> {
             None => self.summed_row_pair(first.min(second), first.max(second), counts)?,
         };
         let smaller = self.areas()[first].min(self.areas()[second]);
-        let tolerance = self.tolerance();
-        if !tolerance.accepts(&answer.exchange, smaller, self.rows()) {
+        let is_accepted = self
+            .tolerance()
+            .accepts(&answer.exchange, smaller, self.rows());
+        if !is_accepted && answer.exchange.error > self.unfelt(first, second) {
             counts.unreached([first, second], &answer.exchange, smaller);
         }
         Ok(answer)

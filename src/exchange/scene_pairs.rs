@@ -15,6 +15,7 @@
 
 use super::plan::{Congruence, Plan};
 use super::progress::{Listener, Progress, Unheard};
+use super::resolution::Resolution;
 use super::{ExchangeError, Selection, Tolerance};
 use crate::exchange::plan::base_offsets::BaseOffsets;
 use crate::exchange::plan::counts::{PassCounts, PassSummary};
@@ -35,6 +36,8 @@ pub struct ScenePairs<'p> {
     terms: RowTerms,
     plane_sets: PlaneSets,
     base_offsets: BaseOffsets,
+    /// None if coordinates are exact.
+    resolution: Option<Resolution>,
     listener: Listener<'p>,
     polygons: Polygons,
     /// The names of the rows.
@@ -152,6 +155,7 @@ impl<'p> ScenePairs<'p> {
         let mut pairs = Self {
             plane_sets: PlaneSets::of(&terms, plan.facings()),
             base_offsets: BaseOffsets::of(scene, terms.patches()),
+            resolution: Resolution::of(scene, terms.patches()),
             listener: Listener(&Unheard),
             names: scene.group_names().into_iter().map(str::to_owned).collect(),
             plan,
@@ -271,6 +275,11 @@ impl ScenePairs<'_> {
         self.base_offsets.allowance(part, other)
     }
 
+    /// The polygons whose corners may be off; none if coordinates are exact.
+    pub(crate) const fn loose(&self) -> Option<&Resolution> {
+        self.resolution.as_ref()
+    }
+
     /// Tells the listener that so many more pairs are done.
     pub(crate) fn advance(&self, pairs: usize) {
         self.listener.0.advance(pairs);
@@ -356,6 +365,7 @@ impl ScenePairs<'_> {
         counts: PassCounts,
     ) -> PassSummary {
         let mut summary = counts.summary(pairs, self.plan.facings().count(), left_out, classes);
+        summary.plan.resolution = self.loose().map(Resolution::surfaces);
         summary.is_turned_away = self.is_turned_away;
         summary
     }

@@ -23,8 +23,13 @@ impl Polygon {
     /// The polygon of a patch.
     #[must_use]
     pub fn new(patch: &Patch) -> Self {
-        Self::of(patch.corners(), Rectangle::try_from(patch).ok())
-            .unwrap_or_else(|| unreachable!("a patch has an area, so three corners apart"))
+        let mut polygon = Self::of(patch.corners(), Rectangle::try_from(patch).ok())
+            .unwrap_or_else(|| unreachable!("a patch has an area, so three corners apart"));
+        if patch.moved() > 0.0 {
+            // the plane is meant, whose corners are rounded: far less than they were moved by
+            polygon.tilt = 0.0;
+        }
+        polygon
     }
 
     /// `None` if no three corners are apart, or nothing is left of the area.

@@ -33,7 +33,8 @@ pub enum GeometryError {
     /// A corner lies off the plane of the others.
     #[error(
         "corner {corner} lies {deviation:e} off the plane, {relative:e} of the diameter; \
-         at most {allowed:e} of it is accepted, so split the polygon into triangles"
+         at most {allowed:e} of it is accepted{}, so split the polygon into triangles",
+        resolved(*resolution)
     )]
     NotPlanar {
         /// The corner farthest from the plane.
@@ -44,6 +45,8 @@ pub enum GeometryError {
         relative: f64,
         /// The largest deviation accepted.
         allowed: f64,
+        /// The resolution that would explain the deviation, if one would.
+        resolution: Option<f64>,
     },
     /// Two edges of the outline meet where they should not.
     #[error("edges {first} and {second} of the outline cross or touch: a simple polygon is needed")]
@@ -97,4 +100,10 @@ pub enum GeometryError {
         /// Largest position allowed.
         upper: f64,
     },
+}
+
+/// The words on a resolution that would explain a bend.
+fn resolved(resolution: Option<f64>) -> String {
+    let words = |length| format!(" unless coordinates are ± {length:.1e} or more");
+    resolution.map_or_else(String::new, words)
 }

@@ -6,6 +6,10 @@
 //!
 //! The front is the side from which the corners run counter-clockwise.
 //!
+//! Corners that are rounded to decimals lie off a plane by some of their last place. A polygon that
+//! is bent by no more than a resolution explains is put into its mean plane; the corners as they
+//! were given are kept for writers of files.
+//!
 //! **Not covered**: holes; curved surfaces.
 
 use super::GeometryError;
@@ -19,6 +23,15 @@ pub struct Patch {
     corners: Vec<DVec3>,
     normal: DVec3,
     area: f64,
+    bend: Option<Box<Bend>>,
+}
+
+/// The corners of a polygon as given, where they were moved into a plane.
+#[derive(Debug, Clone, PartialEq)]
+struct Bend {
+    given: Vec<DVec3>,
+    moved: f64,
+    resolution: f64,
 }
 
 impl Patch {
@@ -39,6 +52,28 @@ impl Patch {
     /// # Ok::<(), infoscene::geometry::GeometryError>(())
     /// ```
     pub fn try_new(corners: Vec<DVec3>) -> Result<Self, GeometryError> {
+        Self::within(corners, 0.0)
+    }
+
+    /// The polygon with these corners, whose coordinates are known to ± `resolution` only: put into
+    /// its mean plane if they leave it by no more than that explains, and if the polygon is wide
+    /// enough for such a resolution.
+    ///
+    /// # Errors
+    /// As [`try_new`](Self::try_new).
+    ///
+    /// # Examples
+    /// ```
+    /// use infoscene::geometry::Patch;
+    /// use glam::DVec3;
+    /// // a turned square to two decimals
+    /// let corners = [[0.0, 0.0, 0.0], [0.87, 0.0, 0.5], [0.61, 0.71, 0.36], [-0.25, 0.71, -0.15]];
+    /// let corners = corners.map(DVec3::from_array).to_vec();
+    /// assert!(Patch::try_new(corners.clone()).is_err());
+    /// assert!(Patch::within(corners, 0.005)?.moved() < 0.005);
+    /// # Ok::<(), infoscene::geometry::GeometryError>(())
+    /// ```
+    pub fn within(mut corners: Vec<DVec3>, resolution: f64) -> Result<Self, GeometryError> {
         if corners.len() < 3 {
             return Err(GeometryError::TooFewCorners {
                 corners: corners.len(),
@@ -76,26 +111,39 @@ impl Patch {
         let precise = precise.times(DoubleDouble::from(1.0) / precise.length());
         let heights = corners
             .iter()
-            .map(|c| from_origin(*c).dot(precise).to_f64().abs() * unit);
+            .map(|c| from_origin(*c).dot(precise).to_f64() * unit);
+        let heights: Vec<f64> = heights.collect();
+        let sizes = heights.iter().map(|height| height.abs());
         let (corner, deviation) =
-            heights.enumerate().fold(
+            sizes.enumerate().fold(
                 (0, 0.0),
                 |worst, next| if next.1 > worst.1 { next } else { worst },
             );
         let allowed = tolerance::PLANARITY;
+        let mut bend = None;
         if deviation > allowed * diameter {
-            let relative = deviation / diameter;
-            return Err(GeometryError::NotPlanar {
-                corner,
-                deviation,
-                relative,
-                allowed,
-            });
+            let bent = Bent::of(&heights, area / diameter);
+            if !bent.is_explained_by(resolution) {
+                return Err(GeometryError::NotPlanar {
+                    corner,
+                    deviation,
+                    relative: deviation / diameter,
+                    allowed,
+                    resolution: bent.resolution(),
+                });
+            }
+            bend = Some(put_flat(
+                &mut corners,
+                &heights,
+                &bent,
+                (normal, resolution),
+            ));
         }
         let patch = Self {
             corners,
             normal,
             area,
+            bend,
         };
         match patch.crossing_edges(unit) {
             Some((first, second)) => Err(GeometryError::NotSimple { first, second }),
@@ -107,6 +155,9 @@ impl Patch {
     #[must_use]
     pub fn reversed(mut self) -> Self {
         self.corners[1..].reverse();
+        if let Some(bend) = &mut self.bend {
+            bend.given[1..].reverse();
+        }
         Self {
             normal: -self.normal,
             ..self
@@ -131,6 +182,62 @@ impl Patch {
         self.area
     }
 
+    /// The length of the outline.
+    pub(crate) fn perimeter(&self) -> f64 {
+        let next = self.corners.iter().cycle().skip(1);
+        let edges = self.corners.iter().zip(next);
+        edges.map(|(from, to)| from.distance(*to)).sum()
+    }
+
+    /// Puts a polygon that is plane within [`tolerance::PLANARITY`] into its plane, as the resolution
+    /// is coarser than that.
+    pub(crate) fn flatten(&mut self, resolution: f64) {
+        let heights = self.heights();
+        let bent = Bent::of(&heights, self.width());
+        if self.corners.len() > 3 && bent.span > 0.0 && self.bend.is_none() {
+            let known = (self.normal, resolution);
+            self.bend = Some(put_flat(&mut self.corners, &heights, &bent, known));
+        }
+    }
+
+    /// The heights of the corners over the plane through the first.
+    fn heights(&self) -> Vec<f64> {
+        let heights = self
+            .corners
+            .iter()
+            .map(|c| (*c - self.corners[0]).dot(self.normal));
+        heights.collect()
+    }
+
+    /// The heights between which the corners lie.
+    pub(crate) fn bend(&self) -> f64 {
+        Bent::of(&self.heights(), self.width()).span
+    }
+
+    /// The area over the diameter: half the altitude of a triangle, or more.
+    pub(crate) fn width(&self) -> f64 {
+        let origin = self.corners[0];
+        let distances = self.corners.iter().map(|corner| corner.distance(origin));
+        self.area / distances.fold(0.0, f64::max)
+    }
+
+    /// The corners as they were given, which are those of a file.
+    #[must_use]
+    pub fn given_corners(&self) -> &[DVec3] {
+        self.bend.as_ref().map_or(&self.corners, |bend| &bend.given)
+    }
+
+    /// The distance by which corners were moved into the plane, at most; 0 for a plane polygon.
+    #[must_use]
+    pub fn moved(&self) -> f64 {
+        self.bend.as_ref().map_or(0.0, |bend| bend.moved)
+    }
+
+    /// The resolution under which a bent polygon was accepted; 0 for a plane one.
+    pub(crate) fn resolution(&self) -> f64 {
+        self.bend.as_ref().map_or(0.0, |bend| bend.resolution)
+    }
+
     fn crossing_edges(&self, unit: f64) -> Option<(usize, usize)> {
         let across = self.normal.any_orthonormal_vector();
         let up = self.normal.cross(across);
@@ -146,6 +253,66 @@ impl Patch {
             .flat_map(|i| (i + 1..n).map(move |j| (i, j)))
             .filter(|(i, j)| j - i > 1 && (*i > 0 || *j < n - 1)) // neighbours share a corner
             .find(|(i, j)| segments_meet(edge(*i), edge(*j)))
+    }
+}
+
+/// Puts corners at these heights into the plane in the middle.
+fn put_flat(
+    corners: &mut [DVec3],
+    heights: &[f64],
+    bent: &Bent,
+    (normal, resolution): (DVec3, f64),
+) -> Box<Bend> {
+    let given = corners.to_vec();
+    for (corner, height) in corners.iter_mut().zip(heights) {
+        *corner -= (height - bent.middle) * normal;
+    }
+    Box::new(Bend {
+        given,
+        moved: bent.half(),
+        resolution,
+    })
+}
+
+/// The heights of a polygon's corners over its mean plane.
+struct Bent {
+    middle: f64,
+    span: f64,
+    /// The width, as area over diameter.
+    width: f64,
+    /// The largest span per resolution.
+    most: f64,
+}
+
+impl Bent {
+    fn of(heights: &[f64], width: f64) -> Self {
+        let low = heights.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        Self {
+            middle: 0.5 * (low + high),
+            span: high - low,
+            width,
+            most: if heights.len() == 4 {
+                tolerance::QUADRILATERAL_BEND
+            } else {
+                tolerance::BEND
+            },
+        }
+    }
+
+    fn half(&self) -> f64 {
+        0.5 * self.span
+    }
+
+    fn is_explained_by(&self, resolution: f64) -> bool {
+        self.span <= self.most * resolution && resolution <= tolerance::RESOLVED * self.width
+    }
+
+    /// The resolution that would explain the bend, if it is fine enough for the polygon.
+    fn resolution(&self) -> Option<f64> {
+        // twice what this polygon needs at worst: others may be bent by more
+        let needed = self.span / tolerance::SQRT_3;
+        (needed <= tolerance::RESOLVED * self.width).then_some(needed)
     }
 }
 

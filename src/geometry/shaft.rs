@@ -50,13 +50,37 @@ pub struct Plane {
     pub normal: DVec3,
     /// A point of the plane.
     pub origin: DVec3,
+    /// The slope over the exact plane that cannot be excluded; 0 where corners are exact.
+    pub tilt: f64,
 }
 
 impl Plane {
+    /// The plane through a point with this unit normal.
+    #[must_use]
+    pub const fn new(normal: DVec3, origin: DVec3) -> Self {
+        Self {
+            normal,
+            origin,
+            tilt: 0.0,
+        }
+    }
+
     /// Height of a point over the plane, positive in front.
     #[must_use]
     pub fn height(&self, point: DVec3) -> f64 {
         (point - self.origin).dot(self.normal)
+    }
+
+    /// Height of a point over the plane as far as it is sure: nearer to 0 by what the tilt leaves
+    /// open.
+    #[must_use]
+    pub fn sure_height(&self, point: DVec3) -> f64 {
+        let height = self.height(point);
+        if self.tilt <= 0.0 {
+            return height;
+        }
+        let open = self.tilt * point.distance(self.origin);
+        height.signum() * (height.abs() - open).max(0.0)
     }
 
     /// The plane with its front on the other side.
@@ -64,7 +88,7 @@ impl Plane {
     pub fn reversed(&self) -> Self {
         Self {
             normal: -self.normal,
-            origin: self.origin,
+            ..*self
         }
     }
 }
@@ -123,7 +147,7 @@ impl Outline {
         self.pieces
             .iter()
             .flatten()
-            .any(|corner| plane.height(*corner) > noise)
+            .any(|corner| plane.sure_height(*corner) > noise)
     }
 
     /// The pieces' parts in front of a plane; pieces that do not rise above it by more than `noise`
@@ -206,7 +230,8 @@ impl Shaft {
 /// The part of a convex polygon in front of a plane; `None` if it does not rise above it by more
 /// than `noise`.
 fn above(piece: &[DVec3], plane: &Plane, noise: f64) -> Option<Vec<DVec3>> {
-    let heights: Vec<f64> = piece.iter().map(|corner| plane.height(*corner)).collect();
+    let heights = piece.iter().map(|corner| plane.sure_height(*corner));
+    let heights: Vec<f64> = heights.collect();
     if !heights.iter().any(|height| *height > noise) {
         return None;
     }

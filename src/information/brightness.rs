@@ -8,10 +8,12 @@
 //!
 //! δ the bounds of the exchange areas, η those of the brightnesses relative to themselves. The
 //! error of the answer is an *estimate*.
+//!
+//! **Not covered**: what the resolution of coordinates can change, which is not known here.
 
 use super::SceneInformation;
-use super::chain::{pair_divergence, positional_entropy};
-use super::scene::divergence_error;
+use super::chain::{divergence_error, pair_divergence, positional_entropy};
+use super::resolution::InformationResolution;
 use crate::chain::{ChainError, brightness_chain};
 use crate::exchange::{Closure, ExchangeAreas};
 use crate::numeric::{Bounded, compensated_sum, parallel_map, tolerance};
@@ -95,6 +97,10 @@ pub fn brightness_information(
         positional_entropy,
         entropy_rate: (positional_entropy - mutual_information).max(0.0),
         mutual_information: Bounded::estimate(mutual_information, error + rounding),
+        resolution: exchange
+            .resolution_errors()
+            .is_none()
+            .then(InformationResolution::default),
         contributions,
         outside_contribution: None,
         weights: (0..n).map(|i| chain.stationary_probability(i)).collect(),

@@ -92,6 +92,25 @@ pub(crate) fn pair_divergence(joint: f64, weight: f64, probability: f64) -> f64 
     }
 }
 
+/// A bound on the change of `J ln(J/q) − J + q` by an error of the exchange area J, in nats.
+pub(crate) fn divergence_error(value: f64, bound: f64, product: f64) -> f64 {
+    if bound <= 0.0 {
+        return 0.0;
+    }
+    let slope = |value: f64| (value / product).ln().abs();
+    if bound < value {
+        return bound * (slope(value) + bound / (value - bound));
+    }
+    // down to 0, up to value + bound, or to the lowest point between
+    let up = bound * slope(value + bound);
+    let down = if value > 0.0 {
+        (value * slope(value) + value).max(bound * slope(value))
+    } else {
+        bound
+    };
+    up.max(down)
+}
+
 /// A power of two that brings the chain's total near 1, as two factors that `f64` can hold.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Unit([f64; 2]);

@@ -29,10 +29,11 @@
 
 use crate::chain::ChainError;
 use crate::exchange::ExchangeError;
-use crate::form_factor::LogMeans;
-use crate::geometry::{GeometryError, Patch};
+use crate::form_factor::{FormFactorError, LogMeans};
+use crate::geometry::{GeometryError, Patch, clipped};
 use crate::numeric::{Bounded, CompensatedSum, compensated_sum, tolerance, try_parallel_map};
 use crate::scene::{Occlusion, Scene};
+use glam::DVec3;
 use std::f64::consts::LN_2;
 
 /// The contribution of a pair of faces to the continuous mutual information, in both directions
@@ -99,15 +100,19 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
     let (faces, face_of) = scene.convex_room()?;
     Occlusion::Refuse.check(scene)?;
     let first_patch = |face: usize| face_of.iter().position(|of| *of == face).unwrap_or(0);
+    let unscaled = faces.iter().map(Patch::area).collect::<Vec<_>>();
     let faces = in_own_unit(faces.iter())
         .map_err(|(face, source)| scene.refused(first_patch(face), source))?;
     let total_area = compensated_sum(faces.iter().map(Patch::area));
+    let scale = (total_area / compensated_sum(unscaled.iter().copied())).sqrt();
+    let seam = tolerance::RESOLVED_NOISE * scene.resolution() * scale;
     let places: Vec<[usize; 2]> = (0..faces.len())
         .flat_map(|second| (0..second).map(move |first| [first, second]))
         .collect();
     let measured = try_parallel_map(places.len(), &|place| {
         let [first, second] = places[place];
-        LogMeans::of(&faces[first], &faces[second]).map_err(|source| ExchangeError::Pair {
+        let pair = [&faces[first], &faces[second]];
+        log_means(pair, seam).map_err(|source| ExchangeError::Pair {
             first: first_patch(first),
             second: first_patch(second),
             source,
@@ -122,7 +127,7 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
             bound.add(pair.exchange.error);
         }
     }
-    let unclosed = deviation_from_closure(&rows, &faces, |face| {
+    let unclosed = deviation_from_closure(&rows, &faces, seam, |face| {
         let row = first_patch(face);
         (row, scene.patches()[row].name())
     })?;
@@ -154,16 +159,18 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
 /// The sum `Σ_i |Σ_j C_ij + A_i/2|` over the faces, each of which must receive all that it sends.
 ///
 /// **Arguments** `rows`: for each face its exchange areas, its C and the bounds of the first,
-/// summed; `first_patch`: the index and the name of a face's first patch.
+/// summed; `seam`: the width of what neighbours may leave open; `first_patch`: the index and the name of a face's first patch.
 fn deviation_from_closure<'s>(
     rows: &[[CompensatedSum; 3]],
     faces: &[Patch],
+    seam: f64,
     first_patch: impl Fn(usize) -> (usize, &'s str),
 ) -> Result<f64, ExchangeError> {
     let mut unclosed = 0.0;
     for (face, (row, patch)) in rows.iter().zip(faces).enumerate() {
         let [received, cosines, bound] = row.each_ref().map(CompensatedSum::total);
-        let allowed = bound / patch.area() + tolerance::COVERED;
+        let open = seam * patch.perimeter() / patch.area();
+        let allowed = bound / patch.area() + tolerance::COVERED + open;
         let sum = received / patch.area();
         if (sum - 1.0).abs() > allowed {
             let (row, name) = first_patch(face);
@@ -172,11 +179,32 @@ fn deviation_from_closure<'s>(
                 name: name.to_owned(),
                 sum,
                 tolerance: allowed,
+                resolution_error: 0.0,
             });
         }
         unclosed += (cosines + 0.5 * patch.area()).abs();
     }
     Ok(unclosed)
+}
+
+/// The means of two polygons, of which a seam may reach behind the plane of the other.
+fn log_means([first, second]: [&Patch; 2], seam: f64) -> Result<LogMeans, FormFactorError> {
+    if seam <= 0.0 {
+        return LogMeans::of(first, second);
+    }
+    let in_front = |patch: &Patch, of: &Patch| {
+        let heights = patch.corners().iter();
+        let heights = heights.map(|corner| of.normal().dot(*corner - of.corners()[0]));
+        let heights: Vec<f64> = heights.collect();
+        let lowest = heights.iter().copied().fold(0.0, f64::min);
+        if lowest >= 0.0 || lowest < -seam {
+            return patch.clone();
+        }
+        let front = clipped(patch.corners(), &heights, DVec3::lerp);
+        Patch::within(front, patch.resolution()).unwrap_or_else(|_| patch.clone())
+    };
+    let [one, other] = [in_front(first, second), in_front(second, first)];
+    LogMeans::of(&one, &other)
 }
 
 /// Polygons in units of a power of two near the root of their area, so that logarithms are of
@@ -188,7 +216,8 @@ pub(super) fn in_own_unit<'p>(
     let unit = crate::numeric::power_of_two_near(total_area.sqrt());
     let scaled = polygons.enumerate().map(|(index, polygon)| {
         let corners = polygon.corners().iter().map(|corner| *corner / unit);
-        Patch::try_new(corners.collect()).map_err(|source| (index, source))
+        let resolution = polygon.resolution() / unit;
+        Patch::within(corners.collect(), resolution).map_err(|source| (index, source))
     });
     scaled.collect()
 }

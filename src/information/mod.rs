@@ -18,20 +18,21 @@ mod chain;
 mod continuous;
 mod gain;
 mod pair_losses;
+mod resolution;
 mod sampled;
 mod scene;
 
 pub use brightness::brightness_information;
-pub(crate) use chain::pair_divergence;
+pub(crate) use chain::{divergence_error, pair_divergence};
 pub use chain::{entropy_rate, mutual_information, positional_entropy};
 pub use continuous::{ContinuousInformation, FacePair, continuous_information};
 pub use gain::{divergence, refinement_gain, relative_entropy, subdivision_bound};
 pub use pair_losses::{PairLoss, pair_losses};
+pub use resolution::InformationResolution;
 pub use sampled::chords::ChordInformation;
 pub use sampled::expected_bias::{
     expected_bias, expected_bias_of_scene, expected_deviation, scene_information_and_bias,
 };
 pub use sampled::line_sample::{LineKind, LineSample, chord_information};
 pub use sampled::pair_counts::PairCounts;
-pub(crate) use scene::divergence_error;
 pub use scene::{OpenScene, SceneInformation, scene_information};

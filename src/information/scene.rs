@@ -25,7 +25,8 @@
 //!
 //! **Not covered**: terms below 1e-308 of the total.
 
-use super::chain::{Unit, pair_divergence};
+use super::chain::{Unit, divergence_error, pair_divergence};
+use super::resolution::{Changes, InformationResolution};
 use crate::chain::ChainError;
 use crate::exchange::{Closure, PassSummary, ScenePairs};
 use crate::form_factor::ExchangeArea;
@@ -51,6 +52,9 @@ pub struct SceneInformation {
     /// Mutual information, eq. (3); its error is a bound for a closed scene, an estimate for an
     /// open one.
     pub mutual_information: Bounded,
+    /// Bounds on what the resolution of the coordinates can change, beside the error; none where that
+    /// is not known.
+    pub resolution: Option<InformationResolution>,
     /// The terms of eq. (3) by patch, or by the row that several are summed into,
     /// `w_i Σ_j P_ij log2(P_ij/w_j)`.
     pub contributions: Vec<f64>,
@@ -142,6 +146,7 @@ pub(super) fn information_with_sums<const N: usize>(
                 Grade::Estimate
             },
         ),
+        resolution: Some(scene.resolution(&outside, is_closed, mutual_information)),
         contributions,
         outside_contribution,
         weights: scene
@@ -166,6 +171,8 @@ struct RowSums<const N: usize> {
     sums: Vec<[f64; N]>,
     closure: Closure,
     summary: PassSummary,
+    /// None if coordinates are exact.
+    changes: Option<Changes>,
 }
 
 impl<const N: usize> RowSums<N> {
@@ -194,6 +201,22 @@ impl<const N: usize> RowSums<N> {
             sums.iter().map(|sum| [sum[VALUE], sum[BOUND]]),
             summary.is_turned_away,
         );
+        let mut changes = None;
+        if pairs.resolution() > 0.0 {
+            let (moved, _) = pairs.row_sums(|i, j, exchange| {
+                let change = unit.times(pairs.resolution_error(i, j));
+                let product = areas[i] * (areas[j] / area);
+                [
+                    change,
+                    divergence_error(unit.times(exchange.value), change, product),
+                ]
+            })?;
+            changes = Some(Changes::of(pairs, |x| unit.times(x), &areas, &moved));
+        }
+        let closure = match &changes {
+            Some(_) => closure.resolved(pairs.areas(), &pairs.crack_errors()),
+            None => closure,
+        };
         Ok(Self {
             total_area,
             area,
@@ -202,7 +225,21 @@ impl<const N: usize> RowSums<N> {
             sums,
             closure,
             summary,
+            changes,
         })
+    }
+
+    /// What the resolution can change of the information.
+    fn resolution(&self, outside: &Outside, is_closed: bool, bits: f64) -> InformationResolution {
+        let Some(changes) = &self.changes else {
+            return InformationResolution::default();
+        };
+        let from_escaping = if is_closed {
+            0.0
+        } else {
+            outside.error(self.area, &self.areas, changes.of_rows(), bits)
+        };
+        changes.bounds(&self.areas, from_escaping, bits)
     }
 
     fn outside(&self, is_closed: bool) -> Outside {
@@ -304,23 +341,4 @@ impl Outside {
             bound * (growth + 2.0 * (ratio.log2().abs() + 1.0 / LN_2) + bits)
         }))
     }
-}
-
-/// A bound on the change of `J ln(J/q) − J + q` by an error of the exchange area J, in nats.
-pub(crate) fn divergence_error(value: f64, bound: f64, product: f64) -> f64 {
-    if bound <= 0.0 {
-        return 0.0;
-    }
-    let slope = |value: f64| (value / product).ln().abs();
-    if bound < value {
-        return bound * (slope(value) + bound / (value - bound));
-    }
-    // down to 0, up to value + bound, or to the lowest point between
-    let up = bound * slope(value + bound);
-    let down = if value > 0.0 {
-        (value * slope(value) + value).max(bound * slope(value))
-    } else {
-        bound
-    };
-    up.max(down)
 }

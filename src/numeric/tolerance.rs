@@ -30,6 +30,29 @@ pub const TREMBLING: f64 = 1e-9;
 /// input's own rounding is 1e-16 of its coordinates, a file of twelve decimals gives 1e-12.
 pub const PLANARITY: f64 = 1e-12;
 
+/// Heights between which corners of one plane lie, per length by which a coordinate is off: (a) a
+/// corner is off by √3 times that, the corners of one plane lie between twice that, and a plane that
+/// is not the best one doubles it.
+pub const BEND: f64 = 4.0 * SQRT_3;
+
+/// The same of four corners over the plane along both diagonals: (a) these pass each other within
+/// 2 √3 times that length.
+pub const QUADRILATERAL_BEND: f64 = 2.0 * SQRT_3;
+
+/// The square root of 3: a corner whose three coordinates are off by 1 is off by so much.
+pub const SQRT_3: f64 = 1.732_050_807_568_877_2;
+
+/// The largest resolution, relative to the width of what it is to resolve: (a) surfaces that count
+/// as touching reach into each other by [`RESOLVED_NOISE`] resolutions at most, which is less than
+/// the width then.
+pub const RESOLVED: f64 = 1.0 / 20.0;
+
+/// The length below which touching cannot be told from penetrating, in resolutions: (a) true
+/// corners lie within δ = √3 resolutions, those that were put into a plane within twice that; a
+/// plane put through three of many leaves the others by up to 6 δ if all errors conspire, and by
+/// 2 δ as rounding goes, and depths add 2 δ. Held by `rounded_rooms_are_rooms`.
+pub const RESOLVED_NOISE: f64 = 8.0 * SQRT_3;
+
 /// Deviation from a common axis or plane, relative to the largest coordinate, up to which two
 /// rectangles count as aligned: (a) a rotated corner carries three roundings of ε each, twice
 /// over for a difference, and the frame another two.

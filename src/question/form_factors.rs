@@ -15,6 +15,7 @@ use crate::form_factor::Answer;
 use crate::scene::Scene;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
+use std::rc::Rc;
 
 /// The question for the form factors of a scene.
 ///
@@ -73,22 +74,39 @@ pub struct FormFactorRecord {
     pub to: usize,
     /// `F`, from 0 to 1.
     pub value: f64,
-    /// A bound on its absolute error.
+    /// A bound on its absolute error, for the coordinates as they are.
     pub error: f64,
+    /// A bound on what the resolution of the coordinates can change beside it.
+    pub resolution_error: f64,
     /// The name of the route by which it was found.
     pub route: &'static str,
 }
 
 impl FormFactorRecord {
-    /// The form factor from a patch of this area, with the bound on its rounding and the
-    /// quotient's.
-    fn new([from, to]: [usize; 2], area: [f64; 2], answer: &Answer) -> Self {
+    /// The form factor from a patch of this area, with the bound on its rounding and the quotient's.
+    ///
+    /// **Arguments** `changes`: the bounds on what the resolution can change of the exchange area
+    /// and of the area.
+    fn new(
+        [from, to]: [usize; 2],
+        area: [f64; 2],
+        answer: &Answer,
+        [of_exchange, of_area]: [f64; 2],
+    ) -> Self {
         let [value, error] = quotient(answer, area);
+        let change = (of_exchange + value * of_area) / (area[0] - of_area).max(0.0);
+        let most = value.max(1.0 - value);
         Self {
             from,
             to,
             value,
             error,
+            // 0/0 is of an area that says nothing
+            resolution_error: if of_exchange + of_area > 0.0 {
+                if change < most { change } else { most }
+            } else {
+                0.0
+            },
             route: answer.route.name(),
         }
     }
@@ -115,6 +133,8 @@ pub struct PatchRecord {
 pub struct FormFactorsAnswer<'p> {
     /// The rows.
     pub patches: Vec<PatchRecord>,
+    /// The length by which each coordinate may be off.
+    pub resolution: f64,
     /// The pairs that were left out, shared and computed.
     pub plan: PlanSummary,
     /// The pairs that miss the tolerance, if some do; those of the matrix's pass come with it.
@@ -202,6 +222,7 @@ impl FormFactors {
         let patches = patches.collect();
         Ok(FormFactorsAnswer {
             patches,
+            resolution: scene.resolution(),
             plan: plan.unwrap_or_default(),
             unreached,
             notes: loaded.notes,
@@ -253,22 +274,31 @@ impl FormFactorsAnswer<'_> {
     pub fn records(&self) -> impl Iterator<Item = FormFactorRecord> + '_ {
         let areas = areas(&self.pairs);
         let part = self.part.iter().flatten();
+        let moved = self.pairs.area_resolution_errors();
         let part = part.map({
-            let areas = areas.clone();
+            let (areas, moved) = (areas.clone(), moved.clone());
             move |Entry { from, to, answer }| {
-                FormFactorRecord::new([*from, *to], areas[*from], answer)
+                let change = self.pairs.resolution_error(*from, *to);
+                let changes = [change, moved[*from]];
+                FormFactorRecord::new([*from, *to], areas[*from], answer, changes)
             }
         });
         let all = 0..self.patches.len();
         let held = self.held.iter().filter(|_| self.part.is_none());
         let held = held.flat_map(move |held| {
-            let (areas, others) = (areas.clone(), all.clone());
+            let (areas, others, moved) = (areas.clone(), all.clone(), moved.clone());
+            let record = move |from: usize, to: usize| {
+                let change = held.resolution_error(from, to);
+                let changes = [change, moved[from]];
+                FormFactorRecord::new([from, to], areas[from], &held.get(from, to), changes)
+            };
+            let record = Rc::new(record);
             all.clone().flat_map(move |from| {
-                let area = areas[from];
+                let record = Rc::clone(&record);
                 others
                     .clone()
                     .filter(move |to| *to != from || held.sees_itself(from))
-                    .map(move |to| FormFactorRecord::new([from, to], area, &held.get(from, to)))
+                    .map(move |to| record(from, to))
             })
         });
         part.chain(held)
@@ -294,9 +324,10 @@ impl Serialize for FormFactorsAnswer<'_> {
                 serializer.collect_seq(self.0.records())
             }
         }
-        let mut record = serializer.serialize_struct("FormFactorsAnswer", 3)?;
+        let mut record = serializer.serialize_struct("FormFactorsAnswer", 4)?;
         record.serialize_field("patches", &self.patches)?;
         record.serialize_field("form_factors", &Records(self))?;
+        record.serialize_field("resolution", &self.resolution)?;
         record.serialize_field("plan", &self.plan)?;
         record.end()
     }

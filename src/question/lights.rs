@@ -25,6 +25,8 @@ pub struct ChannelLight {
     pub importance: Option<f64>,
     /// A bound on the error that the form factors' errors bring to the radiosity.
     pub form_factor_error: Option<f64>,
+    /// A bound on what the resolution of the coordinates can change of the radiosity.
+    pub resolution_error: Option<f64>,
 }
 
 /// The solution of one channel: the keys are relied on by scripts.
@@ -88,10 +90,15 @@ impl Room<'_> {
             room.radiosity(&emittances)?
         };
         let importance = self.direct.map(|direct| room.importance(direct));
+        let moved = match self.exchange.resolution_errors() {
+            None => Some(vec![0.0; emittances.len()]),
+            Some(bounds) => room.resolution_errors(bounds, &radiosity.values, &emittances),
+        };
         Ok(Lit {
             power: self.power(&reflectances, &emittances, &radiosity),
             radiosity,
             importance: importance.transpose()?,
+            moved,
         })
     }
 
@@ -112,6 +119,8 @@ impl Room<'_> {
 pub(super) struct Lit {
     radiosity: RadiositySolution,
     importance: Option<Importance>,
+    /// Bounds on what the resolution can change.
+    moved: Option<Vec<f64>>,
     power: Power,
 }
 
@@ -124,6 +133,7 @@ impl Lit {
             irradiance: self.radiosity.received[row],
             importance: importance.map(|found| found.values[row]),
             form_factor_error: errors.map(|errors| errors[row]),
+            resolution_error: self.moved.as_ref().map(|errors| errors[row]),
         }
     }
 
@@ -163,6 +173,7 @@ impl Lights {
             irradiance: mean(|light| light.irradiance),
             importance: known(|light| light.importance),
             form_factor_error: known(|light| light.form_factor_error),
+            resolution_error: known(|light| light.resolution_error),
         };
         (light, Some(channels))
     }

@@ -91,6 +91,14 @@ pub struct MeasureAnswer {
     pub pair_losses: Option<Vec<PairLossRecord>>,
     /// The error of the mutual information.
     pub mutual_information_error: f64,
+    /// The length by which each coordinate may be off.
+    pub resolution: f64,
+    /// A bound on what that can change of the mutual information, beside its error; an estimate
+    /// for an open scene, and none under a light.
+    pub resolution_error: Option<f64>,
+    /// A bound on what it can change of the positional entropy; that of the entropy rate is at most
+    /// the sum of both.
+    pub entropy_resolution_error: Option<f64>,
     /// The grade of its error.
     pub error_grade: Grade,
     /// The row of form factors whose sum is farthest from one.
@@ -166,6 +174,8 @@ pub struct RowSumRecord {
     pub row_sum: f64,
     /// A bound on its error.
     pub error: f64,
+    /// A bound on what the resolution can change of a sum of one.
+    pub resolution_error: f64,
 }
 
 /// The term of a row in eq. (3).
@@ -205,6 +215,7 @@ impl Measure {
         let mut answer = MeasureAnswer::new(&names, measured);
         answer.channel = self.light.channel;
         answer.unreached = unreached;
+        answer.resolution = scene.resolution();
         answer.notes = loaded.notes;
         if self.continuous || self.pairs {
             self.compare(&scene, &mut answer, progress)?;
@@ -274,12 +285,16 @@ impl MeasureAnswer {
             continuous_contributions: None,
             pair_losses: None,
             mutual_information_error: measured.mutual_information.error,
+            resolution: 0.0,
+            resolution_error: measured.resolution.map(|bounds| bounds.mutual_information),
+            entropy_resolution_error: measured.resolution.map(|bounds| bounds.positional_entropy),
             error_grade: measured.mutual_information.grade,
             closure: RowSumRecord {
                 patch: worst.row,
                 name: names[worst.row].to_owned(),
                 row_sum: worst.sum,
                 error: worst.error,
+                resolution_error: worst.resolution_error,
             },
             contributions: contributions.collect(),
             outside_contribution: measured.outside_contribution,

@@ -72,6 +72,8 @@ pub struct RadiosityAnswer {
     pub relative_error: f64,
     /// Do all rows of form factors sum to one?
     pub closed: bool,
+    /// The length by which each coordinate may be off.
+    pub resolution: f64,
     /// The balance of power.
     pub power: Power,
     /// The solutions by channel, if the scene is coloured.
@@ -103,6 +105,9 @@ pub struct PatchLight {
     /// A bound on the error that the form factors' errors bring to the radiosity; none where no
     /// bound is known.
     pub form_factor_error: Option<f64>,
+    /// A bound on what the resolution of the coordinates can change of the radiosity, beside the
+    /// errors; none where no bound is known.
+    pub resolution_error: Option<f64>,
     /// The light by channel, if the scene is coloured.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub channels: Option<Channels<ChannelLight>>,
@@ -141,6 +146,7 @@ impl Radiosity {
                 irradiance: light.irradiance,
                 importance: light.importance,
                 form_factor_error: light.form_factor_error,
+                resolution_error: light.resolution_error,
                 channels,
             }
         });
@@ -151,6 +157,7 @@ impl Radiosity {
             iterations: solution.iterations,
             relative_error: solution.relative_error,
             closed: closure.is_closed(),
+            resolution: scene.resolution(),
             power: solution.power,
             channels,
             plan: exchange.summary().plan.clone(),

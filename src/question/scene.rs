@@ -1,7 +1,7 @@
 //! The scene that a question is about.
 
 use crate::exchange::{Congruence, ExchangeError, Progress, ScenePairs, Tolerance};
-use crate::scene::files::{LoadedScene, NonPlanarFaces, OpenError, open};
+use crate::scene::files::{LoadedScene, NonPlanarFaces, OpenError, Reading, open};
 use crate::scene::{Occlusion, Scene};
 
 /// The remark on a scene that exchanges nothing as all its fronts are outside.
@@ -24,6 +24,9 @@ pub struct SceneSource {
     pub origin: SceneOrigin,
     /// The treatment of faces of a file that are not planar.
     pub faces: NonPlanarFaces,
+    /// The length by which each coordinate may be off, 0 for none; if it is not given, the decimals
+    /// of a file say it ([`Scene::resolution`]).
+    pub resolution: Option<f64>,
     /// Whether neighbours in one plane are joined ([`Scene::joined`]).
     pub join: bool,
     /// Whether the front of every patch is turned to its other side.
@@ -48,6 +51,7 @@ impl SceneSource {
         Self {
             origin,
             faces: NonPlanarFaces::default(),
+            resolution: None,
             join: false,
             reverse: false,
             subdivide: 0,
@@ -61,12 +65,22 @@ impl SceneSource {
     /// [`OpenError::Scene`] if the name is neither a built-in scene nor a path, or if a patch
     /// cannot be quartered; [`OpenError::File`] if the file is at fault.
     pub fn open(&self) -> Result<LoadedScene, OpenError> {
+        let reading = Reading {
+            faces: self.faces,
+            resolution: self.resolution,
+        };
         let mut loaded = match &self.origin {
-            SceneOrigin::Named(name) => open(name, self.faces)?,
-            SceneOrigin::Made(scene) => LoadedScene {
-                scene: Scene::clone(scene),
-                notes: Vec::new(),
-            },
+            SceneOrigin::Named(name) => open(name, reading)?,
+            SceneOrigin::Made(scene) => {
+                let scene = Scene::clone(scene);
+                LoadedScene {
+                    scene: match self.resolution {
+                        Some(resolution) => scene.with_resolution(resolution)?,
+                        None => scene,
+                    },
+                    notes: Vec::new(),
+                }
+            }
         };
         if self.join {
             let before = loaded.scene.patches().len();

@@ -79,6 +79,9 @@ pub struct SplitAnswer {
     pub maximum_gain: f64,
     /// The largest derivative of the gain that is left, in bits.
     pub residual: f64,
+    /// The length by which each coordinate of the scene may be off; what that can change is not
+    /// known.
+    pub resolution: f64,
     /// The enclosures, if they were asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub enclosures: Option<SplitEnclosures>,
@@ -214,6 +217,7 @@ impl Split {
             gain_at_middle: split.gain(&regular_positions(self.parts))?,
             maximum_gain: split.maximum_gain(self.parts)?,
             residual: best.residual,
+            resolution: scene.resolution(),
             positions: best.positions,
             enclosures: match self.precision {
                 Some(bits) => enclosures(&split, bits)?,

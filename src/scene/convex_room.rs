@@ -69,7 +69,14 @@ impl Scene {
         let name = |index: usize| self.patches[index].name.clone();
         for patches in &members {
             let (index, wall) = (patches[0], wall(patches));
-            let height = |corner: &DVec3| wall.normal().dot(*corner - wall.corners()[0]);
+            let shared = planes.facing(roots[index]);
+            let height = |corner: &DVec3| {
+                if self.resolution > 0.0 {
+                    planes.unit() * shared.sure_height(*corner / planes.unit())
+                } else {
+                    wall.normal().dot(*corner - wall.corners()[0])
+                }
+            };
             let depth = corners
                 .iter()
                 .map(|corner| -height(corner))
@@ -86,9 +93,13 @@ impl Scene {
             let shapes = || patches.iter().map(|patch| &self.patches[*patch].shape);
             let own = shapes().flat_map(Patch::corners).copied().collect();
             let hull = hull(own, wall(patches).normal(), noise);
-            let face = Patch::try_new(hull).map_err(|source| self.refused(index, source))?;
+            let face = Patch::within(hull, self.resolution);
+            let face = face.map_err(|source| self.refused(index, source))?;
             let missing = face.area() - compensated_sum(shapes().map(Patch::area));
-            if missing.abs() > tolerance::COVERED * face.area() {
+            // neighbours leave a seam open, or cover it twice
+            let seams = self.resolution * compensated_sum(shapes().map(Patch::perimeter));
+            let allowed = tolerance::COVERED * face.area() + tolerance::RESOLVED_NOISE * seams;
+            if missing.abs() > allowed {
                 let (name, relative) = (name(index), missing / face.area());
                 return Err(SceneError::FaceNotCovered {
                     index,

@@ -128,6 +128,17 @@ pub enum SceneError {
         /// Their names.
         names: [String; 2],
     },
+    /// The resolution is no length below that of the surfaces.
+    #[error(
+        "a resolution of {resolution:e} does not tell the surfaces of this scene apart: it must be \
+         0 or more, and less than {largest:.1e}"
+    )]
+    Resolution {
+        /// The resolution as given.
+        resolution: f64,
+        /// The length that it must be below.
+        largest: f64,
+    },
     /// A row without a patch is not where rows can be.
     #[error(
         "row {row} without a patch is out of order: such rows come upwards, none beyond {last}"
@@ -209,8 +220,9 @@ pub enum SceneError {
     /// Something may stand between two patches.
     #[error(
         "patches {first} and {second} may not see each other fully: {obstacle} ({name}) stands \
-         between parts of them, and occlusion is not computed: take it away, or ask for unoccluded \
-         values"
+         between parts of them{}, and occlusion is not computed: take it away, or ask for unoccluded \
+         values",
+        unless_rounded(*resolution)
     )]
     MayBeBlocked {
         /// Index of the first.
@@ -221,11 +233,13 @@ pub enum SceneError {
         obstacle: Obstacle,
         /// The name of that surface.
         name: String,
+        /// A resolution of the coordinates at which nothing would stand between.
+        resolution: Option<f64>,
     },
     /// Two patches in one plane that face the same way lie on each other.
     #[error(
-        "patches {first} ({}) and {second} ({}) lie in one plane, face the same way and overlap: \
-         cut or remove one of them", names[0], names[1]
+        "patches {first} ({}) and {second} ({}) lie in one plane, face the same way and overlap{}: \
+         cut or remove one of them", names[0], names[1], unless_rounded(*resolution)
     )]
     Overlap {
         /// Index of the first.
@@ -234,5 +248,13 @@ pub enum SceneError {
         second: usize,
         /// Their names.
         names: [String; 2],
+        /// A resolution of the coordinates at which nothing would overlap.
+        resolution: Option<f64>,
     },
+}
+
+/// The words on a resolution at which a condition would hold.
+fn unless_rounded(resolution: Option<f64>) -> String {
+    let words = |length| format!(" unless coordinates are ± {length:.1e} or more");
+    resolution.map_or_else(String::new, words)
 }

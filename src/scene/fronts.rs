@@ -50,7 +50,7 @@ impl Scene {
         let rises = |patch: usize, over: usize| {
             let plane = planes.facing(over);
             let mut corners = planes.corners(self.surface(patch));
-            corners.any(|corner| side * plane.height(corner) > planes.noise())
+            corners.any(|corner| side * plane.sure_height(corner) > planes.noise())
         };
         (0..self.patches().len())
             .filter(|other| rises(*other, own[0]))

@@ -2,7 +2,8 @@
 //!
 //! The paper's own scenes are built in ([`Scene::built_in`]), others are read from [`files`] or
 //! made from patches. A scene also says what only obstructs, which patches lie in another one, and
-//! which are summed into one row ([`Scene::base_of`], [`Scene::group_of`]).
+//! which are summed into one row ([`Scene::base_of`], [`Scene::group_of`]), and to which length its
+//! coordinates are known ([`Scene::resolution`]).
 //!
 //! **Not covered**: computing with occlusion. What may stand between two patches is found
 //! ([`Scene::blocker`]), and such a scene is refused unless unoccluded values are asked for
@@ -11,6 +12,7 @@
 mod built_in;
 mod channel;
 mod convex_room;
+mod cracks;
 mod edges;
 mod error;
 pub mod files;
@@ -20,6 +22,7 @@ mod material;
 mod overlap;
 mod parts;
 mod planes;
+mod resolution;
 mod row_materials;
 mod subdivision;
 mod visibility;
@@ -30,6 +33,7 @@ pub use error::SceneError;
 pub use material::{Material, MaterialError, MaterialFault, PatchMaterial};
 pub(crate) use material::{checked_emittance, checked_reflectance};
 pub use parts::EmptyRow;
+pub use resolution::ResolvedSurfaces;
 pub use visibility::blockers::{Blocker, Blockers};
 pub use visibility::grid_lines::GridLines;
 pub use visibility::lines::{Chord, Passage, SceneLines};
@@ -119,6 +123,8 @@ pub struct Scene {
     bases: Vec<Option<usize>>,
     /// The row of each patch, numbered in the order of their first patches.
     groups: Vec<usize>,
+    /// The length by which each coordinate may be off.
+    resolution: f64,
     /// The rows without a patch, in order.
     empty_rows: Vec<EmptyRow>,
     /// Planes and trees of the surfaces, found when first asked for and dropped when surfaces
@@ -142,6 +148,7 @@ impl Scene {
             obstructions: Vec::new(),
             bases,
             groups,
+            resolution: 0.0,
             empty_rows: Vec::new(),
             prepared: Prepared::default(),
         })

@@ -94,6 +94,7 @@ impl Scene {
                 first,
                 second,
                 names,
+                resolution: self.mending_resolution(|scene| scene.overlap().is_none()),
             })
         })
     }

@@ -28,6 +28,7 @@
 
 use super::{NamedPatch, PatchMaterial, Scene, SceneError};
 use crate::geometry::{NotContained, check_contained};
+use crate::numeric::tolerance;
 use crate::scene::visibility::surfaces::Prepared;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::hash::Hash;
@@ -61,7 +62,7 @@ impl Scene {
     /// # Errors
     /// [`SceneError::NoSuchPatch`]; [`SceneError::BaseCycle`] if the base lies in the part;
     /// [`SceneError::PartOffPlane`] beyond [`PLANARITY`](crate::numeric::tolerance::PLANARITY) of
-    /// the base's diameter; [`SceneError::PartFacesAway`]; [`SceneError::PartOutside`];
+    /// the base's diameter, or the noise of a resolution; [`SceneError::PartFacesAway`]; [`SceneError::PartOutside`];
     /// [`SceneError::NothingLeft`] if the parts leave no area to the base.
     pub fn with_base(mut self, part: usize, base: usize) -> Result<Self, SceneError> {
         self.lay(part, base)?;
@@ -79,7 +80,8 @@ impl Scene {
             }
             above = self.bases[index];
         }
-        check_contained(&self.patches[part].shape, &self.patches[base].shape)
+        let [inner, outer] = [part, base].map(|patch| &self.patches[patch].shape);
+        check_contained(inner, outer, self.part_noise())
             .map_err(|reason| refusal(part, base, reason))?;
         let before = self.bases[part].replace(base);
         let left = self.net_area(base);
@@ -90,6 +92,11 @@ impl Scene {
             return Err(SceneError::NothingLeft { base, left });
         }
         Ok(())
+    }
+
+    /// The distance by which a part may leave its base for all that the coordinates say.
+    pub(crate) fn part_noise(&self) -> f64 {
+        tolerance::RESOLVED_NOISE * self.resolution
     }
 
     /// Sums patches with equal labels into one row; rows without a patch are dropped.

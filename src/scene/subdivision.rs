@@ -126,6 +126,7 @@ impl Scene {
             empty.row = before + earlier;
         }
         let scene = Self {
+            resolution: self.resolution,
             bases,
             ..scene.with_empty_rows(empty_rows)?
         };

@@ -288,7 +288,10 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
             if reflectance <= 0.0 {
                 0.0
             } else if self.escaping[i].is_some() {
-                from_others[i] + self.own_bounds[i] * x[i]
+                // the area counts on its own: A (B − E)/R
+                let gained = (x[i] - sources[i]).max(0.0) / reflectance;
+                let of_area = self.open_area_bounds[i] * gained;
+                from_others[i] + self.own_bounds[i] * x[i] + of_area
             } else {
                 let (lost, gained) = ((1.0 - reflectance) * x[i], sources[i]);
                 // the differences are those of numbers that are rounded themselves
@@ -300,7 +303,8 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
         Some((0..x.len()).map(row).collect())
     }
 
-    fn form_factor_errors(&self, values: &[f64], sources: &[f64]) -> Option<Vec<f64>> {
+    /// The bounds that the errors of the form factors bring.
+    pub(super) fn form_factor_errors(&self, values: &[f64], sources: &[f64]) -> Option<Vec<f64>> {
         let forces = self.perturbation(values, sources)?;
         let none = vec![0.0; values.len()];
         if forces.iter().all(|force| *force <= 0.0) {

@@ -41,7 +41,7 @@
 use super::error::SMALLEST_REFLECTANCE;
 use super::sinks::Sinkless;
 use super::{DenseExchange, ExchangeOperator, TransportError};
-use crate::exchange::{Closure, ExchangeAreas};
+use crate::exchange::{Closure, ExchangeAreas, ResolutionErrors};
 use crate::numeric::{DoubleDouble, Scaled, Symmetric};
 use crate::scene::Material;
 use nalgebra::DMatrix;
@@ -55,6 +55,10 @@ pub struct RadiositySystem<O> {
     pub(super) errors: Option<O>,
     /// `Σ_j δ_ij`.
     pub(super) row_bounds: Vec<f64>,
+    /// The power of two by which exchange areas were scaled.
+    pub(super) power: i32,
+    /// The bounds on the areas of open rows that count beside them; 0 for the rounding of areas.
+    pub(super) open_area_bounds: Vec<f64>,
     /// The exchange area of each patch with itself.
     pub(super) own: Vec<f64>,
     /// The bounds on their errors.
@@ -180,6 +184,64 @@ impl<'e> RadiositySystem<DenseExchange<'e>> {
         )
     }
 
+    /// Bounds on what the resolution of a scene's coordinates can change of its radiosities: the
+    /// errors of form factors that these bounds would be; none where no bound is known.
+    ///
+    /// **Arguments** the bounds, the radiosities of this system, the emittances.
+    #[must_use]
+    pub fn resolution_errors(
+        &self,
+        bounds: &'e ResolutionErrors,
+        values: &[f64],
+        sources: &[f64],
+    ) -> Option<Vec<f64>> {
+        let exchange = DenseExchange::from(bounds.exchange());
+        let sums = exchange.gathered(&vec![1.0; bounds.own().len()]);
+        let sums = sums.iter().zip(bounds.own());
+        let mut system = Self {
+            errors: Some(exchange),
+            row_bounds: sums.map(|(sum, own)| sum.high() + own).collect(),
+            open_area_bounds: bounds.areas().to_vec(),
+            ..self.clone()
+        };
+        let power = self.power;
+        if power != 0 {
+            if let Some(errors) = &mut system.errors {
+                errors.scale(power);
+            }
+            let bounds = system
+                .row_bounds
+                .iter_mut()
+                .chain(&mut system.open_area_bounds);
+            for bound in bounds {
+                *bound = Scaled::new(*bound).times_power(power);
+            }
+        }
+        let known = system.form_factor_errors(values, sources);
+        let most = system.brightest(sources);
+        if known.is_none() && most.is_infinite() {
+            return None;
+        }
+        // whatever the form factors are, a patch is as bright as it emits, and no brighter than all
+        // would be that emit and reflect the most
+        let range = values
+            .iter()
+            .zip(sources)
+            .map(|(value, source)| f64::max(value - source, most - value));
+        let bounds = range.enumerate().map(|(patch, range)| match &known {
+            Some(known) => known[patch].min(range),
+            None => range,
+        });
+        Some(bounds.collect())
+    }
+
+    /// The radiosity of a closed room all of whose patches emit and reflect the most of any; infinite
+    /// if that reflects all.
+    fn brightest(&self, sources: &[f64]) -> f64 {
+        let largest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
+        largest(sources) / (1.0 - largest(&self.reflectances)).max(0.0)
+    }
+
     /// The system in units in which neither products nor their low halves leave `f64`.
     fn in_own_unit(
         mut exchange: DenseExchange<'e>,
@@ -189,7 +251,8 @@ impl<'e> RadiositySystem<DenseExchange<'e>> {
     ) -> Result<Self, TransportError> {
         let own = rows.own.iter().copied().fold(0.0, f64::max);
         let power = -Scaled::new(exchange.largest(own)).exponent;
-        if power.abs() > 300 {
+        let power = if power.abs() > 300 { power } else { 0 };
+        if power != 0 {
             exchange.scale(power);
             if let Some(bounds) = &mut errors {
                 bounds.scale(power);
@@ -204,7 +267,8 @@ impl<'e> RadiositySystem<DenseExchange<'e>> {
                 *value = Scaled::new(*value).times_power(power);
             }
         }
-        Self::try_new(exchange, errors, rows, reflectances)
+        let system = Self::try_new(exchange, errors, rows, reflectances)?;
+        Ok(Self { power, ..system })
     }
 }
 
@@ -271,6 +335,8 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
             exchange,
             errors,
             row_bounds,
+            power: 0,
+            open_area_bounds: vec![0.0; rows.own.len()],
             own: rows.own,
             own_bounds: rows.own_bounds,
             areas,

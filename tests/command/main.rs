@@ -17,6 +17,7 @@ mod light;
 mod materials;
 mod matrices;
 mod refusals;
+mod resolution;
 mod sampling;
 mod scene_files;
 mod scene_options;

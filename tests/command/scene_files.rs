@@ -217,7 +217,7 @@ fn scenes_are_converted() {
     }
     let read = |name: &str| {
         let path = folder.path().join(name);
-        infoscene::scene::files::read(&path, Default::default())
+        infoscene::scene::files::read(&path, infoscene::scene::files::NonPlanarFaces::default())
             .unwrap()
             .scene
     };

@@ -7,7 +7,7 @@ use super::tiles::Block;
 use crate::exchange::plan::counts::{PassCounts, PassSummary};
 use crate::exchange::plan::facing::Facing;
 use crate::exchange::row_pair::nothing;
-use crate::exchange::{Congruence, ExchangeError, ScenePairs};
+use crate::exchange::{Congruence, ExchangeError, ResolutionErrors, ScenePairs};
 use crate::form_factor::{Answer, DEFAULT_TOLERANCE, ExchangeArea, Route};
 use crate::numeric::Symmetric;
 use crate::scene::{Occlusion, Scene};
@@ -29,6 +29,7 @@ pub struct ExchangeAreas {
     errors: Symmetric<f64>,
     routes: Symmetric<Route>,
     summary: PassSummary,
+    resolution: Option<ResolutionErrors>,
 }
 
 /// One row left of the diagonal, to be filled.
@@ -115,6 +116,26 @@ impl ExchangeAreas {
         &self.summary
     }
 
+    /// Bounds on what the resolution of the coordinates can change; none if they are exact.
+    #[must_use]
+    pub const fn resolution_errors(&self) -> Option<&ResolutionErrors> {
+        self.resolution.as_ref()
+    }
+
+    /// A bound on what the resolution of the coordinates can change of the exchange area of two rows
+    /// ([`ScenePairs::resolution_error`]).
+    ///
+    /// # Panics
+    /// If there is no row i or j.
+    #[must_use]
+    pub fn resolution_error(&self, i: usize, j: usize) -> f64 {
+        match &self.resolution {
+            None => 0.0,
+            Some(errors) if i == j => errors.own()[i],
+            Some(errors) => *errors.exchange().get(i, j),
+        }
+    }
+
     /// The full matrix `A_i F_ij`, for which the bounds are given up.
     #[must_use]
     pub fn into_values(self) -> DMatrix<f64> {
@@ -161,6 +182,7 @@ impl ScenePairs<'_> {
             errors,
             routes,
             summary: self.summary(counts),
+            resolution: ResolutionErrors::of(self),
         })
     }
 

@@ -166,6 +166,7 @@ impl ScenePairs<'_> {
                 row,
                 sum: per_area(value.total(), area),
                 error: per_area(error.total(), area) + per_area(bound, area),
+                resolution_error: per_area(self.crack_error(row), area),
             })
         };
         sums.into_iter().filter_map(of_row).collect()

@@ -6,6 +6,7 @@
 //! tolerance is asked of pairs of rows.
 
 use crate::form_factor::{ExchangeArea, Route};
+use crate::scene::ResolvedSurfaces;
 use std::collections::BTreeMap;
 
 /// The pairs that were left out, shared and computed, and the routes that were taken.
@@ -13,7 +14,7 @@ use std::collections::BTreeMap;
 /// ```text
 ///   pairs = untouched + congruent + computed = Σ routes
 /// ```
-#[derive(Debug, Clone, PartialEq, Eq, Default, serde::Serialize)]
+#[derive(Debug, Clone, PartialEq, Default, serde::Serialize)]
 pub struct PlanSummary {
     /// Pairs of patches `n(n − 1)/2`; a part in the row of its base is none of the n.
     pub pairs: usize,
@@ -33,6 +34,10 @@ pub struct PlanSummary {
     pub computed: usize,
     /// Pairs by route; congruent ones are counted with the route of the one that was computed.
     pub routes: BTreeMap<&'static str, usize>,
+    /// The surfaces that the resolution takes as plane, coplanar or touching; none where coordinates
+    /// are exact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub resolution: Option<ResolvedSurfaces>,
 }
 
 /// A pair of rows whose error bound is beyond the tolerance asked for.
@@ -154,6 +159,7 @@ impl PassCounts {
                 .filter(|(_, pairs)| *pairs > 0)
                 .map(|(route, pairs)| (route.name(), pairs))
                 .collect(),
+            resolution: None,
         };
         PassSummary {
             plan,

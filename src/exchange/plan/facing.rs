@@ -76,9 +76,9 @@ impl FacingPlanes {
         for (polygon, patch) in patches.iter().enumerate() {
             if roots[polygon] == polygon {
                 let plane = *numbers.entry(shared.plane_of(*patch)).or_insert_with(|| {
-                    let Plane { normal, origin } = shared.facing(*patch);
-                    let origin = origin * shared.unit();
-                    planes.push(Plane { normal, origin });
+                    let plane = shared.facing(*patch);
+                    let origin = plane.origin * shared.unit();
+                    planes.push(Plane { origin, ..plane });
                     planes.len() - 1
                 });
                 of[polygon] = u32::try_from(plane).unwrap_or(u32::MAX);
@@ -192,7 +192,7 @@ fn relation<'p>(
     let any = |plane: usize, other: usize, is: fn(f64) -> f64| {
         let all = members[other].iter().flat_map(|polygon| corners(*polygon));
         all.into_iter()
-            .any(|corner| is(planes[plane].height(*corner)) > noise)
+            .any(|corner| is(planes[plane].sure_height(*corner)) > noise)
     };
     let in_front = |plane: usize, other: usize| any(plane, other, |height| height);
     if in_front(first, second) && in_front(second, first) {

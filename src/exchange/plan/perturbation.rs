@@ -33,11 +33,11 @@ pub(crate) fn allowance(spread: f64, first: &Patch, second: &Patch) -> f64 {
     let distance = (gap(first, second) - 4.0 * spread).max(0.0);
     let heights = height(first, second) * height(second, first);
     let irradiance = |from: &Patch| (from.area() * heights / (PI * distance.powi(4))).min(1.0);
-    let strips = perimeter(second) * irradiance(first) + perimeter(first) * irradiance(second);
+    let strips = second.perimeter() * irradiance(first) + first.perimeter() * irradiance(second);
     let is_parallel = first.normal().dot(second.normal()).abs() > 0.5;
     let walls = if is_parallel {
         let height = height(first, second) / distance;
-        perimeter(second) * (first.area() * height / (PI * distance.powi(2))).min(1.0)
+        second.perimeter() * (first.area() * height / (PI * distance.powi(2))).min(1.0)
     } else {
         0.0
     };
@@ -55,13 +55,7 @@ pub(crate) fn allowance(spread: f64, first: &Patch, second: &Patch) -> f64 {
 pub(crate) fn shift_allowance(distance: f64, moved: &Patch, other: &Patch) -> f64 {
     let nearest = (gap(moved, other) - distance).max(0.0);
     let irradiance = (other.area() / (PI * nearest.powi(2))).min(1.0);
-    distance * perimeter(moved) * irradiance
-}
-
-fn perimeter(patch: &Patch) -> f64 {
-    let corners = patch.corners();
-    let next = corners.iter().cycle().skip(1);
-    corners.iter().zip(next).map(|(a, b)| a.distance(*b)).sum()
+    distance * moved.perimeter() * irradiance
 }
 
 /// The largest height of a patch over the plane of another, at least 0.

@@ -6,7 +6,8 @@
 //!                       no corner of outer is inside of inner
 //! ```
 //!
-//! Distances up to [`tolerance::PLANARITY`] of the outer polygon's diameter count as zero.
+//! Distances up to [`tolerance::PLANARITY`] of the outer polygon's diameter count as zero, or up to
+//! the noise of the coordinates, if that is more.
 
 use crate::geometry::Patch;
 use crate::numeric::tolerance;
@@ -32,14 +33,18 @@ pub(crate) enum NotContained {
 ///
 /// # Errors
 /// [`NotContained`].
-pub(crate) fn check_contained(inner: &Patch, outer: &Patch) -> Result<(), NotContained> {
+pub(crate) fn check_contained(
+    inner: &Patch,
+    outer: &Patch,
+    noise: f64,
+) -> Result<(), NotContained> {
     let origin = outer.corners()[0];
     let diameter = outer
         .corners()
         .iter()
         .map(|corner| corner.distance(origin))
         .fold(0.0, f64::max);
-    let allowed = tolerance::PLANARITY * diameter;
+    let allowed = (tolerance::PLANARITY * diameter).max(noise);
     let normal = outer.normal();
     let deviation = distance_from_plane(inner, outer);
     if deviation > allowed {
@@ -58,7 +63,7 @@ pub(crate) fn check_contained(inner: &Patch, outer: &Patch) -> Result<(), NotCon
             .map(|c| DVec2::new(c.dot(across), c.dot(up)))
             .collect()
     };
-    let allowed = tolerance::PLANARITY;
+    let allowed = tolerance::PLANARITY.max(noise / diameter);
     let (inner, outer) = (flat(inner), flat(outer));
     let leaves = edges(&inner).any(|(a, b)| {
         [a, 0.5 * (a + b)]

@@ -58,5 +58,6 @@ pub fn quartered(patch: &Patch) -> Result<Vec<Patch>, GeometryError> {
     } else {
         return triangles_of(patch);
     };
-    parts.into_iter().map(Patch::try_new).collect()
+    let part = |corners| Patch::within(corners, patch.resolution());
+    parts.into_iter().map(part).collect()
 }

@@ -16,6 +16,7 @@ const MOST_ROWS: usize = 1000;
 struct Document<'p, R> {
     patches: &'p [PatchRecord],
     form_factors: R,
+    resolution: f64,
     plan: &'p PlanSummary,
 }
 
@@ -30,10 +31,13 @@ struct CsvRecord<'p> {
     from_name: &'p str,
     to_name: &'p str,
     row_sum: Option<f64>,
+    /// Only where coordinates are not exact.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    resolution_error: Option<f64>,
 }
 
 impl<'p> CsvRecord<'p> {
-    fn new(record: FormFactorRecord, patches: &'p [PatchRecord]) -> Self {
+    fn new(record: FormFactorRecord, patches: &'p [PatchRecord], resolution: f64) -> Self {
         let [from, to] = [record.from, record.to].map(|row| &patches[row]);
         Self {
             from: record.from,
@@ -44,6 +48,7 @@ impl<'p> CsvRecord<'p> {
             from_name: &from.name,
             to_name: &to.name,
             row_sum: from.row_sum,
+            resolution_error: (resolution > 0.0).then_some(record.resolution_error),
         }
     }
 }
@@ -74,6 +79,9 @@ impl<I: Iterator<Item = Result<FormFactorRecord, ReportError>>> Serialize for Re
 
 /// Writes form factors in any format.
 ///
+/// **Arguments** `resolution`: that of the scene; tables and CSV have a column for what it can
+/// change unless it is 0.
+///
 /// # Errors
 /// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite: what was written
 /// before it is no answer. [`ReportError::Write`], [`ReportError::Csv`] or [`ReportError::Json`] if
@@ -81,7 +89,7 @@ impl<I: Iterator<Item = Result<FormFactorRecord, ReportError>>> Serialize for Re
 pub fn write_form_factors(
     patches: &[PatchRecord],
     records: impl Iterator<Item = FormFactorRecord>,
-    plan: &PlanSummary,
+    (resolution, plan): (f64, &PlanSummary),
     format: Format,
     mut text: impl Write,
 ) -> Result<(), ReportError> {
@@ -101,6 +109,7 @@ pub fn write_form_factors(
                     records: RefCell::new(Some(records)),
                     refusal: &refusal,
                 },
+                resolution,
                 plan,
             };
             let written = serde_json::to_writer_pretty(&mut text, &document);
@@ -110,12 +119,12 @@ pub fn write_form_factors(
         Format::Csv => {
             let mut writer = csv::Writer::from_writer(text);
             for record in records {
-                writer.serialize(CsvRecord::new(record?, patches))?;
+                writer.serialize(CsvRecord::new(record?, patches, resolution))?;
             }
             writer.flush()?;
         }
         Format::Table | Format::Markdown | Format::Latex => {
-            let table = table(patches, records, plan)?;
+            let table = table(patches, records, resolution, plan)?;
             let lines = match format {
                 Format::Markdown => table.to_markdown(),
                 Format::Latex => table.to_latex(),
@@ -130,17 +139,20 @@ pub fn write_form_factors(
 fn table(
     patches: &[PatchRecord],
     mut records: impl Iterator<Item = Result<FormFactorRecord, ReportError>>,
+    resolution: f64,
     plan: &PlanSummary,
 ) -> Result<Table, ReportError> {
     let line = |record: FormFactorRecord| {
         let name = |index: usize| format!("{index} ({})", patches[index].name);
-        vec![
+        let moved = (resolution > 0.0).then(|| scientific(record.resolution_error));
+        let known = [
             name(record.from),
             name(record.to),
             certain_digits(record.value, record.error),
             scientific(record.error),
-            record.route.to_owned(),
-        ]
+        ];
+        let route = record.route.to_owned();
+        known.into_iter().chain(moved).chain([route]).collect()
     };
     let shown = records.by_ref().take(MOST_ROWS);
     let rows = shown.map(|record| record.map(line));
@@ -151,8 +163,11 @@ fn table(
         let note = format!("{more}: --format csv or json lists all, --from and --to choose");
         notes.insert(0, ("pairs not shown".to_owned(), note));
     }
+    let mut columns = vec!["from", "to", "form factor", "±"];
+    columns.extend((resolution > 0.0).then_some("± resolution"));
+    columns.push("route");
     Ok(Table {
-        columns: vec!["from", "to", "form factor", "±", "route"],
+        columns,
         rows,
         notes,
         ..Table::default()

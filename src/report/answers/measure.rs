@@ -95,7 +95,14 @@ fn discrete_lines(answer: &MeasureAnswer) -> Vec<Line> {
         .channel
         .map(|channel| ("channel", channel.name().to_owned()));
     let lines = channel.into_iter().chain(lines);
+    let resolution = (answer.resolution > 0.0).then(|| {
+        let change = answer.resolution_error;
+        let change = change.map_or_else(|| "unknown".to_owned(), scientific);
+        let change = format!("{change} (coordinates ± {:e})", answer.resolution);
+        ("what the resolution can change, bits", change)
+    });
     lines
+        .chain(resolution)
         .map(|(quantity, value)| (quantity.to_owned(), value))
         .collect()
 }

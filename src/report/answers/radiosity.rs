@@ -20,6 +20,8 @@ pub fn radiosity_report(answer: &RadiosityAnswer) -> Result<Report, ReportError>
         "± solution",
         "± form factors",
     ];
+    let is_rounded = answer.resolution > 0.0;
+    columns.extend(is_rounded.then_some("± resolution"));
     if answer
         .patches
         .iter()
@@ -34,7 +36,7 @@ pub fn radiosity_report(answer: &RadiosityAnswer) -> Result<Report, ReportError>
     let table = Table {
         columns,
         rows: shown
-            .map(|patch| row(patch, answer.relative_error))
+            .map(|patch| row(patch, answer.relative_error, is_rounded))
             .collect(),
         notes: notes(answer),
         ..Table::default()
@@ -42,8 +44,9 @@ pub fn radiosity_report(answer: &RadiosityAnswer) -> Result<Report, ReportError>
     Report::list_in(table, "patches", answer)
 }
 
-/// A row of the table, whose radiosity has this relative error.
-fn row(patch: &PatchLight, relative_error: f64) -> Vec<String> {
+/// A row of the table, whose radiosity has this relative error; of a scene whose coordinates are
+/// rounded, or not.
+fn row(patch: &PatchLight, relative_error: f64, is_rounded: bool) -> Vec<String> {
     let solution = relative_error * patch.radiosity;
     let known = patch.form_factor_error.map(|error| error + solution);
     let digits = |value: f64| match known {
@@ -61,9 +64,14 @@ fn row(patch: &PatchLight, relative_error: f64) -> Vec<String> {
         scientific(solution),
         error(patch.form_factor_error),
     ];
+    let resolution = is_rounded.then(|| error(patch.resolution_error));
     let channels = patch.channels.iter().flat_map(Channels::iter);
     let channels = channels.map(|light| format!("{:.6e}", light.radiosity));
-    row.into_iter().chain(importance).chain(channels).collect()
+    row.into_iter()
+        .chain(resolution)
+        .chain(importance)
+        .chain(channels)
+        .collect()
 }
 
 fn notes(answer: &RadiosityAnswer) -> Vec<(String, String)> {

@@ -26,18 +26,23 @@ use glam::DVec3;
 pub(crate) struct FaceRules {
     /// The treatment of a face that is not planar.
     pub non_planar: NonPlanarFaces,
+    /// The length by which each coordinate may be off.
+    pub resolution: f64,
 }
 
 impl FaceRules {
     /// A planar simple polygon, by these rules.
     fn patch(self, corners: Vec<DVec3>) -> Result<Patch, GeometryError> {
-        Patch::try_new(corners)
+        Patch::within(corners, self.resolution)
     }
 }
 
 impl From<NonPlanarFaces> for FaceRules {
     fn from(non_planar: NonPlanarFaces) -> Self {
-        Self { non_planar }
+        Self {
+            non_planar,
+            resolution: 0.0,
+        }
     }
 }
 

@@ -12,12 +12,15 @@
 //! is clear it mends, what has no effect it ignores, and says so once for each kind
 //! ([`LoadedScene::notes`]). Faults of materials are notes, too, and leave the material of the
 //! patches concerned [unknown](super::PatchMaterial). Numbers are written so that they read back to
-//! the same `f64`.
+//! the same `f64`. Coordinates may be rounded: a reader takes note of their last place, and the
+//! scene takes it as its [resolution](Scene::resolution) where surfaces miss each other on that
+//! scale.
 //!
 //! Open `obj`, `view3d` or `stl` for a format (each with its `writer`), `source` for lines and
 //! their numbers, `faces` for the way from an outline to patches, `rows` for their rows, `remarks`
-//! for what is mended or ignored, `unknown_materials` for notes on these, `decimal` for
-//! emissivities, `plain` for what OBJ and STL cannot say, and `error` for the refusals.
+//! for what is mended or ignored, `unknown_materials` for notes on these, `last_place` for the
+//! decimals of coordinates, `decimal` for emissivities, `plain` for what OBJ and STL cannot say, and
+//! `error` for the refusals.
 //!
 //! All readers are our own: the libraries for OBJ and STL keep coordinates in 32 bits or cut
 //! polygons into triangles, and none says in which line a number is wrong, or which patch is not
@@ -26,6 +29,7 @@
 pub(crate) mod decimal;
 pub(crate) mod error;
 pub(crate) mod faces;
+pub(crate) mod last_place;
 pub(crate) mod obj;
 pub(crate) mod plain;
 pub(crate) mod remarks;
@@ -62,6 +66,50 @@ pub enum NonPlanarFaces {
     Triangulate,
 }
 
+/// The choices of a reader. A [`NonPlanarFaces`] alone is one, too.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Reading {
+    /// The treatment of faces that are not planar.
+    pub faces: NonPlanarFaces,
+    /// The length by which each coordinate may be off, 0 for none; if it is not given, the decimals
+    /// of the file say it, where surfaces miss each other on that scale
+    /// ([`Scene::resolution`]).
+    pub resolution: Option<f64>,
+}
+
+impl From<NonPlanarFaces> for Reading {
+    fn from(faces: NonPlanarFaces) -> Self {
+        Self {
+            faces,
+            resolution: None,
+        }
+    }
+}
+
+impl Reading {
+    /// The treatment of faces whose coordinates were written to half a unit in the last place.
+    fn rules(self, half_unit: f64) -> faces::FaceRules {
+        faces::FaceRules {
+            non_planar: self.faces,
+            resolution: self.resolution.unwrap_or(half_unit),
+        }
+    }
+
+    /// The scene of a file whose coordinates were written to half a unit in the last place.
+    fn resolved(self, scene: Scene, half_unit: f64) -> Result<Scene, SceneError> {
+        match self.resolution {
+            Some(resolution) => scene.with_resolution(resolution),
+            None => Ok(scene.with_last_place(half_unit)),
+        }
+    }
+}
+
+/// The remark of a reader on the resolution of a scene, unless its coordinates are exact.
+fn remark(source: &Source, scene: &Scene) -> Option<String> {
+    let surfaces = scene.resolved_surfaces()?;
+    Some(format!("{}: {surfaces}", source.file().display()))
+}
+
 /// A scene, and what its reader has to say about it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadedScene {
@@ -75,13 +123,14 @@ pub struct LoadedScene {
 ///
 /// # Errors
 /// [`SceneError::UnknownName`] if it is neither; [`OpenError::File`] if the file is at fault.
-pub fn open(name: &str, faces: NonPlanarFaces) -> Result<LoadedScene, OpenError> {
+pub fn open(name: &str, reading: impl Into<Reading>) -> Result<LoadedScene, OpenError> {
+    let reading = reading.into();
     match Scene::built_in(name) {
         Ok(scene) => Ok(LoadedScene {
-            scene,
+            scene: reading.resolved(scene, 0.0)?,
             notes: Vec::new(),
         }),
-        Err(SceneError::UnknownName { .. }) if is_path(name) => Ok(read(Path::new(name), faces)?),
+        Err(SceneError::UnknownName { .. }) if is_path(name) => Ok(read(Path::new(name), reading)?),
         Err(error) => Err(error.into()),
     }
 }
@@ -98,7 +147,8 @@ fn is_path(name: &str) -> bool {
 ///
 /// # Errors
 /// All faults of the file.
-pub fn read(path: &Path, faces: NonPlanarFaces) -> Result<LoadedScene, FileErrors> {
+pub fn read(path: &Path, reading: impl Into<Reading>) -> Result<LoadedScene, FileErrors> {
+    let reading = reading.into();
     let extension = path
         .extension()
         .map(|extension| extension.to_string_lossy());
@@ -109,11 +159,11 @@ pub fn read(path: &Path, faces: NonPlanarFaces) -> Result<LoadedScene, FileError
     };
     if is("obj") {
         let beside = |name: &str| library::read_beside(path, name);
-        read_obj(&Source::read(path)?, &beside, faces)
+        read_obj(&Source::read(path)?, &beside, reading)
     } else if is("vs3") {
-        read_view3d(&Source::read(path)?, faces)
+        read_view3d(&Source::read(path)?, reading)
     } else if is("stl") {
-        read_stl(path, Source::bytes(path)?, faces)
+        read_stl(path, Source::bytes(path)?, reading)
     } else {
         Source::check(path)?;
         Err(FileError::of_file(path, Fault::UnknownFormat).into())
@@ -132,7 +182,11 @@ pub(crate) fn cornell_box() -> Result<Scene, SceneError> {
             include_str!("../../../data/scenes/cornell-box.mtl"),
         ))
     };
-    match read_obj(&source, &materials, NonPlanarFaces::Refuse) {
+    let exact = Reading {
+        resolution: Some(0.0),
+        ..Reading::default()
+    };
+    match read_obj(&source, &materials, exact) {
         Ok(loaded) => Ok(loaded.scene),
         Err(error) => Err(SceneError::BuiltIn {
             name: "cornell-box",

@@ -10,9 +10,10 @@
 //!
 //! A pair that exchanges nothing has no i⁺ or no j⁺. Every k counts from both sides. [`Shaft`] says
 //! what is decided and what noise means; it is that of the scene's planes, about 64 ε of the
-//! largest coordinate plus eight times the largest deviation of a corner from its patch's plane. So
-//! a blocker that enters the shaft by more than the noise is never missed; one that touches it, up
-//! to the rounding of rotated or decimal corners, is never reported.
+//! largest coordinate plus eight times the largest deviation of a corner from its patch's plane, or a
+//! multiple of the scene's [resolution](Scene::resolution). So a blocker that enters the shaft by
+//! more than the noise is never missed; one that touches it, up to the rounding of rotated or decimal
+//! corners, is never reported.
 //!
 //! **Cheap where nothing blocks.** What lies in a plane that has all patches on one side blocks
 //! nothing: a closed convex room is settled by comparing every corner with every plane, each once.
@@ -39,17 +40,6 @@ pub struct Blocker {
     pub obstacle: Obstacle,
     /// The name of that surface.
     pub name: String,
-}
-
-impl From<Blocker> for SceneError {
-    fn from(found: Blocker) -> Self {
-        Self::MayBeBlocked {
-            first: found.first,
-            second: found.second,
-            obstacle: found.obstacle,
-            name: found.name,
-        }
-    }
 }
 
 /// The search for blockers among patches and obstructions, made ready.
@@ -223,6 +213,22 @@ impl Scene {
     /// # Errors
     /// [`SceneError::MayBeBlocked`].
     pub fn check_unblocked(&self) -> Result<(), SceneError> {
-        self.blocker().map_or(Ok(()), |found| Err(found.into()))
+        self.refuse_blocker(Self::blocker)
+    }
+
+    /// Refuses the scene with the blocker that is found.
+    pub(crate) fn refuse_blocker(
+        &self,
+        find: impl Fn(&Self) -> Option<Blocker>,
+    ) -> Result<(), SceneError> {
+        find(self).map_or(Ok(()), |found| {
+            Err(SceneError::MayBeBlocked {
+                first: found.first,
+                second: found.second,
+                obstacle: found.obstacle,
+                name: found.name,
+                resolution: self.mending_resolution(|scene| find(scene).is_none()),
+            })
+        })
     }
 }

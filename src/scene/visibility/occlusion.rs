@@ -44,7 +44,7 @@ impl Occlusion {
     /// ```
     pub fn check(self, scene: &Scene) -> Result<(), SceneError> {
         scene.check_overlap()?;
-        self.refuse(|| scene.blocker())
+        self.refuse(scene, |scene| scene.blocker())
     }
 
     /// Checks some rows with some others, or with all; patches that are in neither may overlap or
@@ -65,7 +65,7 @@ impl Occlusion {
                 }
             }
         }
-        self.refuse(|| {
+        self.refuse(scene, |scene| {
             let blockers = match few {
                 None => Blockers::of(scene),
                 Some(_) => Blockers::for_few(scene),
@@ -82,12 +82,15 @@ impl Occlusion {
     }
 
     /// Refuses what is found, unless occlusion is ignored.
-    fn refuse(self, find: impl FnOnce() -> Option<Blocker>) -> Result<(), SceneError> {
-        let found = match self {
-            Self::Refuse => find(),
-            Self::Ignore => None,
-        };
-        found.map_or(Ok(()), |found| Err(found.into()))
+    fn refuse(
+        self,
+        scene: &Scene,
+        find: impl Fn(&Scene) -> Option<Blocker>,
+    ) -> Result<(), SceneError> {
+        match self {
+            Self::Refuse => scene.refuse_blocker(find),
+            Self::Ignore => Ok(()),
+        }
     }
 
     /// Checks one patch with some others, which all exist; others still must not overlap.
@@ -98,7 +101,7 @@ impl Occlusion {
         others: &[usize],
     ) -> Result<(), SceneError> {
         scene.check_overlap()?;
-        self.refuse(|| {
+        self.refuse(scene, |scene| {
             let blockers = Blockers::of(scene);
             let mut others = others.iter();
             others.find_map(|other| blockers.of_pair(patch, *other))

@@ -4,6 +4,7 @@ mod bases;
 mod closure;
 mod plan;
 mod promises;
+mod resolution;
 mod rows;
 mod selections;
 mod tiles;

@@ -139,6 +139,7 @@ fn every_door_refuses_overlapping_patches_by_name() {
             first: 0,
             second: 4,
             names,
+            ..
         } = &refusal
         else {
             panic!("{name}: {refusal}");

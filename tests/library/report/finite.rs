@@ -121,6 +121,7 @@ fn form_factors_that_are_not_finite_are_named_in_every_format() {
         from: 0,
         to: 1,
         value,
+        resolution_error: 0.0,
         error: 0.0,
         route: "none",
     };
@@ -135,7 +136,7 @@ fn form_factors_that_are_not_finite_are_named_in_every_format() {
     ] {
         let write = |area, last| {
             let patches = [patch(0, 1.0), patch(1, area)];
-            write_form_factors(&patches, values(last), &plan, format, Vec::new())
+            write_form_factors(&patches, values(last), (0.0, &plan), format, Vec::new())
         };
         write(1.0, 0.5).unwrap();
         assert_eq!(

@@ -197,10 +197,7 @@ proptest! {
 }
 
 fn outline(patch: &Patch, unit: f64) -> Outline {
-    let plane = Plane {
-        normal: patch.normal(),
-        origin: patch.corners()[0] / unit,
-    };
+    let plane = Plane::new(patch.normal(), patch.corners()[0] / unit);
     Outline::new(patch, unit, plane)
 }
 

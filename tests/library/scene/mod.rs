@@ -9,4 +9,5 @@ mod joints;
 mod overlap;
 mod parts;
 mod refusals;
+mod resolution;
 mod shafts;

@@ -6,4 +6,5 @@ pub mod intervals;
 pub mod misrounded;
 pub mod references;
 pub mod rooms;
+pub mod rounded_rooms;
 pub mod strategies;

@@ -23,11 +23,12 @@ pub(crate) mod writer;
 
 use super::error::{Fault, FileError, FileErrors, excerpt};
 use super::faces::{Face, FaceRules, face_of};
+use super::last_place::LastPlaces;
 use super::remarks::{Remark, Remarks};
 use super::rows::Rows;
 use super::source::{Source, number};
 use super::unknown_materials::notes_on_unknown_materials;
-use super::{LoadedScene, NonPlanarFaces};
+use super::{LoadedScene, Reading, remark};
 use crate::scene::{NamedPatch, PatchMaterial, Scene};
 use glam::DVec3;
 use materials::Materials;
@@ -75,15 +76,17 @@ const FREE_FORM: [&str; 17] = [
 pub fn read_obj(
     source: &Source,
     library: &dyn Fn(&str) -> Result<Source, FileError>,
-    faces: NonPlanarFaces,
+    reading: impl Into<Reading>,
 ) -> Result<LoadedScene, FileErrors> {
+    let reading = reading.into();
+    let half_unit = last_places(source).half_unit();
     let lines: Vec<_> = logical_lines(source)
         .filter(|(_, text)| split(text).0 == "mtllib")
         .collect();
     let named = lines.iter().map(|(line, text)| (*line, split(text).1));
     let mut reader = Reader {
         source,
-        rules: FaceRules::from(faces),
+        rules: reading.rules(half_unit),
         vertices: Vec::new(),
         materials: Materials::of(source, named, library),
         material: PatchMaterial::BLACK,
@@ -112,9 +115,29 @@ pub fn read_obj(
     let mend = "a face with an area is a line \"f a b c\"";
     let whole = |fault| FileError::of_file(source.file(), fault);
     let scene = Scene::try_new(reader.patches).map_err(|_| whole(Fault::NoPatch { mend }))?;
-    let scene = reader.rows.of(scene).map_err(Box::new);
-    let scene = scene.map_err(|source| whole(Fault::Scene { source }))?;
+    let refused = |error| {
+        whole(Fault::Scene {
+            source: Box::new(error),
+        })
+    };
+    let scene = reading.resolved(scene, half_unit).map_err(refused)?;
+    let scene = reader.rows.of(scene).map_err(refused)?;
+    notes.extend(remark(source, &scene));
     Ok(LoadedScene { scene, notes })
+}
+
+/// The last places of all vertices, which faces are judged by from the first one on.
+fn last_places(source: &Source) -> LastPlaces {
+    let mut places = LastPlaces::default();
+    for (_, text) in logical_lines(source) {
+        let mut words = text.split_whitespace();
+        if words.next() == Some("v") {
+            for word in words.take(3) {
+                places.note(word, word.parse().unwrap_or(0.0));
+            }
+        }
+    }
+    places
 }
 
 /// Lines without comments; those that end in a backslash are joined with the next.

@@ -40,11 +40,12 @@ mod text;
 pub(crate) mod writer;
 
 use super::error::{Fault, FileError, FileErrors, excerpt};
-use super::faces::{FaceRules, face_of};
+use super::faces::face_of;
+use super::last_place::error_of_floats;
 use super::remarks::{Remark, Remarks};
 use super::rows::Rows;
 use super::source::Source;
-use super::{LoadedScene, NonPlanarFaces};
+use super::{LoadedScene, Reading};
 use crate::scene::{NamedPatch, PatchMaterial, Scene};
 use glam::DVec3;
 use std::collections::HashMap;
@@ -58,16 +59,17 @@ use std::sync::Arc;
 pub fn read_stl(
     file: &Path,
     bytes: Vec<u8>,
-    faces: NonPlanarFaces,
+    reading: impl Into<Reading>,
 ) -> Result<LoadedScene, FileErrors> {
+    let reading = reading.into();
     if binary::is_binary(&bytes) {
-        let mut reader = Reader::new(faces, Remarks::of_facets());
+        let mut reader = Reader::new(reading, Remarks::of_facets());
         let mend = "its head counts no facets that have an area, so export the shape again";
         binary::read(file, &bytes, &mut reader)?;
         return reader.finish(file, mend);
     }
     let source = Source::from_bytes(file, bytes)?;
-    let mut reader = Reader::new(faces, Remarks::of(&source));
+    let mut reader = Reader::new(reading, Remarks::of(&source));
     text::read(&source, &mut reader)?;
     reader.finish(
         file,
@@ -86,7 +88,7 @@ struct Facet {
 
 /// The patches so far.
 struct Reader {
-    rules: FaceRules,
+    reading: Reading,
     /// For each name of a solid the number of its facets so far, and what they are pieces of.
     solids: HashMap<String, (usize, Arc<[String]>)>,
     patches: Vec<NamedPatch>,
@@ -97,9 +99,9 @@ struct Reader {
 }
 
 impl Reader {
-    fn new(faces: NonPlanarFaces, remarks: Remarks) -> Self {
+    fn new(reading: Reading, remarks: Remarks) -> Self {
         Self {
-            rules: faces.into(),
+            reading,
             solids: HashMap::new(),
             patches: Vec::new(),
             rows: Rows::default(),
@@ -120,7 +122,7 @@ impl Reader {
         let name = format!("{solid} {next}");
         *next += 1;
         let row = self.rows.len();
-        let face = face_of(facet.corners, self.rules).map_err(|source| {
+        let face = face_of(facet.corners, self.reading.rules(0.0)).map_err(|source| {
             let patch = format!("{row} ({})", excerpt(&name));
             (patch, Fault::Geometry { source })
         })?;
@@ -144,8 +146,20 @@ impl Reader {
     fn finish(mut self, file: &Path, mend: &'static str) -> Result<LoadedScene, FileErrors> {
         let whole = |fault| FileError::of_file(file, fault);
         let scene = Scene::try_new(self.patches).map_err(|_| whole(Fault::NoPatch { mend }))?;
-        let scene = self.rows.of(scene).map_err(Box::new);
-        let scene = scene.map_err(|source| whole(Fault::Scene { source }))?;
+        let refused = |error| {
+            whole(Fault::Scene {
+                source: Box::new(error),
+            })
+        };
+        // coordinates are 32-bit floats
+        let corners = scene
+            .patches()
+            .iter()
+            .flat_map(|patch| patch.shape().corners());
+        let largest = corners.map(|corner| corner.abs().max_element());
+        let error = error_of_floats(largest.fold(0.0, f64::max));
+        let scene = self.reading.resolved(scene, error).map_err(refused)?;
+        let scene = self.rows.of(scene).map_err(refused)?;
         let mut notes = self.remarks.into_notes(file);
         notes.append(&mut self.notes);
         Ok(LoadedScene { scene, notes })

@@ -30,10 +30,11 @@ pub(crate) mod writer;
 
 use super::decimal::complement;
 use super::error::{Fault, FileError, FileErrors, excerpt};
+use super::last_place::LastPlaces;
 use super::remarks::Remarks;
 use super::source::{Source, number};
 use super::unknown_materials::notes_on_unknown_materials;
-use super::{LoadedScene, NonPlanarFaces};
+use super::{LoadedScene, Reading, remark};
 use crate::scene::{Material, MaterialError};
 use glam::DVec3;
 use std::collections::HashMap;
@@ -48,7 +49,11 @@ const SURFACE: &str = "\"S n v1 v2 v3 v4 base cmb emit name\"";
 ///
 /// # Errors
 /// All faults of the file.
-pub fn read_view3d(source: &Source, faces: NonPlanarFaces) -> Result<LoadedScene, FileErrors> {
+pub fn read_view3d(
+    source: &Source,
+    reading: impl Into<Reading>,
+) -> Result<LoadedScene, FileErrors> {
+    let reading = reading.into();
     let mut faults = FileErrors::default();
     let mut reader = Reader {
         remarks: Remarks::of(source),
@@ -68,9 +73,10 @@ pub fn read_view3d(source: &Source, faces: NonPlanarFaces) -> Result<LoadedScene
         let last = "End of data";
         faults.push(FileError::of_file(source.file(), Fault::NoEnd { last }));
     }
-    let scene = assemble(source, &mut reader, faces.into(), faults)?;
+    let scene = assemble(source, &mut reader, reading, faults)?;
     let mut notes = reader.remarks.into_notes(source.file());
     notes.append(&mut notes_on_unknown_materials(scene.patches()));
+    notes.extend(remark(source, &scene));
     Ok(LoadedScene { scene, notes })
 }
 
@@ -102,6 +108,7 @@ pub(crate) struct Reader {
     vertices: HashMap<usize, (usize, DVec3)>,
     surfaces: Vec<Surface>,
     surface_lines: HashMap<usize, usize>,
+    places: LastPlaces,
     remarks: Remarks,
 }
 
@@ -153,6 +160,9 @@ impl Reader {
 
     fn vertex(&mut self, line: usize, values: &[&str]) -> Result<(), Fault> {
         let index = positive(values.first(), "the number of the vertex", VERTEX)?;
+        for word in values.iter().skip(1).take(3) {
+            self.places.note(word, word.parse().unwrap_or(0.0));
+        }
         let vertex = coordinates(values);
         let place = vertex.as_ref().map_or(DVec3::NAN, |vertex| *vertex);
         match self.vertices.entry(index) {

@@ -2,6 +2,7 @@
 
 use super::Reader;
 use crate::geometry::check_contained;
+use crate::scene::files::Reading;
 use crate::scene::files::error::{Fault, FileError, FileErrors, excerpt};
 use crate::scene::files::faces::{FaceRules, face_of};
 use crate::scene::files::rows::Rows;
@@ -85,9 +86,11 @@ struct Parts<'a> {
 pub(crate) fn assemble(
     source: &Source,
     reader: &mut Reader,
-    rules: FaceRules,
+    reading: Reading,
     mut faults: FileErrors,
 ) -> Result<Scene, FileErrors> {
+    let half_unit = reader.places.half_unit();
+    let rules = reading.rules(half_unit);
     let surfaces = std::mem::take(&mut reader.surfaces);
     let mut parts = Parts::default();
     for surface in &surfaces {
@@ -103,11 +106,17 @@ pub(crate) fn assemble(
         ..
     } = parts;
     let whole = |fault| FileError::of_file(source.file(), fault);
-    let mut scene = Scene::try_new(patches).map_err(|_| {
+    let scene = Scene::try_new(patches).map_err(|_| {
         let mend = "a patch with an area is a line \"S n v1 v2 v3 v4 base cmb emit name\"";
         whole(Fault::NoPatch { mend })
     })?;
-    scene = scene.with_obstructions(obstructions);
+    let refused = |error| {
+        whole(Fault::Scene {
+            source: Box::new(error),
+        })
+    };
+    let scene = scene.with_obstructions(obstructions);
+    let mut scene = reading.resolved(scene, half_unit).map_err(refused)?;
     for surface in surfaces.iter().filter(|surface| surface.base > 0) {
         let own = &placed[&surface.number];
         let lies = lay(&mut scene, surface, own, placed.get(&surface.base));
@@ -204,7 +213,7 @@ fn lay(
 fn in_obstruction(scene: &Scene, part: usize, base: &Placed) -> Result<(), Fault> {
     let index = base.indices.start;
     let (inner, outer) = (&scene.patches[part], &scene.obstructions[index]);
-    match check_contained(&inner.shape, &outer.shape) {
+    match check_contained(&inner.shape, &outer.shape, scene.part_noise()) {
         Ok(()) => Ok(()),
         Err(_) => Err(Fault::NotSupported {
             what: format!(

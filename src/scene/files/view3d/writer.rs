@@ -88,7 +88,7 @@ fn corners(
         let what = format!("patch {index} ({}) emits light", patch.name());
         return Err(not(what, "write Wavefront OBJ, which has Ke"));
     }
-    let given = patch.shape().corners();
+    let given = patch.shape().given_corners();
     if given.len() > 4 {
         let what = format!(
             "patch {index} ({}) has {} corners",

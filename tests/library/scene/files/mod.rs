@@ -3,6 +3,7 @@
 mod decimals;
 mod faces;
 mod fuzzing;
+mod last_places;
 mod materials;
 mod obj;
 mod outlines;

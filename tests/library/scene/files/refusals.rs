@@ -57,7 +57,7 @@ fn bad_faces_are_named_with_line_and_patch() {
             ],
         ),
         (
-            "v 1e-11 0 1e-11\nv 0 1 1e-11\nf 1 2 3 6",
+            "v 1e-11 0 1e-11\nv 0 1 1e-9\nf 1 2 3 6",
             &["off the plane", "into triangles, or let its reader"],
         ),
     ] {

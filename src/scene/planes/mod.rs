@@ -22,10 +22,16 @@
 //! ```
 //!
 //! so that 64 ε holds all of them. Exact scenes have smaller residues and no features of 1e-14 of
-//! their size, so that the choice decides nothing there. A resolution that is known (the decimals
-//! of a file) would take the place of the first term, in [`noise`] and nowhere else.
+//! their size, so that the choice decides nothing there.
+//!
+//! Where the scene has a [resolution](Scene::resolution), the noise is
+//! [`tolerance::RESOLVED_NOISE`] times that, and surfaces are gathered otherwise (`growth`): the
+//! plane of a small panel is tilted by what its corners are off, and heights far from it say
+//! nothing unless they exceed that, too ([`Plane::sure_height`]).
 //!
 //! **Not covered**: the planes that can see each other (the plan of exchange compares them).
+
+mod growth;
 
 use super::{NamedPatch, Scene};
 use crate::geometry::Plane;
@@ -35,8 +41,13 @@ use rayon::prelude::*;
 use std::collections::HashMap;
 
 /// The length below which coordinates say nothing.
-fn noise(largest: f64, deviation: f64) -> f64 {
-    tolerance::TOUCHING * largest + tolerance::DEPTH_PER_DEVIATION * deviation
+fn noise(largest: f64, deviation: f64, resolution: f64) -> f64 {
+    let rounding = tolerance::TOUCHING * largest;
+    if resolution > 0.0 {
+        rounding + tolerance::RESOLVED_NOISE * resolution
+    } else {
+        rounding + tolerance::DEPTH_PER_DEVIATION * deviation
+    }
 }
 
 /// A plane and the heights between which the corners in it lie.
@@ -55,13 +66,15 @@ impl SharedPlane {
 
     /// The least and the largest height over this plane.
     pub(crate) fn range(&self, points: impl IntoIterator<Item = DVec3>) -> [f64; 2] {
-        let heights = points.into_iter().map(|point| self.plane.height(point));
+        let heights = points
+            .into_iter()
+            .map(|point| self.plane.sure_height(point));
         heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], height| {
             [low.min(height), high.max(height)]
         })
     }
 
-    fn thickness(&self) -> f64 {
+    pub(crate) fn thickness(&self) -> f64 {
         self.high - self.low
     }
 }
@@ -101,9 +114,10 @@ impl ScenePlanes {
             .map(|surface| own_plane(surface, unit))
             .collect();
         let deviation = own.iter().map(|own| own.high).fold(0.0, f64::max);
+        let resolution = scene.resolution() / unit;
         let mut planes = Self {
             unit,
-            noise: noise(largest / unit, deviation),
+            noise: noise(largest / unit, deviation, resolution),
             planes: Vec::new(),
             plane_of: vec![
                 Placed {
@@ -113,8 +127,25 @@ impl ScenePlanes {
                 surfaces.len()
             ],
         };
-        planes.gather(&surfaces, &own);
+        if resolution > 0.0 {
+            planes.grow(&surfaces, &own, tolerance::SQRT_3 * resolution);
+        } else {
+            planes.gather(&surfaces, &own);
+        }
         planes
+    }
+
+    /// Gathers surfaces whose corners are off by `delta`.
+    fn grow(&mut self, surfaces: &[&NamedPatch], own: &[SharedPlane], delta: f64) {
+        let panels = surfaces.iter().zip(own).enumerate();
+        let panels = panels.map(|(surface, (patch, plane))| {
+            let corners = self.corners(patch).collect();
+            let width = patch.shape().width() / self.unit;
+            growth::Panel::new(surface, plane.clone(), corners, [width, delta])
+        });
+        for (members, shared) in growth::grown(panels.collect(), self.noise, delta) {
+            self.place(&members, shared, own);
+        }
     }
 
     /// The power of two by which coordinates are divided.
@@ -288,10 +319,7 @@ fn buckets(members: &[usize], own: &[SharedPlane], per_unit: f64) -> Vec<Vec<usi
 /// A surface's plane through the middle of its corners' heights.
 fn own_plane(surface: &NamedPatch, unit: f64) -> SharedPlane {
     let shape = surface.shape();
-    let plane = Plane {
-        normal: shape.normal(),
-        origin: shape.corners()[0] / unit,
-    };
+    let plane = Plane::new(shape.normal(), shape.corners()[0] / unit);
     centred(plane, || {
         shape.corners().iter().map(|corner| *corner / unit)
     })
@@ -328,7 +356,7 @@ fn through_far_corners<C: Iterator<Item = DVec3>>(corners: impl Fn() -> C) -> Op
     let along = farthest(&|corner| corner.distance_squared(origin)) - origin;
     let aside = farthest(&|corner| (corner - origin).cross(along).length_squared()) - origin;
     let normal = along.cross(aside).try_normalize()?;
-    Some(centred(Plane { normal, origin }, corners))
+    Some(centred(Plane::new(normal, origin), corners))
 }
 
 /// The normal or its opposite, so that two surfaces that face away from each other agree.
