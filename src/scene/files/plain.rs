@@ -56,7 +56,7 @@ pub(crate) fn plain_rows<'s>(
         rows.extend(patch.map(|patch| PlainRow {
             name: patch.name(),
             material: patch.material(),
-            corners: Cow::Borrowed(patch.shape().corners()),
+            corners: Cow::Borrowed(patch.shape().given_corners()),
             patch: Some(index),
         }));
     }
