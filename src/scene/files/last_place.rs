@@ -120,8 +120,8 @@ impl LastPlaces {
             let found: u32 = counts.range(least - 1..).map(|(_, count)| count).sum();
             FEWEST_LONG * found >= self.count
         };
-        let are_long =
-            many(&self.by_decimals, decimals) || many(&self.by_digits, self.digits.max(2));
+        let are_long = many(&self.by_decimals, decimals)
+            || (self.digits >= FEWEST_DIGITS && many(&self.by_digits, self.digits));
         if COARSEST * half > self.largest || !are_long {
             0.0
         } else {
