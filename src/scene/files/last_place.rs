@@ -29,7 +29,7 @@ const FEWEST_DIGITS: i64 = 6;
 /// The smallest ratio of the largest coordinate to half a unit of what is rounded.
 const COARSEST: f64 = 150.0;
 
-/// One in so many numbers at least is as long as the longest, or but one, where a program wrote them.
+/// One in so many numbers at least is as long as the longest where a program wrote them.
 const FEWEST_LONG: u32 = 3;
 
 /// A last place this much finer than the distance of 32-bit floats tells them from other numbers, by
@@ -117,11 +117,11 @@ impl LastPlaces {
         };
         let half = fixed.max(significant.map_or(0.0, half_unit)).max(float);
         let many = |counts: &BTreeMap<i64, u32>, least: i64| {
-            let found: u32 = counts.range(least - 1..).map(|(_, count)| count).sum();
+            let found: u32 = counts.range(least..).map(|(_, count)| count).sum();
             FEWEST_LONG * found >= self.count
         };
         let are_long = many(&self.by_decimals, decimals)
-            || (self.digits >= FEWEST_DIGITS && many(&self.by_digits, self.digits));
+            || (self.digits >= FEWEST_DIGITS && many(&self.by_digits, self.digits - 1));
         if COARSEST * half > self.largest || !are_long {
             0.0
         } else {
