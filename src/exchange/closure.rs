@@ -29,8 +29,8 @@ pub struct RowSum {
     pub sum: f64,
     /// A bound on the error of the sum.
     pub error: f64,
-    /// A bound on what cracks that the resolution of the coordinates explains can change of a sum of
-    /// one.
+    /// A bound on what cracks that the resolution of the coordinates explains can change of a sum
+    /// of one.
     pub resolution_error: f64,
 }
 

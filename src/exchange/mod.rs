@@ -36,8 +36,8 @@
 //!    [`ScenePairs::for_each_row`] one row, [`ScenePairs::tile`] one tile, [`ExchangeAreas`] the
 //!    whole matrix.
 //!
-//! Where coordinates are rounded, [`ScenePairs::resolution_error`] bounds what that can change of an
-//! exchange area; it stands beside the error of the computation and is never mixed with it.
+//! Where coordinates are rounded, [`ScenePairs::resolution_error`] bounds what that can change of
+//! an exchange area; it stands beside the error of the computation and is never mixed with it.
 //!
 //! [`Closure`] asks whether the rows of form factors sum to one; [`PassSummary`] counts pairs by
 //! route and reports the pair that is farthest from its tolerance.

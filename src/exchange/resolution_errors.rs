@@ -85,7 +85,8 @@ impl ScenePairs<'_> {
     }
 }
 
-/// What the resolution of a scene can change of exchange areas that are held, and of areas.
+/// Bounds on what the resolution of a scene can change of exchange areas that are held, and of
+/// areas.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ResolutionErrors {
     length: f64,

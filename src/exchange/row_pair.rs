@@ -38,7 +38,7 @@ pub(crate) const fn nothing(facing: Facing, is_diagonal: bool) -> Answer {
     Answer { exchange, route }
 }
 
-/// What a row of this area exchanges, in units of the area: a form factor from an exchange area.
+/// The form factor from an exchange area: what a row of this area exchanges, in units of the area.
 /// It is 0 for a row without area, which exchanges nothing.
 pub(crate) fn per_area(exchange: f64, area: f64) -> f64 {
     if area > 0.0 { exchange / area } else { 0.0 }

@@ -56,8 +56,9 @@ pub struct ScenePairs<'p> {
 impl<'p> ScenePairs<'p> {
     /// Checks the scene, makes the plan, and computes what congruent pairs share.
     ///
-    /// **Arguments** `tolerance`: the error accepted of every form factor, a number means a relative
-    /// one; `occlusion`: the policy for scenes in which something may stand between two patches.
+    /// **Arguments** `tolerance`: the error accepted of every form factor, a number means a
+    /// relative one; `occlusion`: the policy for scenes in which something may stand between two
+    /// patches.
     ///
     /// # Errors
     /// [`ExchangeError::Scene`] if patches overlap, or if something may stand between two of them
@@ -84,12 +85,12 @@ impl<'p> ScenePairs<'p> {
         Self::unchecked(scene, tolerance, congruence)
     }
 
-    /// The pairs of a scene of which only some will be asked for: what does not concern these is not
-    /// checked.
+    /// The pairs of a scene of which only some will be asked for: what does not concern these is
+    /// not checked.
     ///
-    /// **Arguments** `congruence`: where it is ignored, nothing is prepared but these pairs, and the
-    /// work grows with the number of patches if both ends are listed, not with that of all pairs.
-    /// Where values are shared, the plan is that of the whole scene, and so is every value.
+    /// **Arguments** `congruence`: where it is ignored, nothing is prepared but these pairs, and
+    /// the work grows with the number of patches if both ends are listed, not with that of all
+    /// pairs. Where values are shared, the plan is that of the whole scene, and so is every value.
     ///
     /// # Errors
     /// [`ExchangeError::Scene`] if there is no such row, if a patch of the rows overlaps another

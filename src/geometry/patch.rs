@@ -189,8 +189,8 @@ impl Patch {
         edges.map(|(from, to)| from.distance(*to)).sum()
     }
 
-    /// Puts a polygon that is plane within [`tolerance::PLANARITY`] into its plane, as the resolution
-    /// is coarser than that.
+    /// Puts a polygon that is plane within [`tolerance::PLANARITY`] into its plane, as the
+    /// resolution is coarser than that.
     pub(crate) fn flatten(&mut self, resolution: f64) {
         let heights = self.heights();
         let bent = Bent::of(&heights, self.width());

@@ -159,7 +159,8 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
 /// The sum `Σ_i |Σ_j C_ij + A_i/2|` over the faces, each of which must receive all that it sends.
 ///
 /// **Arguments** `rows`: for each face its exchange areas, its C and the bounds of the first,
-/// summed; `seam`: the width of what neighbours may leave open; `first_patch`: the index and the name of a face's first patch.
+/// summed; `seam`: the width of what neighbours may leave open; `first_patch`: the index and the
+/// name of a face's first patch.
 fn deviation_from_closure<'s>(
     rows: &[[CompensatedSum; 3]],
     faces: &[Patch],

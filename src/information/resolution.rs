@@ -35,7 +35,7 @@ pub struct InformationResolution {
     pub mutual_information: f64,
 }
 
-/// What the resolution can change of a scene's sums, in units of its area.
+/// Bounds on what the resolution can change of a scene's sums, in units of its area.
 pub(super) struct Changes {
     /// Bounds on the changes of the areas, by row.
     pub areas: Vec<f64>,
@@ -81,8 +81,8 @@ impl Changes {
 
     /// The bounds on the entropies.
     ///
-    /// **Arguments** `weights`: the areas; `more`: what else changes of the sum of f, in bits; `bits`:
-    /// the mutual information.
+    /// **Arguments** `weights`: the areas; `more`: what else changes of the sum of f, in bits;
+    /// `bits`: the mutual information.
     pub(super) fn bounds(&self, weights: &[f64], more: f64, bits: f64) -> InformationResolution {
         let total = compensated_sum(weights.iter().copied());
         let moved = compensated_sum(self.areas.iter().copied());

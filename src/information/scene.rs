@@ -52,8 +52,8 @@ pub struct SceneInformation {
     /// Mutual information, eq. (3); its error is a bound for a closed scene, an estimate for an
     /// open one.
     pub mutual_information: Bounded,
-    /// Bounds on what the resolution of the coordinates can change, beside the error; none where that
-    /// is not known.
+    /// Bounds on what the resolution of the coordinates can change, beside the error; none where
+    /// that is not known.
     pub resolution: Option<InformationResolution>,
     /// The terms of eq. (3) by patch, or by the row that several are summed into,
     /// `w_i Σ_j P_ij log2(P_ij/w_j)`.

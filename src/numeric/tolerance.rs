@@ -31,8 +31,8 @@ pub const TREMBLING: f64 = 1e-9;
 pub const PLANARITY: f64 = 1e-12;
 
 /// Heights between which corners of one plane lie, per length by which a coordinate is off: (a) a
-/// corner is off by √3 times that, the corners of one plane lie between twice that, and a plane that
-/// is not the best one doubles it.
+/// corner is off by √3 times that, the corners of one plane lie between twice that, and a plane
+/// that is not the best one doubles it.
 pub const BEND: f64 = 4.0 * SQRT_3;
 
 /// The same of four corners over the plane along both diagonals: (a) these pass each other within

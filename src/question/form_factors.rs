@@ -83,7 +83,8 @@ pub struct FormFactorRecord {
 }
 
 impl FormFactorRecord {
-    /// The form factor from a patch of this area, with the bound on its rounding and the quotient's.
+    /// The form factor from a patch of this area, with the bound on its rounding and the
+    /// quotient's.
     ///
     /// **Arguments** `changes`: the bounds on what the resolution can change of the exchange area
     /// and of the area.

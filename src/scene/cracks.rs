@@ -33,9 +33,9 @@ impl Scene {
     }
 
     /// The widths of the cracks along the edges of each patch: what its corners lie off the edges
-    /// beside them and off the plane that the patch shares, what other corners lie off the edge, and
-    /// what the patch was moved by when it was put flat. Corners farther off than a plane explains
-    /// ([`tolerance::BEND`]) leave a gap, and no crack.
+    /// beside them and off the plane that the patch shares, what other corners lie off the edge,
+    /// and what the patch was moved by when it was put flat. Corners farther off than a plane
+    /// explains ([`tolerance::BEND`]) leave a gap, and no crack.
     pub(crate) fn cracks(&self) -> Vec<Vec<f64>> {
         let (planes, joints) = (self.planes(), self.corner_joints());
         let shapes = || self.patches.iter().map(NamedPatch::shape);

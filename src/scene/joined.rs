@@ -85,6 +85,7 @@ impl Scene {
         let scene = Self::try_new(patches.collect())?.with_groups(&rows)?;
         Ok(Self {
             bases,
+            resolution: self.resolution,
             ..scene.with_empty_rows(empty_rows)?
         }
         .with_obstructions(self.obstructions.clone()))
@@ -108,7 +109,7 @@ impl<'s> Mesh<'s> {
         let mut numbers = HashMap::new();
         let mut points = Vec::new();
         let outlines = scene.patches.iter().map(|patch| {
-            let corners = patch.shape.corners().iter().map(|corner| {
+            let corners = patch.shape.given_corners().iter().map(|corner| {
                 // zero has no sign here
                 let key = (*corner + DVec3::ZERO).to_array().map(f64::to_bits);
                 *numbers.entry(key).or_insert_with(|| {
@@ -159,6 +160,7 @@ impl<'s> Mesh<'s> {
             distances.fold(0.0, f64::max)
         };
         let allowed = tolerance::PLANARITY * extent(corners).max(extent(plane.corners()));
+        let allowed = allowed.max(self.scene.part_noise());
         let height = |corner: &DVec3| (*corner - origin).dot(plane.normal()).abs();
         two.shape.normal().dot(plane.normal()) > 0.0
             && corners.iter().all(|corner| height(corner) <= allowed)
@@ -276,7 +278,7 @@ impl Region {
             outline.push(mesh.points[corner]);
             corner = *self.next.get(&corner)?;
         }
-        Patch::try_new(without_straight_corners(&outline)).ok()
+        Patch::within(without_straight_corners(&outline), mesh.scene.resolution).ok()
     }
 }
 

@@ -62,7 +62,8 @@ impl Scene {
     /// # Errors
     /// [`SceneError::NoSuchPatch`]; [`SceneError::BaseCycle`] if the base lies in the part;
     /// [`SceneError::PartOffPlane`] beyond [`PLANARITY`](crate::numeric::tolerance::PLANARITY) of
-    /// the base's diameter, or the noise of a resolution; [`SceneError::PartFacesAway`]; [`SceneError::PartOutside`];
+    /// the base's diameter, or the noise of a resolution; [`SceneError::PartFacesAway`];
+    /// [`SceneError::PartOutside`];
     /// [`SceneError::NothingLeft`] if the parts leave no area to the base.
     pub fn with_base(mut self, part: usize, base: usize) -> Result<Self, SceneError> {
         self.lay(part, base)?;

@@ -7,9 +7,9 @@
 //!   plane: within 4 δ      corners of one plane lie between two planes so far apart
 //! ```
 //!
-//! Scenes made in a program, and the built-in ones, are exact: r = 0. A file gives a candidate, half
-//! a unit of its last decimal; but decimals are no proof of rounding, as a cube with corners 0 and 1
-//! has none. So the scene asks whether anything *misses* on that scale:
+//! Scenes made in a program, and the built-in ones, are exact: r = 0. A file gives a candidate,
+//! half a unit of its last decimal; but decimals are no proof of rounding, as a cube with corners 0
+//! and 1 has none. So the scene asks whether anything *misses* on that scale:
 //!
 //! ```text
 //!   a face    is bent                         beyond the rounding of f64
@@ -23,8 +23,8 @@
 //! than a small part of the narrowest surface ([`tolerance::RESOLVED`]).
 //!
 //! All that is judged by comparing coordinates is judged on this scale: planes, overlap, blockers,
-//! convex rooms, parts of a base. The coordinates stay as they are. What their inaccuracy can change
-//! of an exchange area is a bound of its own ([`ScenePairs::resolution_error`]).
+//! convex rooms, parts of a base. The coordinates stay as they are. What their inaccuracy can
+//! change of an exchange area is a bound of its own ([`ScenePairs::resolution_error`]).
 //!
 //! **Not covered**: resolutions that differ from surface to surface.
 //!
@@ -173,8 +173,8 @@ impl Scene {
     }
 
     /// A resolution at which a condition holds that does not hold now, if one would do that is far
-    /// below the width of every surface: four times the smallest of those tried, each a quarter of the
-    /// one before.
+    /// below the width of every surface: four times the smallest of those tried, each a quarter of
+    /// the one before.
     pub(crate) fn mending_resolution(&self, holds: impl Fn(&Self) -> bool) -> Option<f64> {
         let mends = |resolution: f64| holds(&self.clone().resolved(resolution));
         let mut found = None;

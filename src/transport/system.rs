@@ -235,8 +235,8 @@ impl<'e> RadiositySystem<DenseExchange<'e>> {
         Some(bounds.collect())
     }
 
-    /// The radiosity of a closed room all of whose patches emit and reflect the most of any; infinite
-    /// if that reflects all.
+    /// The radiosity of a closed room all of whose patches emit and reflect the most of any;
+    /// infinite if that reflects all.
     fn brightest(&self, sources: &[f64]) -> f64 {
         let largest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
         largest(sources) / (1.0 - largest(&self.reflectances)).max(0.0)

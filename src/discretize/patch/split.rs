@@ -85,7 +85,8 @@ impl PatchSplit {
     /// [`DiscretizeError::Scene`] if a patch does not exist, has others lying in it, has no axes,
     /// if patches of the scene overlap, or if something may stand between the cut patch and one of
     /// the others; [`DiscretizeError::Exchange`] if the exchange area of a pair leaves `f64`'s
-    /// range, or if all patches face away from each other; [`DiscretizeError::AgainstItself`]; [`DiscretizeError::NamedTwice`];
+    /// range, or if all patches face away from each other; [`DiscretizeError::AgainstItself`];
+    /// [`DiscretizeError::NamedTwice`];
     /// [`DiscretizeError::NothingToGain`].
     pub fn with_occlusion(
         scene: &Scene,

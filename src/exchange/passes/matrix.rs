@@ -122,8 +122,8 @@ impl ExchangeAreas {
         self.resolution.as_ref()
     }
 
-    /// A bound on what the resolution of the coordinates can change of the exchange area of two rows
-    /// ([`ScenePairs::resolution_error`]).
+    /// A bound on what the resolution of the coordinates can change of the exchange area of two
+    /// rows ([`ScenePairs::resolution_error`]).
     ///
     /// # Panics
     /// If there is no row i or j.

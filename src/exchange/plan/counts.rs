@@ -34,8 +34,8 @@ pub struct PlanSummary {
     pub computed: usize,
     /// Pairs by route; congruent ones are counted with the route of the one that was computed.
     pub routes: BTreeMap<&'static str, usize>,
-    /// The surfaces that the resolution takes as plane, coplanar or touching; none where coordinates
-    /// are exact.
+    /// The surfaces that the resolution takes as plane, coplanar or touching; none where
+    /// coordinates are exact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub resolution: Option<ResolvedSurfaces>,
 }

@@ -51,7 +51,7 @@ pub(crate) struct FacingPlanes {
 enum Compared {
     /// None, as there are more than [`MOST_PLANES`].
     None,
-    /// Those of some planes with all.
+    /// The relations of some planes with all.
     Some(HashMap<usize, Vec<Facing>>),
     /// All of them: that of g and h stands at `g · planes + h`.
     All(Vec<Facing>),

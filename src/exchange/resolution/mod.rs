@@ -26,14 +26,14 @@
 //!   it count in it.
 //!
 //! `δ_i = √3 r`, and what a bent polygon was moved by when it was put into its plane
-//! ([`moved`](crate::geometry::Patch::moved)). A pair that is left out, because one plane counts as the other's or as behind
-//! it, would be left out rightly if one of the two were moved by the height of one over the other:
-//! it has δ_i larger by that.
+//! ([`moved`](crate::geometry::Patch::moved)). A pair that is left out, because one plane counts as
+//! the other's or as behind it, would be left out rightly if one of the two were moved by the
+//! height of one over the other: it has δ_i larger by that.
 //!
 //! **Rows that sum to one.** A closed scene stays closed where corners move together. What the
 //! polygons as given leave open, or cover twice, are cracks: along the joints of three edges, and
-//! where bent polygons were put flat. With the cracks spanned, the surface is closed, and a ray from
-//! i meets one front more or less only where it meets a crack:
+//! where bent polygons were put flat. With the cracks spanned, the surface is closed, and a ray
+//! from i meets one front more or less only where it meets a crack:
 //!
 //! ```text
 //!   |A_i − Σ_j J_ij| ≤ Σ_j Σ_e C_e · E_e(i) + Σ_{e of i} C_e        C_e = |e| · width of the crack
@@ -47,8 +47,8 @@
 //!
 //! Open `loose` for one polygon and its c.
 //!
-//! **Not covered**: what stands between two patches; parts and bases, which are taken to lie in each
-//! other.
+//! **Not covered**: what stands between two patches; parts and bases, which are taken to lie in
+//! each other.
 
 mod loose;
 

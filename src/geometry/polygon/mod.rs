@@ -2,8 +2,8 @@
 //!
 //! `convexity` and `containment` test outlines, `centroid` measures one. `clip` cuts at a plane or
 //! line, `cut_lines` into strips along parallel lines, `quarters` into parts of the same kind.
-//! `triangulation` and `convex_pieces` divide concave polygons, both by way of `ears`; `outline` and
-//! `weakly_simple` mend and divide outlines that are no polygons yet.
+//! `triangulation` and `convex_pieces` divide concave polygons, both by way of `ears`; `outline`
+//! and `weakly_simple` mend and divide outlines that are no polygons yet.
 
 pub(crate) mod centroid;
 pub(crate) mod clip;

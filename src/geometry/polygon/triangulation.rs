@@ -12,7 +12,7 @@ use glam::DVec3;
 /// Triangles with an area that make up a polygon; of straight corners only those that they need.
 ///
 /// # Errors
-/// Those of a triangle that is too small for `f64`.
+/// The refusal of a triangle that is too small for `f64`.
 pub(crate) fn triangles_of(patch: &Patch) -> Result<Vec<Patch>, GeometryError> {
     let corners = patch.corners();
     let patches = |triangles: Vec<[usize; 3]>| {

@@ -201,8 +201,8 @@ impl FlatOutline {
         })
     }
 
-    /// The triangles that make up an outline that [is clear](Self::is_clear), as indices of corners,
-    /// counter-clockwise.
+    /// The triangles that make up an outline that [is clear](Self::is_clear), as indices of
+    /// corners, counter-clockwise.
     pub(crate) fn triangles_between(&self) -> Vec<[usize; 3]> {
         let faces = self.division().into_iter();
         let triangles = faces.flat_map(|face| {
@@ -230,7 +230,7 @@ impl FlatOutline {
     /// none.
     ///
     /// # Errors
-    /// Those of `patch` for a triangle.
+    /// The errors of `patch` for a triangle.
     pub(crate) fn pieces(
         &self,
         corners: &[DVec3],

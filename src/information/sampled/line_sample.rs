@@ -74,7 +74,8 @@ impl LineSample {
     /// # Errors
     /// [`ChainError::Scene`] with [`SceneError::Overlap`](crate::scene::SceneError::Overlap) if
     /// patches lie on each other; [`ChainError::Exchange`] with [`ExchangeError::TurnedAway`] if
-    /// all fronts are outside, with [`ExchangeError::LinesEscape`] if more than a millionth of the lines leave a front and meet none, and with
+    /// all fronts are outside, with [`ExchangeError::LinesEscape`] if more than a millionth of the
+    /// lines leave a front and meet none, and with
     /// [`ExchangeError::LinesMiss`] if fewer than one in ten thousand global lines meet the scene
     /// at all.
     ///

@@ -35,8 +35,8 @@ const FIRST: [&str; 5] = [
     "theorem-1",
 ];
 
-/// The short table of the front page in Markdown: id, place, printed, computed, verdict. For a claim
-/// in words the evidence stands in the place of a number.
+/// The short table of the front page in Markdown: id, place, printed, computed, verdict. For a
+/// claim in words the evidence stands in the place of a number.
 ///
 /// # Errors
 /// [`ReportError`] if the table cannot be rendered.

@@ -10,14 +10,18 @@
 //! and that of the largest number among those with (nearly) the most significant digits, if these
 //! are six or more, as fewer are written by hand. Where every number agrees with a 32-bit float to
 //! within its last place, and some are given to so many digits that few others would, 32 bits were
-//! what the program had: then two units of such a float count, too, as coordinates come from several
-//! operations.
+//! what the program had: then two units of such a float count, too, as coordinates come from
+//! several operations.
 //!
 //! Where the largest number has hardly three digits before that place, nothing was rounded to it: a
 //! square with corners 0 and 1, one of them raised by 0.1, was meant to be bent.
 //!
+//! Nor where most numbers are much shorter than the longest: somebody wrote it.
+//!
 //! **Not covered**: whether the coordinates are rounded at all. A cube with corners 0 and 1 has no
 //! decimals and is exact; the scene knows ([`Scene::with_last_place`](crate::scene::Scene)).
+
+use std::collections::BTreeMap;
 
 /// Fewer significant digits are written by hand.
 const FEWEST_DIGITS: i64 = 6;
@@ -25,8 +29,11 @@ const FEWEST_DIGITS: i64 = 6;
 /// The smallest ratio of the largest coordinate to half a unit of what is rounded.
 const COARSEST: f64 = 150.0;
 
-/// A last place this much finer than the distance of 32-bit floats tells them from other numbers, by
-/// chance once in so many times.
+/// One in so many numbers at least is as long as the longest where a program wrote them.
+const FEWEST_LONG: u32 = 3;
+
+/// A last place this much finer than the distance of 32-bit floats tells them from other numbers,
+/// by chance once in so many times.
 const TELLING: f64 = 1.0 / 8.0;
 
 /// Numbers that tell, all of which agree, leave little to chance.
@@ -49,6 +56,10 @@ pub(crate) struct LastPlaces {
     digits: i64,
     /// The highest last place of numbers with so many digits, and with one fewer.
     places: [Option<i64>; 2],
+    /// Numbers by the decimals and by the significant digits that are written, and of all.
+    by_decimals: BTreeMap<i64, u32>,
+    by_digits: BTreeMap<i64, u32>,
+    count: u32,
     largest: f64,
     /// Whether a number is no 32-bit float.
     is_wider: bool,
@@ -72,6 +83,9 @@ impl LastPlaces {
         self.is_wider |= (value - nearest).abs() > half;
         let tells = half < TELLING * f64::from(f32::EPSILON) * value.abs();
         self.telling = self.telling.saturating_add(u32::from(tells));
+        self.count += 1;
+        *self.by_decimals.entry(-written.place).or_default() += 1;
+        *self.by_digits.entry(written.digits).or_default() += 1;
         if written.digits == 0 {
             return;
         }
@@ -102,7 +116,13 @@ impl LastPlaces {
             0.0
         };
         let half = fixed.max(significant.map_or(0.0, half_unit)).max(float);
-        if COARSEST * half > self.largest {
+        let many = |counts: &BTreeMap<i64, u32>, least: i64| {
+            let found: u32 = counts.range(least..).map(|(_, count)| count).sum();
+            FEWEST_LONG * found >= self.count
+        };
+        let are_long = many(&self.by_decimals, decimals)
+            || (self.digits >= FEWEST_DIGITS && many(&self.by_digits, self.digits - 1));
+        if COARSEST * half > self.largest || !are_long {
             0.0
         } else {
             half

@@ -19,8 +19,8 @@
 //! Open `obj`, `view3d` or `stl` for a format (each with its `writer`), `source` for lines and
 //! their numbers, `faces` for the way from an outline to patches, `rows` for their rows, `remarks`
 //! for what is mended or ignored, `unknown_materials` for notes on these, `last_place` for the
-//! decimals of coordinates, `decimal` for emissivities, `plain` for what OBJ and STL cannot say, and
-//! `error` for the refusals.
+//! decimals of coordinates, `decimal` for emissivities, `plain` for what OBJ and STL cannot say,
+//! and `error` for the refusals.
 //!
 //! All readers are our own: the libraries for OBJ and STL keep coordinates in 32 bits or cut
 //! polygons into triangles, and none says in which line a number is wrong, or which patch is not

@@ -2,7 +2,7 @@
 
 use super::NonPlanarFaces;
 use super::error::NotExpressible;
-use super::faces::face_of;
+use super::faces::{FaceRules, face_of};
 use crate::geometry::{Patch, united};
 use crate::numeric::tolerance;
 use crate::scene::{EmptyRow, NamedPatch, PatchMaterial, Scene};
@@ -61,7 +61,7 @@ pub(crate) fn plain_rows<'s>(
         [first, others @ ..] => {
             let patch = &scene.patches()[*first];
             let corners = if others.is_empty() {
-                Cow::Borrowed(patch.shape().corners())
+                Cow::Borrowed(patch.shape().given_corners())
             } else {
                 let face = one_face(scene, patches).filter(|_| summed == SummedRows::Unite);
                 let refusal = || not("patches are summed into one row".to_owned());
@@ -97,10 +97,14 @@ fn one_face(scene: &Scene, patches: &[usize]) -> Option<Vec<DVec3>> {
         .all(|pair| pair[0].material() == pair[1].material());
     let shapes: Vec<&[DVec3]> = patches
         .iter()
-        .map(|patch| patch.shape().corners())
+        .map(|patch| patch.shape().given_corners())
         .collect();
     let outline = united(&shapes).filter(|_| is_even)?;
-    let read = face_of(outline.clone(), NonPlanarFaces::Refuse.into()).ok()?;
+    let rules = FaceRules {
+        non_planar: NonPlanarFaces::Refuse,
+        resolution: scene.resolution(),
+    };
+    let read = face_of(outline.clone(), rules).ok()?;
     let area: f64 = patches.iter().map(|patch| patch.shape().area()).sum();
     let again: f64 = read.patches.iter().map(Patch::area).sum();
     // the rounding of sums of areas

@@ -10,10 +10,10 @@
 //!
 //! A pair that exchanges nothing has no i⁺ or no j⁺. Every k counts from both sides. [`Shaft`] says
 //! what is decided and what noise means; it is that of the scene's planes, about 64 ε of the
-//! largest coordinate plus eight times the largest deviation of a corner from its patch's plane, or a
-//! multiple of the scene's [resolution](Scene::resolution). So a blocker that enters the shaft by
-//! more than the noise is never missed; one that touches it, up to the rounding of rotated or decimal
-//! corners, is never reported.
+//! largest coordinate plus eight times the largest deviation of a corner from its patch's plane, or
+//! a multiple of the scene's [resolution](Scene::resolution). So a blocker that enters the shaft by
+//! more than the noise is never missed; one that touches it, up to the rounding of rotated or
+//! decimal corners, is never reported.
 //!
 //! **Cheap where nothing blocks.** What lies in a plane that has all patches on one side blocks
 //! nothing: a closed convex room is settled by comparing every corner with every plane, each once.

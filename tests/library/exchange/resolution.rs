@@ -43,8 +43,8 @@ fn pairs(scene: &Scene) -> ScenePairs<'static> {
 }
 
 /// `|ΔJ| ≤ bound` and `|ΔA| ≤ bound`, for corners that move by up to r per coordinate, all to the
-/// ends of their ranges or anywhere; and the bound is not absurd: the largest change found is a part
-/// of it.
+/// ends of their ranges or anywhere; and the bound is not absurd: the largest change found is a
+/// part of it.
 #[test]
 fn exchange_areas_change_by_no_more_than_the_bound() {
     let mut dice = ChaCha8Rng::seed_from_u64(1);

@@ -135,8 +135,8 @@ fn a_real_plate_blocks() {
     }
 }
 
-/// Negative control: panels that reach over each other by ten times the noise overlap; that far below
-/// it they touch.
+/// Negative control: panels that reach over each other by ten times the noise overlap; that far
+/// below it they touch.
 #[test]
 fn a_real_overlap_is_refused() {
     for (over, expected) in [(10.0 * NOISE, Some((4, 6))), (0.1 * NOISE, None)] {

@@ -1,8 +1,8 @@
 //! Tables and figures of the studies.
 //!
 //! `measurements` has studies with one number per row, `routes` those that set several methods side
-//! by side, `gradient_cuts` the reach of the cuts of §4.2, `refinement` the approach to the continuous
-//! value, `sampling` the estimates from random lines and fig. 5.
+//! by side, `gradient_cuts` the reach of the cuts of §4.2, `refinement` the approach to the
+//! continuous value, `sampling` the estimates from random lines and fig. 5.
 
 mod gradient_cuts;
 mod measurements;

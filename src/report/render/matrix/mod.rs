@@ -10,8 +10,8 @@
 //! ```
 //!
 //! Numbers in text read back to the same `f64`. Triplets are as urban energy balances read them
-//! (`vfsparse.inp` of uDALES) and as `spconvert(load(…))` of MATLAB and Octave does: no heading, and
-//! counted from 1.
+//! (`vfsparse.inp` of uDALES) and as `spconvert(load(…))` of MATLAB and Octave does: no heading,
+//! and counted from 1.
 //!
 //! Open `npy`, `matrix_market` or `view3d` for a format.
 

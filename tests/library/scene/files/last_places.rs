@@ -18,7 +18,7 @@ fn the_last_place_is_that_of_the_longest_numbers() {
         // six and nine significant digits
         ("12.3457 0.892223 1 0.5", 5e-5),
         ("432100.125 0.123456789 5811234.38 5811234.25", 5e-3),
-        ("0 1 0.5 1e-11", 5e-12),
+        ("0 1 0.5 1e-11", 0.0),
         ("1.5E+3 2.25e1", 5e-2),
         // written by hand, and not rounded
         ("0 1 2.5 0.1", 0.0),
