@@ -2,6 +2,7 @@
 
 use super::QuestionError;
 use super::scene::SceneSource;
+use crate::numeric::compensated_sum;
 use crate::scene::{FreeEdge, Obstacle, Scene};
 use glam::DVec3;
 
@@ -129,7 +130,7 @@ impl Check {
             noise: scene.noise_length(),
             volume: joints.free.is_empty().then(|| volume(&scene, low)),
             free_edges: joints.free.len(),
-            free_length: joints.free.iter().map(FreeEdge::length).sum(),
+            free_length: compensated_sum(joints.free.iter().map(FreeEdge::length)),
             longest_free_edges: longest
                 .iter()
                 .map(|edge| FreeEdgeRecord {

@@ -204,6 +204,7 @@ fn check_tells_the_state_of_a_scene() {
         "{table}"
     );
     let room = json(&["check", "box:1,2,3"]);
+    assert_eq!(room["free_length"].to_string(), "0.0");
     assert_eq!(
         (number(&room["volume"]), &room["blocked"], &room["planes"]),
         (6.0, &().into(), &6.into())
