@@ -382,7 +382,7 @@ fn all_laws(case: &Case) -> Result<(), String> {
 }
 
 /// Pairs of each family in the default run.
-const PAIRS: u64 = 1000;
+const PAIRS: u64 = 600;
 
 #[test]
 fn exchange_areas_are_positive_and_at_most_the_areas() {

@@ -9,7 +9,7 @@ use infoscene::scene::Scene;
 use proptest::prelude::*;
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 12, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 6, ..ProptestConfig::default() })]
 
     /// Corners that are turned and scaled are rounded by ε of their size, which the value feels by
     /// some ε.
