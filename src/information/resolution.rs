@@ -39,7 +39,7 @@ pub struct InformationResolution {
 pub(super) struct Changes {
     /// Bounds on the changes of the areas, by row.
     pub areas: Vec<f64>,
-    /// The same of what a row exchanges with those that it sees.
+    /// A bound on the change of what a row exchanges with those that it sees.
     pub rows: Vec<f64>,
     /// The sum of the changes of f over all pairs, there and back.
     pub divergence: f64,

@@ -229,7 +229,7 @@ impl<const N: usize> RowSums<N> {
         })
     }
 
-    /// What the resolution can change of the information.
+    /// A bound on what the resolution can change of the information.
     fn resolution(&self, outside: &Outside, is_closed: bool, bits: f64) -> InformationResolution {
         let Some(changes) = &self.changes else {
             return InformationResolution::default();

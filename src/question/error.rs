@@ -28,7 +28,7 @@ pub enum QuestionError {
     ChannelNotNamed {
         /// The first row that is coloured.
         row: usize,
-        /// Its name.
+        /// The name of the patch.
         name: String,
     },
     /// The light of one channel was refused.

@@ -39,7 +39,7 @@ use std::hash::Hash;
 pub struct EmptyRow {
     /// Its number, among all rows.
     pub row: usize,
-    /// Its name.
+    /// The name of the row.
     pub name: String,
     /// Its material.
     pub material: PatchMaterial,

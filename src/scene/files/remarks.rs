@@ -21,7 +21,7 @@ pub(crate) enum Remark {
     WithoutArea,
     /// A statement is about what has no area, such as lines.
     LeftOut(&'static str),
-    /// What follows the coordinates of a vertex is neither a weight nor a colour.
+    /// A vertex has more than coordinates, and it is neither a weight nor a colour.
     AfterCoordinates,
     /// A name is cut.
     LongName,

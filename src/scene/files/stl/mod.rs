@@ -82,7 +82,7 @@ struct Facet {
     corners: Vec<DVec3>,
     /// None if it is not a direction.
     normal: Option<DVec3>,
-    /// Its line, or its number.
+    /// The line of the facet, or its number.
     place: usize,
 }
 
