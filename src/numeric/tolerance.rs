@@ -35,8 +35,8 @@ pub const PLANARITY: f64 = 1e-12;
 /// that is not the best one doubles it.
 pub const BEND: f64 = 4.0 * SQRT_3;
 
-/// The same of four corners over the plane along both diagonals: (a) these pass each other within
-/// 2 √3 times that length.
+/// The distance at which the diagonals of four corners of one plane pass each other, per length by
+/// which a coordinate is off: (a) at most twice what a corner is off by.
 pub const QUADRILATERAL_BEND: f64 = 2.0 * SQRT_3;
 
 /// The square root of 3: a corner whose three coordinates are off by 1 is off by so much.

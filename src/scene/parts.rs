@@ -37,11 +37,11 @@ use std::hash::Hash;
 /// area of 0 and exchanges nothing.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EmptyRow {
-    /// Its number, among all rows.
+    /// The number of the row, among all.
     pub row: usize,
     /// The name of the row.
     pub name: String,
-    /// Its material.
+    /// The material of the face.
     pub material: PatchMaterial,
 }
 

@@ -52,7 +52,7 @@ impl std::error::Error for FileError {
 
 /// The faults for which a file was refused, those of the files that it names included.
 ///
-/// Its text has a line for each of the first [`MOST_TOLD`](Self::MOST_TOLD), and counts the others.
+/// The text has a line for each of the first [`MOST_TOLD`](Self::MOST_TOLD), and counts the others.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FileErrors {
     told: Vec<FileError>,
