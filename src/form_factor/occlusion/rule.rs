@@ -62,6 +62,14 @@ pub(super) struct Share {
     pub rounding: f64,
 }
 
+impl Share {
+    pub(super) fn add(&mut self, other: Self) {
+        self.value += other.value;
+        self.truncation += other.truncation;
+        self.rounding += other.rounding;
+    }
+}
+
 impl<'a> Panel<'a> {
     pub(super) fn new(sight: &'a Sight, arrangement: &Arrangement, [from, to]: [f64; 2]) -> Self {
         let middle = 0.5 * (from + to);
