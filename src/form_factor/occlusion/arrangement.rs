@@ -67,7 +67,9 @@ pub(super) fn arrange(
     t: f64,
 ) -> Option<Arrangement> {
     let sight = &outer.sight;
-    let placed: Vec<Placed> = (0..sight.traces.len()).map(|line| place(sight, line, t)).collect();
+    let placed: Vec<Placed> = (0..sight.traces.len())
+        .map(|line| place(sight, line, t))
+        .collect();
     let mut validity = Validity {
         sight,
         t,
@@ -86,13 +88,23 @@ pub(super) fn arrange(
         }
         let within = interval(&piece.region, line, &placed, &mut validity);
         if let Some(within) = within {
-            on_line(outer, piece, line, within, &placed, &mut validity, &mut segments);
+            on_line(
+                outer,
+                piece,
+                line,
+                within,
+                &placed,
+                &mut validity,
+                &mut segments,
+            );
         }
         if !validity.is_certain {
             return None;
         }
     }
-    Some(Arrangement {
+    // a side without end is none of a part of P
+    let is_bounded = |segment: &Segment| segment.from != NONE && segment.to != NONE;
+    segments.iter().all(is_bounded).then_some(Arrangement {
         segments,
         range: validity.range,
     })
@@ -189,7 +201,11 @@ fn on_line(
             continue;
         }
         covers.push(([from.0, to.0], shadow.side_of(line)));
-        places.extend([from, to].into_iter().filter(|at| at.0 > low.0 && at.0 < high.0));
+        places.extend(
+            [from, to]
+                .into_iter()
+                .filter(|at| at.0 > low.0 && at.0 < high.0),
+        );
         for end in [from, to] {
             validity.ordered(line, low.1, end.1);
             validity.ordered(line, end.1, high.1);
@@ -230,7 +246,11 @@ fn on_line(
 
 fn close(line: usize, open: Option<(f64, Place)>, end: Place, segments: &mut Vec<Segment>) {
     if let Some((state, start)) = open {
-        let (from, to) = if state > 0.0 { (start.1, end.1) } else { (end.1, start.1) };
+        let (from, to) = if state > 0.0 {
+            (start.1, end.1)
+        } else {
+            (end.1, start.1)
+        };
         segments.push(Segment { line, from, to });
     }
 }
@@ -332,7 +352,10 @@ impl Validity<'_> {
             ([cone], [(a, g), (b, k)]) => {
                 // α1 γ2 − α2 γ1, linear in t
                 let mixed = [a[0] * k[0] - b[0] * g[0], a[0] * k[1] - b[0] * g[1]];
-                self.keeps_sign(product(mixed, *cone), size(mixed).max(size(*a) * size(*b)) * size(*cone));
+                self.keeps_sign(
+                    product(mixed, *cone),
+                    size(mixed).max(size(*a) * size(*b)) * size(*cone),
+                );
             }
             ([], [(a, f), (b, g), (c, k)]) => {
                 let [ab, bc, ca] = [

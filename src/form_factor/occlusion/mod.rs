@@ -3,27 +3,25 @@
 //! **Not covered**: everything yet but the bounds 0 and the unoccluded value.
 
 mod arrangement;
+mod occluders;
 mod outer;
 mod rule;
 mod setting;
+mod share;
 mod sight;
+mod slack;
+
+pub use occluders::Occluders;
 
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
 use arrangement::{Arrangement, arrange};
+use glam::DVec3;
 use outer::{Outer, Piece, Wanted, outers};
-use rule::{Panel, Share};
+use rule::Panel;
 use setting::Setting;
+use share::Share;
+use slack::slack;
 use std::f64::consts::TAU;
-
-/// The polygons that may stand between two others, each blocking from both sides.
-#[derive(Debug, Clone, Copy)]
-pub struct Occluders<'a> {
-    /// The polygons, in any order; those that take nothing away cost time only.
-    pub polygons: &'a [&'a Polygon],
-    /// The distance up to which corners, edges and planes count as meeting; 0 leaves rounding
-    /// alone.
-    pub touching: f64,
-}
 
 impl Polygon {
     /// The exchange area of the parts of two polygons that see each other past others.
@@ -36,6 +34,16 @@ impl Polygon {
         occluders: &Occluders,
         tolerance: f64,
     ) -> Result<Answer, FormFactorError> {
+        // a pair has one value, whichever way it is asked for
+        let corners = |polygon: &Self| polygon.shape.corners.clone();
+        let key = |corner: &DVec3| corner.to_array().map(f64::to_bits);
+        if corners(other)
+            .iter()
+            .map(key)
+            .lt(corners(self).iter().map(key))
+        {
+            return other.exchange_area_past(self, occluders, tolerance);
+        }
         let whole = self.exchange_area(other, 0.25 * tolerance)?;
         if occluders.polygons.is_empty() || whole.exchange.value <= 0.0 {
             return Ok(whole);
@@ -76,7 +84,10 @@ fn exchange(setting: &Setting, wanted: Wanted, accuracy: f64) -> ExchangeArea {
             stretches.extend(outers(setting, [first, second], wanted));
         }
     }
-    let total: f64 = stretches.iter().map(|outer| outer.sight.along.length()).sum();
+    let total: f64 = stretches
+        .iter()
+        .map(|outer| outer.sight.along.length())
+        .sum();
     let mut sum = Share::default();
     for outer in &stretches {
         for piece in &outer.pieces {
@@ -89,7 +100,7 @@ fn exchange(setting: &Setting, wanted: Wanted, accuracy: f64) -> ExchangeArea {
     }
     ExchangeArea {
         value: sum.value / TAU,
-        error: (sum.truncation + sum.rounding) / TAU + setting.slack(&stretches),
+        error: (sum.truncation + sum.rounding) / TAU + slack(setting, &stretches),
     }
 }
 
@@ -105,7 +116,7 @@ fn stretch(outer: &Outer, piece: &Piece, accuracy: f64) -> Share {
             let wanted = accuracy * length * (to - from).max(1e-3);
             match panel.integral(wanted) {
                 Some(share) => sum.add(share),
-                None if to - from < 1e-15 => sum.add(outer.sight.unsettled(to - from)),
+                None if to - from < SHORTEST => sum.add(outer.sight.unsettled(to - from)),
                 None => {
                     let middle = 0.5 * (from + to);
                     panels.extend([[middle, to], [from, middle]]);
@@ -116,44 +127,78 @@ fn stretch(outer: &Outer, piece: &Piece, accuracy: f64) -> Share {
     sum
 }
 
-/// The boundaries along a stretch, in order; what cannot be told is added to the sum.
+/// The boundaries along a stretch, in order.
+///
+/// Where several things happen at nearly one place, what is between them is not asked for: the
+/// boundaries on either side are taken to the middle of such a gap, and what that can change is
+/// added to the sum.
 fn arrangements(outer: &Outer, piece: &Piece, sum: &mut Share) -> Vec<Arrangement> {
     let mut done: Vec<Arrangement> = Vec::new();
-    let mut keep = |found: Arrangement| match done.last_mut() {
-        Some(last)
-            if last.segments == found.segments && found.range[0] - last.range[1] <= 1e-15 =>
-        {
-            last.range[1] = found.range[1];
-        }
-        _ => done.push(found),
-    };
     let mut open = vec![Open::Range([0.0, 1.0])];
+    let mut untold = 0;
     while let Some(next) = open.pop() {
         let [low, high] = match next {
             Open::Range(range) => range,
             Open::Found(found) => {
-                keep(found);
+                done.push(found);
                 continue;
             }
         };
         let width = high - low;
+        if width < BRIDGED {
+            continue;
+        }
         let mut places = PLACES.iter().map(|place| low + place * width);
-        if let Some(found) = places.find_map(|place| arrange(outer, piece, [low, high], place)) {
+        let found = places.find_map(|place| {
+            let found = arrange(outer, piece, [low, high], place)?;
+            let panel = Panel::new(&outer.sight, &found, found.range);
+            panel.is_closed().then_some(found)
+        });
+        if let Some(found) = found {
             let [from, to] = found.range;
-            if high - to > 1e-15 {
-                open.push(Open::Range([to, high]));
+            open.push(Open::Range([to, high]));
+            if to - from >= BRIDGED {
+                open.push(Open::Found(found));
             }
-            open.push(Open::Found(found));
-            if from - low > 1e-15 {
-                open.push(Open::Range([low, from]));
-            }
-        } else if width < 1e-14 {
-            sum.add(outer.sight.unsettled(width));
-        } else {
+            open.push(Open::Range([low, from]));
+        } else if untold < MOST_UNTOLD {
+            untold += 1;
             let middle = 0.5 * (low + high);
             open.push(Open::Range([middle, high]));
             open.push(Open::Range([low, middle]));
+        } else {
+            sum.add(outer.sight.unsettled(width));
         }
+    }
+    bridged(outer, done, sum)
+}
+
+/// Closes the gaps between boundaries, and takes those that are the same as one.
+fn bridged(outer: &Outer, found: Vec<Arrangement>, sum: &mut Share) -> Vec<Arrangement> {
+    let mut done: Vec<Arrangement> = Vec::new();
+    for mut next in found {
+        let start = done.last().map_or(0.0, |last| last.range[1]);
+        sum.add(outer.sight.bridge(start, next.range[0]));
+        let middle = match done.last_mut() {
+            None => 0.0,
+            Some(last) if last.segments == next.segments => {
+                last.range[1] = next.range[1];
+                continue;
+            }
+            Some(last) => {
+                last.range[1] = 0.5 * (start + next.range[0]);
+                last.range[1]
+            }
+        };
+        next.range[0] = middle;
+        done.push(next);
+    }
+    match done.last_mut() {
+        Some(last) => {
+            sum.add(outer.sight.bridge(last.range[1], 1.0));
+            last.range[1] = 1.0;
+        }
+        None => sum.add(outer.sight.unsettled(1.0)),
     }
     done
 }
@@ -163,6 +208,15 @@ enum Open {
     Range([f64; 2]),
     Found(Arrangement),
 }
+
+/// The most ranges of a stretch that are halved because nothing can be told there.
+const MOST_UNTOLD: usize = 500;
+
+/// The width of a gap between two boundaries, of the stretch.
+const BRIDGED: f64 = 1e-10;
+
+/// The shortest piece of a stretch on which anything is looked for, of its length.
+const SHORTEST: f64 = 4.0 * f64::EPSILON;
 
 /// Places at which the boundary is looked for.
 const PLACES: [f64; 3] = [0.5, 0.382, 0.724];

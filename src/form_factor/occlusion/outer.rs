@@ -108,7 +108,9 @@ impl<'a> Book<'a> {
                 heights[0].max(heights[1]) <= setting.touching
             };
             if let Some(side) = side {
-                let along = side.corners.map(|corner| book.place(setting.corners[corner]));
+                let along = side
+                    .corners
+                    .map(|corner| book.place(setting.corners[corner]));
                 let run = if side.is_along { 1.0 } else { -1.0 };
                 book.contacts.push(Contact {
                     range: [along[0].min(along[1]), along[0].max(along[1])],
@@ -122,7 +124,7 @@ impl<'a> Book<'a> {
                 let aside = face.normal.cross(book.direction);
                 if let Some(range) = book.inside(face) {
                     book.contacts.push(Contact {
-                            range,
+                        range,
                         inward: [Some(aside), Some(-aside)],
                         is_side: false,
                         is_second,
@@ -168,8 +170,12 @@ impl<'a> Book<'a> {
     fn stretches(&self) -> Vec<[f64; 2]> {
         let touching = self.setting.touching;
         let sides = || self.contacts.iter().filter(|contact| contact.is_side);
-        let low = sides().map(|side| side.range[0]).fold(f64::INFINITY, f64::min);
-        let high = sides().map(|side| side.range[1]).fold(f64::NEG_INFINITY, f64::max);
+        let low = sides()
+            .map(|side| side.range[0])
+            .fold(f64::INFINITY, f64::min);
+        let high = sides()
+            .map(|side| side.range[1])
+            .fold(f64::NEG_INFINITY, f64::max);
         let mut breaks = vec![low, high];
         let mut add = |at: f64| {
             if at > low && at < high {
@@ -247,7 +253,12 @@ impl<'a> Book<'a> {
         let mut pieces = Vec::new();
         for (angle, bounds) in self.sectors(&pages, start) {
             let mut region = base.clone();
-            region.halves.extend(bounds.into_iter().map(|normal| sight.through(normal)));
+            region
+                .halves
+                .extend(bounds.into_iter().map(|normal| sight.through(normal)));
+            if region.is_flat() {
+                continue;
+            }
             for (part, sign) in states(&pages, angle, is_on_second, wanted) {
                 if sign != 0.0 {
                     pieces.push(Piece {
@@ -264,7 +275,9 @@ impl<'a> Book<'a> {
         let mut shadows = Vec::new();
         let centre = start + 0.5 * along;
         let misses_base = |sight: &Sight, screen: &Face, way: f64| {
-            base.cones.iter().any(|cone| sight.misses(cone, screen, way))
+            base.cones
+                .iter()
+                .any(|cone| sight.misses(cone, screen, way))
         };
         let shadow = |cone| Region {
             cones: vec![cone],
@@ -304,7 +317,9 @@ impl<'a> Book<'a> {
     /// in each, and the inward normals of what bounds it.
     fn sectors(&self, pages: &[Page], start: DVec3) -> Vec<(f64, Vec<DVec3>)> {
         let (east, north) = self.across();
-        let corners = self.ends[0].corners().map(|corner| self.setting.corners[corner] - start);
+        let corners = self.ends[0]
+            .corners()
+            .map(|corner| self.setting.corners[corner] - start);
         let corners: Vec<DVec3> = corners.collect();
         let touching = self.setting.touching;
         let direction = |angle: f64| angle.cos() * east + angle.sin() * north;
@@ -340,7 +355,11 @@ fn states(pages: &[Page], angle: f64, is_on_second: bool, wanted: Wanted) -> [(P
     // the turn from the point to each page, by way of the left or of the right
     let side = |is_left: bool| {
         let turns = pages.iter().map(move |page| {
-            let turn = if is_left { angle - page.angle } else { page.angle - angle };
+            let turn = if is_left {
+                angle - page.angle
+            } else {
+                page.angle - angle
+            };
             (turn.rem_euclid(TAU), page.is_second)
         });
         turns.filter(|(turn, _)| *turn > 0.0 && *turn < PI)

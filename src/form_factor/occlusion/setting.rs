@@ -11,11 +11,10 @@
 //!
 //! Corners are rounded once, from 106 bits, as they are put into the frame.
 
-use super::Occluders;
-use super::outer::Outer;
+use super::occluders::Occluders;
 use crate::form_factor::Polygon;
 use crate::geometry::{Vector, clipped, convex_pieces};
-use crate::numeric::{DoubleDouble, Scalar, power_of_two_below, real};
+use crate::numeric::{DoubleDouble, Scalar, power_of_two_below};
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -71,8 +70,8 @@ pub(super) struct Setting {
     pub touching: f64,
     /// A bound on the displacement of corners.
     pub displaced: f64,
-    /// An upper bound on the distances between points of P and of Q.
-    pub farthest: f64,
+    /// The most that ∫ dx/r can be over P, from any point: `2 √(π A_P)`.
+    pub most: f64,
     /// The unit of length.
     pub unit: f64,
 }
@@ -89,13 +88,15 @@ impl Setting {
             corner.z = 0.0;
         }
         let ends = floor.iter().chain(&ceiling);
-        let reach = ends.fold(0.0f64, |reach, corner| reach.max(corner.abs().max_element()));
+        let reach = ends.fold(0.0f64, |reach, corner| {
+            reach.max(corner.abs().max_element())
+        });
         let unit = power_of_two_below(reach);
         let rounding = 64.0 * f64::EPSILON * (reach / unit);
         let mut setting = Self {
             touching: rounding.max(occluders.touching / unit),
             displaced: f64::EPSILON * (reach / unit),
-            farthest: 4.0 * (reach / unit),
+            most: 2.0 * (PI * first.area()).sqrt() / unit,
             unit,
             ..Self::default()
         };
@@ -127,7 +128,8 @@ impl Setting {
         let mut pieces: Vec<Vec<DVec3>> = convex_pieces(corners, normal);
         for plane in planes {
             let whole: Vec<Vec<DVec3>> = std::mem::take(&mut pieces);
-            pieces = whole.into_iter()
+            pieces = whole
+                .into_iter()
                 .filter_map(|piece| plane.front_of(piece, self.touching))
                 .collect();
         }
@@ -181,9 +183,8 @@ impl Setting {
             } else {
                 (from, along.normalize(), [start, end])
             };
-            let is_on = |point: &DVec3| {
-                (*point - origin).cross(direction).length() <= self.touching
-            };
+            let is_on =
+                |point: &DVec3| (*point - origin).cross(direction).length() <= self.touching;
             if others.iter().all(is_on) {
                 let is_along = known.dot(along) > 0.0;
                 if along.length_squared() > known.length_squared() {
@@ -238,7 +239,11 @@ impl Plane {
     fn front_of(&self, piece: Vec<DVec3>, touching: f64) -> Option<Vec<DVec3>> {
         let height = |corner: &DVec3| {
             let height = self.normal.dot(*corner) - self.offset;
-            if height.abs() <= touching { 0.0 } else { height }
+            if height.abs() <= touching {
+                0.0
+            } else {
+                height
+            }
         };
         let heights: Vec<f64> = piece.iter().map(height).collect();
         if heights.iter().all(|height| *height <= 0.0) {
@@ -298,55 +303,4 @@ impl Frame {
     fn turned(&self, vector: Vector<DoubleDouble>) -> DVec3 {
         DVec3::from_array(self.axes.map(|axis| vector.dot(axis).to_f64()))
     }
-}
-
-impl Setting {
-    /// The most that displaced corners can change: an edge that moves by δ changes the exchange
-    /// area by at most `δ L Ω/π`, with the solid angle Ω that P or Q subtends from its points,
-    /// the smaller of the two.
-    pub(super) fn slack(&self, stretches: &[Outer]) -> f64 {
-        let [first, second] = [&self.first, &self.second].map(|faces| self.sphere(faces));
-        let weight = |from: DVec3, to: DVec3, sphere: &Sphere| {
-            let near = sphere.centre.distance(0.5 * (from + to)) - 0.5 * from.distance(to);
-            let distance = (near - sphere.radius).max(0.0);
-            (sphere.area / (PI * distance * distance)).min(2.0)
-        };
-        let outer = stretches.iter().map(|outer| {
-            let (from, to) = (outer.sight.start, outer.sight.point(1.0));
-            from.distance(to) * weight(from, to, &first).min(weight(from, to, &second))
-        });
-        let inner = self.first.iter().flat_map(|face| &face.sides).map(|side| {
-            let [from, to] = side.corners.map(|corner| self.corners[corner]);
-            from.distance(to) * weight(from, to, &second)
-        });
-        self.displaced * (outer.sum::<f64>() + inner.sum::<f64>())
-    }
-
-    fn sphere(&self, faces: &[Face]) -> Sphere {
-        let corners = || {
-            let corners = faces.iter().flat_map(Face::corners);
-            corners.map(|corner| self.corners[corner])
-        };
-        let centre = corners().sum::<DVec3>() / real(corners().count().max(1));
-        let radius = corners().map(|corner| corner.distance(centre)).fold(0.0, f64::max);
-        let area = faces.iter().map(|face| {
-            let corners: Vec<DVec3> = face.corners().map(|c| self.corners[c]).collect();
-            let fans = corners.windows(2).map(|pair| {
-                (pair[0] - corners[0]).cross(pair[1] - corners[0]).length()
-            });
-            0.5 * fans.sum::<f64>()
-        });
-        Sphere {
-            centre,
-            radius,
-            area: area.sum(),
-        }
-    }
-}
-
-/// A sphere around a polygon, and its area.
-struct Sphere {
-    centre: DVec3,
-    radius: f64,
-    area: f64,
 }

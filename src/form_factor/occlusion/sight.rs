@@ -10,10 +10,9 @@
 //! γ that is linear in t, n = (h α, γ). Planes that hold the whole stretch have a constant normal;
 //! those that coincide are one line.
 
-use super::rule::Share;
 use super::setting::{Face, Setting};
+use super::share::Share;
 use glam::{DVec2, DVec3};
-use std::f64::consts::TAU;
 
 /// One side of a line: `sign · (α·ξ − c) ≥ 0`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,12 +38,26 @@ pub(super) struct Region {
 
 impl Region {
     pub(super) fn sides(&self) -> impl Iterator<Item = &HalfPlane> {
-        self.cones.iter().flat_map(|cone| &cone.sides).chain(&self.halves)
+        self.cones
+            .iter()
+            .flat_map(|cone| &cone.sides)
+            .chain(&self.halves)
+    }
+
+    /// Whether two sides leave nothing of the region but a piece of a line.
+    pub(super) fn is_flat(&self) -> bool {
+        let mut sides = self.sides();
+        sides.any(|side| {
+            self.sides()
+                .any(|o| o.line == side.line && o.sign * side.sign < 0.0)
+        })
     }
 
     /// Whether a line is one of those around the region, and which side of it that is on.
     pub(super) fn side_of(&self, line: usize) -> Option<f64> {
-        self.sides().find(|half| half.line == line).map(|half| half.sign)
+        self.sides()
+            .find(|half| half.line == line)
+            .map(|half| half.sign)
     }
 }
 
@@ -70,8 +83,8 @@ pub(super) struct Sight {
     pub is_level: bool,
     pub traces: Vec<Trace>,
     touching: f64,
-    /// The largest distance between corners.
-    farthest: f64,
+    /// The most that ∫ dx/r can be over P.
+    most: f64,
     /// Where each line in space is among the traces, and whether it was turned round.
     known: Vec<Option<(usize, f64)>>,
     corners: Vec<DVec3>,
@@ -87,11 +100,15 @@ impl Sight {
             is_level,
             traces: Vec::new(),
             touching: setting.touching,
-            farthest: setting.farthest,
+            most: setting.most,
             known: vec![None; setting.lines.len()],
             corners: setting.corners.clone(),
             heights: Vec::new(),
-            spaces: setting.lines.iter().map(|l| (l.ends, l.through.clone())).collect(),
+            spaces: setting
+                .lines
+                .iter()
+                .map(|l| (l.ends, l.through.clone()))
+                .collect(),
         }
     }
 
@@ -125,7 +142,9 @@ impl Sight {
         if let Some(known) = self.known[space] {
             return known;
         }
-        let [a, b] = self.spaces[space].0.map(|corner| self.corners[corner] - self.start);
+        let [a, b] = self.spaces[space]
+            .0
+            .map(|corner| self.corners[corner] - self.start);
         // a × (b − a): of short edges far away a × b would lose digits
         let normal = [a.cross(b - a), (b - a).cross(self.along)];
         let edge = (a.z + self.start.z == 0.0 && b.z + self.start.z == 0.0).then(|| {
@@ -181,7 +200,11 @@ impl Sight {
             self.heights.extend(self.corners.iter().map(|corner| {
                 let place = *corner - self.start;
                 let ends = [from.dot(place), last.dot(place - self.along)];
-                if ends[0].abs().max(ends[1].abs()) <= none { [0.0; 2] } else { ends }
+                if ends[0].abs().max(ends[1].abs()) <= none {
+                    [0.0; 2]
+                } else {
+                    ends
+                }
             }));
         }
     }
@@ -205,7 +228,9 @@ impl Sight {
     /// **Arguments** `way`: 1 for what is seen by looking at the face, −1 for what the lines of
     /// sight meet that come from there.
     pub(super) fn misses(&self, cone: &Cone, face: &Face, way: f64) -> bool {
-        let corners = face.corners().map(|corner| self.corners[corner] - self.start);
+        let corners = face
+            .corners()
+            .map(|corner| self.corners[corner] - self.start);
         let corners: Vec<DVec3> = corners.collect();
         cone.sides.iter().any(|half| {
             let trace = &self.traces[half.line];
@@ -228,11 +253,51 @@ impl Sight {
     }
 
     /// A piece of the stretch on which nothing is certain but that `|W| ≤ |v| ∫_P dx/r`, which is
-    /// at most 2π times the largest distance.
+    /// largest in a disc around y: at most `2 √(π A_P)`.
     pub(super) fn unsettled(&self, width: f64) -> Share {
         Share {
-            truncation: TAU * self.farthest * self.along.length() * width,
+            truncation: self.most * self.along.length() * width,
             ..Share::default()
+        }
+    }
+
+    /// A gap in which W is taken as it is beside it: it changes by at most K times the width.
+    ///
+    /// The integrand `n·(v × (y − x))/r²` changes by at most `3 |v|²/r²` and the lines of the
+    /// boundary sweep over at most their speed times their length; r is at least h.
+    pub(super) fn bridge(&self, from: f64, to: f64) -> Share {
+        let width = to - from;
+        let height = self.point(from).z.min(self.point(to).z);
+        let unsettled = self.unsettled(width);
+        if width <= 0.0 {
+            return Share::default();
+        }
+        let speed = self.along.length();
+        let reach = self.most;
+        let lines = self.traces.iter().enumerate().map(|(line, trace)| {
+            let (alpha, _) = self.line_at(line, from);
+            let change = match trace.edge {
+                Some((_, [_, slope])) => slope.abs(),
+                None => {
+                    let [_, slope] = trace.normal;
+                    let normal = trace.normal[0] + from * slope;
+                    slope.truncate().length() * reach
+                        + height * slope.z.abs()
+                        + self.along.z.abs() * normal.z.abs()
+                }
+            };
+            change / alpha.length()
+        });
+        let swept: f64 = lines.filter(|speed| speed.is_finite()).sum();
+        let change = speed * (swept * reach + 3.0 * speed * reach * reach / height) / height;
+        let truncation = (change * width * width).min(unsettled.truncation);
+        Share {
+            truncation: if truncation.is_nan() {
+                unsettled.truncation
+            } else {
+                truncation
+            },
+            ..unsettled
         }
     }
 
