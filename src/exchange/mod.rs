@@ -58,8 +58,18 @@
 //! pair on its own: a check on the plan, and a measure of its worth. A grid on a box finds its
 //! classes without comparing single pairs ([`BoxGrid`](crate::discretize::BoxGrid)).
 //!
-//! **Not covered**: occlusion. An occluded scene is refused
-//! ([`Occlusion`](crate::scene::Occlusion)).
+//! # What stands in the way
+//!
+//! Where something can stand between two patches, each pair looks up what does ([`Blockers`]), and
+//! is evaluated past it ([`Polygon::exchange_area_past`]); a pair that one convex body hides is 0
+//! without an integral. [`Occlusion`] is the policy. The plan counts pairs that are visible,
+//! partial and hidden.
+//!
+//! [`Blockers`]: crate::scene::Blockers
+//! [`Occlusion`]: crate::scene::Occlusion
+//! [`Polygon::exchange_area_past`]: crate::form_factor::Polygon::exchange_area_past
+//!
+//! **Not covered**: reflection on the way, which is transport's.
 
 mod closure;
 mod error;
@@ -72,6 +82,7 @@ mod row_pair;
 mod rows;
 mod scene_pairs;
 mod selection;
+mod sights;
 mod tolerance;
 
 pub use closure::{Closure, RowSum};
@@ -81,7 +92,9 @@ pub use passes::row_sums::TileSums;
 pub use passes::rows::Entry;
 pub use passes::tiles::{Tile, TileAnswers};
 pub use plan::Congruence;
-pub use plan::counts::{PassCounts, PassSummary, PlanSummary, Unreached};
+pub use plan::counts::{
+    IgnoredOcclusion, OcclusionCounts, PassCounts, PassSummary, PlanSummary, Unreached,
+};
 pub use progress::{Progress, Unheard};
 pub use resolution_errors::ResolutionErrors;
 pub(crate) use row_pair::per_area;

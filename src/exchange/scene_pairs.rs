@@ -11,7 +11,7 @@
 //! (a row at a time), [`tile`](ScenePairs::tile) (a tile at a time) and
 //! [`ExchangeAreas`](super::ExchangeAreas) (all of them).
 //!
-//! **Not covered**: computing with occlusion; an occluded scene is refused ([`Occlusion`]).
+//! **Occlusion** is looked up pair by pair ([`Sights`]), where anything can be in the way at all.
 
 use super::plan::{Congruence, Plan};
 use super::progress::{Listener, Progress, Unheard};
@@ -24,10 +24,20 @@ use crate::exchange::plan::perturbation::allowance;
 use crate::exchange::rows::plane_sets::PlaneSets;
 use crate::exchange::rows::polygons::Polygons;
 use crate::exchange::rows::terms::RowTerms;
-use crate::form_factor::{Answer, Polygon};
+use crate::exchange::sights::{Sight, Sights};
+use crate::form_factor::{Answer, ExchangeArea, Occluders, Polygon, Route};
 use crate::numeric::{compensated_sum, try_parallel_map};
 use crate::scene::{NamedPatch, Occlusion, Scene};
 use std::sync::Arc;
+
+/// The answer for a pair that sees nothing of each other.
+const HIDDEN: Answer = Answer {
+    exchange: ExchangeArea {
+        value: 0.0,
+        error: 0.0,
+    },
+    route: Route::Hidden,
+};
 
 /// A scene whose pairs are ready to be evaluated, and who listens to the progress of passes.
 #[derive(Debug, Clone)]
@@ -51,6 +61,8 @@ pub struct ScenePairs<'p> {
     /// The value of each class of congruent pairs; none where they are not equal within the
     /// tolerance.
     shared: Vec<Option<Answer>>,
+    /// None if nothing can be in the way of a pair.
+    sights: Option<Sights>,
 }
 
 impl<'p> ScenePairs<'p> {
@@ -62,7 +74,7 @@ impl<'p> ScenePairs<'p> {
     ///
     /// # Errors
     /// [`ExchangeError::Scene`] if patches overlap, or if something may stand between two of them
-    /// and occlusion is not ignored; [`ExchangeError::Pair`] if two patches are refused.
+    /// and occlusion is refused; [`ExchangeError::Pair`] if two patches are refused.
     ///
     /// # Examples
     /// ```
@@ -82,7 +94,7 @@ impl<'p> ScenePairs<'p> {
         occlusion: Occlusion,
     ) -> Result<Self, ExchangeError> {
         occlusion.check(scene)?;
-        Self::unchecked(scene, tolerance, congruence)
+        Self::prepared(scene, tolerance.into(), congruence, occlusion, None)
     }
 
     /// The pairs of a scene of which only some will be asked for: what does not concern these is
@@ -94,7 +106,7 @@ impl<'p> ScenePairs<'p> {
     ///
     /// # Errors
     /// [`ExchangeError::Scene`] if there is no such row, if a patch of the rows overlaps another
-    /// one, or if something may stand between two of the rows and occlusion is not ignored.
+    /// one, or if something may stand between two of the rows and occlusion is refused.
     ///
     /// # Examples
     /// ```
@@ -122,7 +134,7 @@ impl<'p> ScenePairs<'p> {
         };
         occlusion.check_rows(scene, ends, selection.other_ends())?;
         let alone = (congruence == Congruence::Ignored).then_some(selection);
-        Self::prepared(scene, tolerance.into(), congruence, alone)
+        Self::prepared(scene, tolerance.into(), congruence, occlusion, alone)
     }
 
     /// The pairs of a scene that was checked before, or that nothing in it can overlap or hide.
@@ -131,14 +143,16 @@ impl<'p> ScenePairs<'p> {
         tolerance: impl Into<Tolerance>,
         congruence: Congruence,
     ) -> Result<Self, ExchangeError> {
-        Self::prepared(scene, tolerance.into(), congruence, None)
+        let nothing = Occlusion::Refuse;
+        Self::prepared(scene, tolerance.into(), congruence, nothing, None)
     }
 
-    /// The pairs of a selection alone, or all.
+    /// The pairs of a selection alone, or all, of a scene that its policy for occlusion accepts.
     fn prepared(
         scene: &Scene,
         tolerance: Tolerance,
         congruence: Congruence,
+        occlusion: Occlusion,
         selection: Option<&Selection>,
     ) -> Result<Self, ExchangeError> {
         let terms = RowTerms::of(scene);
@@ -152,11 +166,13 @@ impl<'p> ScenePairs<'p> {
             asked
         });
         let plan = Plan::of(&shapes, facings, congruence);
+        let is_few = selection.is_some_and(Selection::is_few);
+        let sights = Sights::of(scene, occlusion, is_few, plan.representatives().len());
         let [areas, area_bounds] = areas(&terms, &shapes);
         let mut pairs = Self {
             plane_sets: PlaneSets::of(&terms, plan.facings()),
             base_offsets: BaseOffsets::of(scene, terms.patches()),
-            resolution: Resolution::of(scene, terms.patches()),
+            resolution: Resolution::of(scene, terms.patches(), sights.is_some()),
             listener: Listener(&Unheard),
             names: scene.group_names().into_iter().map(str::to_owned).collect(),
             plan,
@@ -167,6 +183,7 @@ impl<'p> ScenePairs<'p> {
             tolerance,
             is_turned_away: scene.is_turned_away(),
             shared: Vec::new(),
+            sights,
         };
         let spread = pairs.plan.spread();
         let representatives = pairs.plan.representatives();
@@ -175,7 +192,7 @@ impl<'p> ScenePairs<'p> {
             let tolerance = pairs.relative_tolerance(first, second)?;
             // half of it is for the differences between congruent pairs
             let part = if spread > 0.0 { 0.5 } else { 1.0 };
-            let mut answer = pairs.evaluate(first, second, part * tolerance)?;
+            let mut answer = pairs.evaluate(first, second, &Sight::Clear, part * tolerance)?;
             let [one, other] = [first, second].map(|index| shapes[index].shape());
             let apart = allowance(spread, one, other);
             let exchange = &mut answer.exchange;
@@ -286,6 +303,25 @@ impl ScenePairs<'_> {
         self.listener.0.advance(pairs);
     }
 
+    /// The lines of sight between two polygons.
+    pub(crate) fn sight(&self, first: usize, second: usize) -> Sight {
+        let Some(sights) = &self.sights else {
+            return Sight::Clear;
+        };
+        let [first, second] = [first, second].map(|polygon| self.terms.patches()[polygon]);
+        sights.between(first, second)
+    }
+
+    /// The lines of sight between two polygons that their exchange area is computed along.
+    pub(crate) fn exact_sight(&self, first: usize, second: usize, facing: Facing) -> Sight {
+        let exact = self.sights.as_ref().filter(|sights| sights.are_exact());
+        if exact.is_some() && facing == Facing::Visible {
+            self.sight(first, second)
+        } else {
+            Sight::Clear
+        }
+    }
+
     /// The exchange area of two polygons whose planes face each other, counted.
     #[inline]
     pub(crate) fn polygon_pair(
@@ -294,16 +330,60 @@ impl ScenePairs<'_> {
         second: usize,
         counts: &mut PassCounts,
     ) -> Result<Answer, ExchangeError> {
-        let shared = self.plan.shared(first, second);
-        let shared = shared.and_then(|place| self.shared[place]);
+        match &self.sights {
+            None => self.clear_pair(first, second, counts),
+            Some(sights) => self.sighted_pair(sights, [first, second], counts),
+        }
+    }
+
+    /// The exchange area of two polygons that nothing stands between, counted.
+    #[inline]
+    fn clear_pair(
+        &self,
+        first: usize,
+        second: usize,
+        counts: &mut PassCounts,
+    ) -> Result<Answer, ExchangeError> {
+        let class = self.class(first, second);
+        let shared = class.and_then(|place| self.shared[place]);
         let answer = match shared {
             Some(answer) => answer,
             None => {
                 let tolerance = self.relative_tolerance(first, second)?;
-                self.evaluate(first, second, tolerance)?
+                self.evaluate(first, second, &Sight::Clear, tolerance)?
             }
         };
+        if let (Some(sights), Some(class)) = (&self.sights, class) {
+            sights.take(class);
+        }
         counts.polygons(answer.route, shared.is_none());
+        Ok(answer)
+    }
+
+    /// The exchange area of two polygons that something may stand between, counted.
+    fn sighted_pair(
+        &self,
+        sights: &Sights,
+        [first, second]: [usize; 2],
+        counts: &mut PassCounts,
+    ) -> Result<Answer, ExchangeError> {
+        let sight = self.sight(first, second);
+        if sight == Sight::Clear {
+            return self.clear_pair(first, second, counts);
+        }
+        if !sights.are_exact() {
+            let answer = self.clear_pair(first, second, counts)?;
+            counts.ignored(&answer.exchange);
+            return Ok(answer);
+        }
+        let answer = match sight {
+            Sight::Hidden => HIDDEN,
+            _ => {
+                let tolerance = self.relative_tolerance(first, second)?;
+                self.evaluate(first, second, &sight, tolerance)?
+            }
+        };
+        counts.occluded(answer.route, sight == Sight::Hidden);
         Ok(answer)
     }
 
@@ -327,11 +407,24 @@ impl ScenePairs<'_> {
         &self,
         first: usize,
         second: usize,
+        sight: &Sight,
         tolerance: f64,
     ) -> Result<Answer, ExchangeError> {
         let (first, second) = (first.min(second), first.max(second));
         let [one, other] = self.both(first, second)?;
-        let answer = one.exchange_area(other, tolerance);
+        let answer = match (sight, &self.sights) {
+            (Sight::Past(surfaces), Some(sights)) if sights.are_exact() => {
+                let surfaces = surfaces.iter();
+                let polygons: Vec<&Polygon> = surfaces.map(|s| sights.polygon(*s)).collect();
+                let occluders = Occluders {
+                    polygons: &polygons,
+                    touching: sights.touching(),
+                };
+                one.exchange_area_past(other, &occluders, tolerance)
+            }
+            (Sight::Hidden, Some(sights)) if sights.are_exact() => Ok(HIDDEN),
+            _ => one.exchange_area(other, tolerance),
+        };
         let mut answer = answer.map_err(|source| ExchangeError::Pair {
             first: self.terms.patches()[first],
             second: self.terms.patches()[second],
@@ -342,17 +435,30 @@ impl ScenePairs<'_> {
         Ok(answer)
     }
 
-    /// The class whose value a pair of polygons takes, if it takes one.
+    /// The class whose value a pair of polygons takes if nothing stands between them.
+    #[inline]
     pub(crate) fn class(&self, first: usize, second: usize) -> Option<usize> {
         let place = self.plan.shared(first, second)?;
         self.shared[place].map(|_| place)
+    }
+
+    /// Whether a pair of polygons takes the value of its class, if it has one.
+    pub(crate) fn takes_class(&self, first: usize, second: usize) -> bool {
+        self.exact_sight(first, second, Facing::Visible) == Sight::Clear
     }
 
     /// The summary of a pass over all pairs.
     pub(crate) fn summary(&self, counts: PassCounts) -> PassSummary {
         let n = self.terms.patches().len();
         let left_out = self.plan.facings().pairs_left_out();
-        let classes = self.shared.iter().flatten().count();
+        let is_taken = |class: usize| {
+            let sights = self.sights.as_ref();
+            sights.is_none_or(|sights| sights.is_taken(class))
+        };
+        let shared = self.shared.iter().enumerate();
+        let classes = shared
+            .filter(|(class, value)| value.is_some() && is_taken(*class))
+            .count();
         self.summary_of(n * (n - 1) / 2, left_out, classes, counts)
     }
 
@@ -365,7 +471,10 @@ impl ScenePairs<'_> {
         classes: usize,
         counts: PassCounts,
     ) -> PassSummary {
+        let are_exact = self.sights.as_ref().map(Sights::are_exact);
         let mut summary = counts.summary(pairs, self.plan.facings().count(), left_out, classes);
+        summary.plan.occlusion = summary.plan.occlusion.filter(|_| are_exact == Some(true));
+        summary.plan.ignored = summary.plan.ignored.filter(|_| are_exact == Some(false));
         summary.plan.resolution = self.loose().map(Resolution::surfaces);
         summary.is_turned_away = self.is_turned_away;
         summary

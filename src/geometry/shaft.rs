@@ -96,6 +96,7 @@ impl Plane {
 /// A patch as convex pieces in a plane, its coordinates divided by a common unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
+    corners: Vec<DVec3>,
     pieces: Vec<Vec<DVec3>>,
     plane: Plane,
     bounds: [DVec3; 2],
@@ -118,9 +119,16 @@ impl Outline {
         ];
         Self {
             pieces: convex_pieces(&corners, patch.normal()),
+            corners,
             plane,
             bounds,
         }
+    }
+
+    /// The corners of the patch, in its order.
+    #[must_use]
+    pub fn corners(&self) -> &[DVec3] {
+        &self.corners
     }
 
     /// Convex polygons without overlap that make up the patch.
@@ -207,6 +215,13 @@ impl Shaft {
             corners().fold(DVec3::INFINITY, DVec3::min),
             corners().fold(DVec3::NEG_INFINITY, DVec3::max),
         ]
+    }
+
+    /// The corners of the two ends, `i⁺` and `j⁺`.
+    #[must_use]
+    pub fn corners(&self) -> [Vec<DVec3>; 2] {
+        let corners = |end: &Vec<Vec<DVec3>>| end.iter().flatten().copied().collect();
+        self.ends.each_ref().map(corners)
     }
 
     /// Tells whether a third patch enters the shaft by more than `noise`.
