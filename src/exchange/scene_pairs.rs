@@ -82,7 +82,7 @@ impl<'p> ScenePairs<'p> {
     /// use infoscene::exchange::{Congruence, ScenePairs};
     /// use infoscene::scene::{Occlusion, Scene};
     /// let (tolerance, cube) = (DEFAULT_TOLERANCE, Scene::built_in("cube:4")?);
-    /// let pairs = ScenePairs::try_new(&cube, tolerance, Congruence::Shared, Occlusion::Refuse)?;
+    /// let pairs = ScenePairs::try_new(&cube, tolerance, Congruence::Shared, Occlusion::Exact)?;
     /// // one value per pair: reciprocity is exact
     /// assert_eq!(pairs.row_pair(0, 20)?, pairs.row_pair(20, 0)?);
     /// # Ok::<(), infoscene::exchange::ExchangeError>(())
@@ -114,7 +114,7 @@ impl<'p> ScenePairs<'p> {
     /// use infoscene::scene::{Occlusion, Scene};
     /// let cube = Scene::built_in("cube:1")?;
     /// let pair = Selection { from: Some(vec![0]), to: Some(vec![1]) };
-    /// let (own, occlusion) = (Congruence::Ignored, Occlusion::Refuse);
+    /// let (own, occlusion) = (Congruence::Ignored, Occlusion::Exact);
     /// let pairs = ScenePairs::of_selection(&cube, 1e-12, own, occlusion, &pair)?;
     /// let (entries, _) = pairs.entries(&pair)?;
     /// // opposite faces of a cube

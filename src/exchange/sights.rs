@@ -94,11 +94,8 @@ impl Sights {
         if !self.0.is_few && Hiding::of(scene).hides(first, second) {
             return Sight::Hidden;
         }
-        let mut blockers = self.blockers().surfaces_between(first, second);
-        let whole = |surface: &usize| {
-            *surface >= scene.patches().len() || scene.base_of(*surface).is_none()
-        };
-        let surfaces: Vec<usize> = blockers.by_ref().filter(whole).collect();
+        let surfaces = self.blockers().whole_surfaces_between(first, second);
+        let surfaces: Vec<usize> = surfaces.collect();
         if surfaces.is_empty() {
             Sight::Clear
         } else {

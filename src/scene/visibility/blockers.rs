@@ -118,8 +118,21 @@ impl<'a> Blockers<'a> {
         surfaces.map(|surface| self.obstacle(surface))
     }
 
-    /// The surfaces that block a pair, in order; obstructions are numbered after the patches.
-    pub(crate) fn surfaces_between(
+    /// The surfaces that block a pair, in order; obstructions are numbered after the patches. Of a
+    /// base and its parts, which block no more than it does, only the base is among them.
+    pub(crate) fn whole_surfaces_between(
+        &self,
+        first: usize,
+        second: usize,
+    ) -> impl Iterator<Item = usize> + use<'a> {
+        let (scene, patches) = (self.scene, self.scene.patches().len());
+        let is_whole =
+            move |surface: &usize| *surface >= patches || scene.base_of(*surface).is_none();
+        self.surfaces_between(first, second).filter(is_whole)
+    }
+
+    /// The surfaces that block a pair, in order.
+    fn surfaces_between(
         &self,
         first: usize,
         second: usize,
