@@ -23,6 +23,8 @@ use std::collections::HashMap;
 pub(crate) struct Bodies {
     bodies: Vec<Body>,
     tree: Boxes,
+    /// The solid that each surface is a face of.
+    solids: Vec<Option<usize>>,
 }
 
 /// A convex body: what is behind all its sides; a sheet lies in its plane.
@@ -32,6 +34,8 @@ pub(crate) struct Body {
     sides: Vec<Plane>,
     /// The plane of a sheet.
     sheet: Option<Plane>,
+    /// Whether the last side is open.
+    is_open: bool,
     bounds: [DVec3; 2],
 }
 
@@ -61,6 +65,7 @@ impl Bodies {
         };
         let mut known = vec![false; outlines.len()];
         let mut bodies = Vec::new();
+        let mut solids = vec![None; outlines.len()];
         for first in 0..outlines.len() {
             if known[first] {
                 continue;
@@ -80,15 +85,33 @@ impl Bodies {
                     }
                 }
             }
-            let members: Vec<&Outline> = members.iter().map(|m| &outlines[*m]).collect();
-            match Body::solid(&members, &free, noise) {
-                Some(solid) => bodies.push(solid),
-                None => bodies.extend(members.into_iter().filter_map(Body::sheet)),
+            let faces: Vec<&Outline> = members.iter().map(|m| &outlines[*m]).collect();
+            if let Some(solid) = Body::solid(&faces, &free, noise) {
+                for member in members {
+                    solids[member] = Some(bodies.len());
+                }
+                bodies.push(solid);
+            } else {
+                bodies.extend(faces.into_iter().filter_map(Body::sheet));
             }
         }
         let boxes = bodies.iter().enumerate();
         let tree = boxed(boxes.map(|(body, found)| (body, found.bounds)));
-        Self { bodies, tree }
+        Self {
+            bodies,
+            tree,
+            solids,
+        }
+    }
+
+    /// The number of the solid that a surface is a face of.
+    pub(crate) fn solid_of(&self, surface: usize) -> Option<usize> {
+        self.solids[surface]
+    }
+
+    /// The body with this number.
+    pub(crate) fn body(&self, body: usize) -> &Body {
+        &self.bodies[body]
     }
 
     /// The bodies whose boxes a segment meets.
@@ -137,6 +160,7 @@ impl Body {
         (sides.len() > 3).then(|| Self {
             sides,
             sheet: None,
+            is_open: !free.is_empty(),
             bounds: bounds(corners()),
         })
     }
@@ -156,6 +180,7 @@ impl Body {
         Some(Self {
             sides: sides?,
             sheet: Some(*face.plane()),
+            is_open: false,
             bounds: *face.bounds(),
         })
     }
@@ -171,23 +196,24 @@ impl Body {
         self.is_beside([ones, others], noise) && ones.iter().all(cut)
     }
 
+    /// The side on which a solid has no face.
+    pub(crate) fn open_side(&self) -> Option<&Plane> {
+        self.sides.last().filter(|_| self.is_open)
+    }
+
+    /// Whether the hull of some corners is outside a solid, but for what it shares with its sides.
+    pub(crate) fn is_outside(&self, corners: &[DVec3], noise: f64) -> bool {
+        self.sides.iter().any(|side| is_over(side, corners, noise))
+    }
+
     /// Whether both hulls are outside a solid, or on different sides of a sheet.
     fn is_beside(&self, ends: [&[DVec3]; 2], noise: f64) -> bool {
-        let is_over = |plane: &Plane, corners: &[DVec3]| {
-            let mut heights = corners.iter().map(|corner| plane.height(*corner));
-            heights.clone().all(|height| height >= -noise) && heights.any(|height| height > noise)
+        let Some(plane) = &self.sheet else {
+            return ends.iter().all(|end| self.is_outside(end, noise));
         };
-        match &self.sheet {
-            None => ends
-                .iter()
-                .all(|end| self.sides.iter().any(|side| is_over(side, end))),
-            Some(plane) => {
-                let [one, other] = ends;
-                let back = plane.reversed();
-                is_over(plane, one) && is_over(&back, other)
-                    || is_over(&back, one) && is_over(plane, other)
-            }
-        }
+        let planes = [*plane, plane.reversed()];
+        let [one, other] = ends.map(|end| planes.map(|plane| is_over(&plane, end, noise)));
+        one[0] && other[1] || one[1] && other[0]
     }
 
     /// Whether a segment meets the body, or passes it by no more than `noise`.
@@ -215,6 +241,12 @@ impl Body {
         }
         start < end
     }
+}
+
+/// Whether a hull of corners is in front of a plane, touching it at most.
+fn is_over(plane: &Plane, corners: &[DVec3], noise: f64) -> bool {
+    let heights = || corners.iter().map(|corner| plane.height(*corner));
+    heights().all(|height| height >= -noise) && heights().any(|height| height > noise)
 }
 
 fn bounds(corners: impl Iterator<Item = DVec3>) -> [DVec3; 2] {
