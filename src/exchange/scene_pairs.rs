@@ -25,44 +25,35 @@ use crate::exchange::rows::plane_sets::PlaneSets;
 use crate::exchange::rows::polygons::Polygons;
 use crate::exchange::rows::terms::RowTerms;
 use crate::exchange::sights::{Sight, Sights};
-use crate::form_factor::{Answer, ExchangeArea, Occluders, Polygon, Route};
+use crate::form_factor::Answer;
 use crate::numeric::{compensated_sum, try_parallel_map};
 use crate::scene::{NamedPatch, Occlusion, Scene};
 use std::sync::Arc;
 
-/// The answer for a pair that sees nothing of each other.
-const HIDDEN: Answer = Answer {
-    exchange: ExchangeArea {
-        value: 0.0,
-        error: 0.0,
-    },
-    route: Route::Hidden,
-};
-
 /// A scene whose pairs are ready to be evaluated, and who listens to the progress of passes.
 #[derive(Debug, Clone)]
 pub struct ScenePairs<'p> {
-    plan: Plan,
-    terms: RowTerms,
+    pub(super) plan: Plan,
+    pub(super) terms: RowTerms,
     plane_sets: PlaneSets,
     base_offsets: BaseOffsets,
     /// None if coordinates are exact.
     resolution: Option<Resolution>,
     listener: Listener<'p>,
-    polygons: Polygons,
+    pub(super) polygons: Polygons,
     /// The names of the rows.
     names: Arc<[String]>,
     /// The areas of the rows.
     areas: Vec<f64>,
     area_bounds: Vec<f64>,
-    tolerance: Tolerance,
+    pub(super) tolerance: Tolerance,
     /// Whether all patches face away from each other.
     is_turned_away: bool,
     /// The value of each class of congruent pairs; none where they are not equal within the
     /// tolerance.
-    shared: Vec<Option<Answer>>,
+    pub(super) shared: Vec<Option<Answer>>,
     /// None if nothing can be in the way of a pair.
-    sights: Option<Sights>,
+    pub(super) sights: Option<Sights>,
 }
 
 impl<'p> ScenePairs<'p> {
@@ -301,150 +292,6 @@ impl ScenePairs<'_> {
     /// Tells the listener that so many more pairs are done.
     pub(crate) fn advance(&self, pairs: usize) {
         self.listener.0.advance(pairs);
-    }
-
-    /// The lines of sight between two polygons.
-    pub(crate) fn sight(&self, first: usize, second: usize) -> Sight {
-        let Some(sights) = &self.sights else {
-            return Sight::Clear;
-        };
-        let [first, second] = [first, second].map(|polygon| self.terms.patches()[polygon]);
-        sights.between(first, second)
-    }
-
-    /// The lines of sight between two polygons that their exchange area is computed along.
-    pub(crate) fn exact_sight(&self, first: usize, second: usize, facing: Facing) -> Sight {
-        let exact = self.sights.as_ref().filter(|sights| sights.are_exact());
-        if exact.is_some() && facing == Facing::Visible {
-            self.sight(first, second)
-        } else {
-            Sight::Clear
-        }
-    }
-
-    /// The exchange area of two polygons whose planes face each other, counted.
-    #[inline]
-    pub(crate) fn polygon_pair(
-        &self,
-        first: usize,
-        second: usize,
-        counts: &mut PassCounts,
-    ) -> Result<Answer, ExchangeError> {
-        match &self.sights {
-            None => self.clear_pair(first, second, counts),
-            Some(sights) => self.sighted_pair(sights, [first, second], counts),
-        }
-    }
-
-    /// The exchange area of two polygons that nothing stands between, counted.
-    #[inline]
-    fn clear_pair(
-        &self,
-        first: usize,
-        second: usize,
-        counts: &mut PassCounts,
-    ) -> Result<Answer, ExchangeError> {
-        let class = self.class(first, second);
-        let shared = class.and_then(|place| self.shared[place]);
-        let answer = match shared {
-            Some(answer) => answer,
-            None => {
-                let tolerance = self.relative_tolerance(first, second)?;
-                self.evaluate(first, second, &Sight::Clear, tolerance)?
-            }
-        };
-        if let (Some(sights), Some(class)) = (&self.sights, class) {
-            sights.take(class);
-        }
-        counts.polygons(answer.route, shared.is_none());
-        Ok(answer)
-    }
-
-    /// The exchange area of two polygons that something may stand between, counted.
-    fn sighted_pair(
-        &self,
-        sights: &Sights,
-        [first, second]: [usize; 2],
-        counts: &mut PassCounts,
-    ) -> Result<Answer, ExchangeError> {
-        let sight = self.sight(first, second);
-        if sight == Sight::Clear {
-            return self.clear_pair(first, second, counts);
-        }
-        if !sights.are_exact() {
-            let answer = self.clear_pair(first, second, counts)?;
-            counts.ignored(&answer.exchange);
-            return Ok(answer);
-        }
-        let answer = match sight {
-            Sight::Hidden => HIDDEN,
-            _ => {
-                let tolerance = self.relative_tolerance(first, second)?;
-                self.evaluate(first, second, &sight, tolerance)?
-            }
-        };
-        counts.occluded(answer.route, sight == Sight::Hidden);
-        Ok(answer)
-    }
-
-    /// Two polygons, if they are among those that were made ready.
-    fn both(&self, first: usize, second: usize) -> Result<[&Polygon; 2], ExchangeError> {
-        let both = self.polygons.get(first).zip(self.polygons.get(second));
-        let [first, second] = [first, second].map(|polygon| self.terms.patches()[polygon]);
-        both.map(<[&Polygon; 2]>::from)
-            .ok_or(ExchangeError::NotSelected { first, second })
-    }
-
-    /// The relative error to which two polygons are evaluated.
-    fn relative_tolerance(&self, first: usize, second: usize) -> Result<f64, ExchangeError> {
-        let [one, other] = self.both(first, second)?;
-        Ok(self.tolerance.relative_of(one, other))
-    }
-
-    /// Computes the exchange area of two polygons: one value per pair, between 0 and the smaller
-    /// area.
-    pub(crate) fn evaluate(
-        &self,
-        first: usize,
-        second: usize,
-        sight: &Sight,
-        tolerance: f64,
-    ) -> Result<Answer, ExchangeError> {
-        let (first, second) = (first.min(second), first.max(second));
-        let [one, other] = self.both(first, second)?;
-        let answer = match (sight, &self.sights) {
-            (Sight::Past(surfaces), Some(sights)) if sights.are_exact() => {
-                let surfaces = surfaces.iter();
-                let polygons: Vec<&Polygon> = surfaces.map(|s| sights.polygon(*s)).collect();
-                let occluders = Occluders {
-                    polygons: &polygons,
-                    touching: sights.touching(),
-                };
-                one.exchange_area_past(other, &occluders, tolerance)
-            }
-            (Sight::Hidden, Some(sights)) if sights.are_exact() => Ok(HIDDEN),
-            _ => one.exchange_area(other, tolerance),
-        };
-        let mut answer = answer.map_err(|source| ExchangeError::Pair {
-            first: self.terms.patches()[first],
-            second: self.terms.patches()[second],
-            source,
-        })?;
-        let most = one.area().min(other.area());
-        answer.exchange.value = answer.exchange.value.min(most);
-        Ok(answer)
-    }
-
-    /// The class whose value a pair of polygons takes if nothing stands between them.
-    #[inline]
-    pub(crate) fn class(&self, first: usize, second: usize) -> Option<usize> {
-        let place = self.plan.shared(first, second)?;
-        self.shared[place].map(|_| place)
-    }
-
-    /// Whether a pair of polygons takes the value of its class, if it has one.
-    pub(crate) fn takes_class(&self, first: usize, second: usize) -> bool {
-        self.exact_sight(first, second, Facing::Visible) == Sight::Clear
     }
 
     /// The summary of a pass over all pairs.
