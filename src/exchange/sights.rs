@@ -15,9 +15,6 @@
 //! the part and another polygon lies in that of the base. So the exchange area of a base less that
 //! of its parts is that of the rest, past all that blocks the rest.
 //!
-//! **Solids.** Of a convex solid only the faces block that one end of a pair is in front of: fewer
-//! edges for the same shadow.
-//!
 //! **Congruent pairs** share a value only if both are clear; past blockers each is computed, though
 //! their blockers may be congruent, too.
 //!
@@ -93,16 +90,15 @@ impl Sights {
 
     /// The lines of sight between two patches.
     pub(crate) fn between(&self, first: usize, second: usize) -> Sight {
-        let hiding = (!self.0.is_few).then(|| Hiding::of(&self.0.scene));
-        if hiding.is_some_and(|hiding| hiding.hides(first, second)) {
+        if !self.0.is_few && Hiding::of(&self.0.scene).hides(first, second) {
             return Sight::Hidden;
         }
         let surfaces = self.blockers().whole_surfaces_between(first, second);
         let surfaces: Vec<usize> = surfaces.collect();
-        match hiding {
-            _ if surfaces.is_empty() => Sight::Clear,
-            Some(hiding) => Sight::Past(hiding.in_front([first, second], surfaces)),
-            None => Sight::Past(surfaces),
+        if surfaces.is_empty() {
+            Sight::Clear
+        } else {
+            Sight::Past(surfaces)
         }
     }
 

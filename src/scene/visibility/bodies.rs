@@ -23,8 +23,6 @@ use std::collections::HashMap;
 pub(crate) struct Bodies {
     bodies: Vec<Body>,
     tree: Boxes,
-    /// The solid that each surface is a face of.
-    solids: Vec<Option<usize>>,
 }
 
 /// A convex body: what is behind all its sides; a sheet lies in its plane.
@@ -34,8 +32,6 @@ pub(crate) struct Body {
     sides: Vec<Plane>,
     /// The plane of a sheet.
     sheet: Option<Plane>,
-    /// Whether the last side is open.
-    is_open: bool,
     bounds: [DVec3; 2],
 }
 
@@ -65,7 +61,6 @@ impl Bodies {
         };
         let mut known = vec![false; outlines.len()];
         let mut bodies = Vec::new();
-        let mut solids = vec![None; outlines.len()];
         for first in 0..outlines.len() {
             if known[first] {
                 continue;
@@ -87,9 +82,6 @@ impl Bodies {
             }
             let faces: Vec<&Outline> = members.iter().map(|m| &outlines[*m]).collect();
             if let Some(solid) = Body::solid(&faces, &free, noise) {
-                for member in members {
-                    solids[member] = Some(bodies.len());
-                }
                 bodies.push(solid);
             } else {
                 bodies.extend(faces.into_iter().filter_map(Body::sheet));
@@ -97,21 +89,7 @@ impl Bodies {
         }
         let boxes = bodies.iter().enumerate();
         let tree = boxed(boxes.map(|(body, found)| (body, found.bounds)));
-        Self {
-            bodies,
-            tree,
-            solids,
-        }
-    }
-
-    /// The number of the solid that a surface is a face of.
-    pub(crate) fn solid_of(&self, surface: usize) -> Option<usize> {
-        self.solids[surface]
-    }
-
-    /// The body with this number.
-    pub(crate) fn body(&self, body: usize) -> &Body {
-        &self.bodies[body]
+        Self { bodies, tree }
     }
 
     /// The bodies whose boxes a segment meets.
@@ -160,7 +138,6 @@ impl Body {
         (sides.len() > 3).then(|| Self {
             sides,
             sheet: None,
-            is_open: !free.is_empty(),
             bounds: bounds(corners()),
         })
     }
@@ -180,7 +157,6 @@ impl Body {
         Some(Self {
             sides: sides?,
             sheet: Some(*face.plane()),
-            is_open: false,
             bounds: *face.bounds(),
         })
     }
@@ -191,18 +167,13 @@ impl Body {
     /// From a point outside, what a convex body hides behind it is convex: so all of the second
     /// hull is hidden from a corner of the first one if its corners are, and the same with the two
     /// exchanged.
-    pub(crate) fn cuts_all(&self, [ones, others]: [&[DVec3]; 2], noise: f64) -> bool {
+    pub(super) fn cuts_all(&self, [ones, others]: [&[DVec3]; 2], noise: f64) -> bool {
         let cut = |from: &DVec3| others.iter().all(|to| self.cuts([*from, *to], noise));
         self.is_beside([ones, others], noise) && ones.iter().all(cut)
     }
 
-    /// The side on which a solid has no face.
-    pub(crate) fn open_side(&self) -> Option<&Plane> {
-        self.sides.last().filter(|_| self.is_open)
-    }
-
     /// Whether the hull of some corners is outside a solid, but for what it shares with its sides.
-    pub(crate) fn is_outside(&self, corners: &[DVec3], noise: f64) -> bool {
+    fn is_outside(&self, corners: &[DVec3], noise: f64) -> bool {
         self.sides.iter().any(|side| is_over(side, corners, noise))
     }
 
@@ -217,7 +188,7 @@ impl Body {
     }
 
     /// Whether a segment meets the body, or passes it by no more than `noise`.
-    pub(crate) fn cuts(&self, [from, to]: [DVec3; 2], noise: f64) -> bool {
+    pub(super) fn cuts(&self, [from, to]: [DVec3; 2], noise: f64) -> bool {
         if let Some(plane) = &self.sheet {
             let [above, below] = [from, to].map(|end| plane.height(end));
             // an end on the plane, up to noise, is where it is met

@@ -1,4 +1,4 @@
-//! Pairs of patches that see nothing of each other, and faces of solids that matter to a pair.
+//! Pairs of patches that see nothing of each other, as convex bodies stand between.
 //!
 //! ```text
 //!   hidden  ⇐  some body cuts every segment from a corner of i⁺ to a corner of j⁺,
@@ -10,20 +10,16 @@
 //! that the pair is not hidden. The exchange area of a hidden pair is 0: as what enters by no more
 //! than the noise of the coordinates takes nothing away, a slit no wider lets nothing through.
 //!
-//! **Faces.** A ray that crosses a solid enters it through a face that it comes from the front of.
-//! So of a solid that a patch is outside of, only the faces matter that some of the patch is in
-//! front of; the end of a pair that sees fewer is taken.
-//!
 //! **Not covered**: pairs that are hidden by solids side by side whose common face is seen edge on,
 //! and by bodies that are not convex.
 
-use super::bodies::{Bodies, Body};
+use super::bodies::Bodies;
 use super::surfaces::Surfaces;
 use crate::geometry::{Shaft, clipped};
 use crate::numeric::real;
 use crate::scene::Scene;
 use glam::DVec3;
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::VecDeque;
 
 /// Most pairs of halves that are looked at: (b) in a street of blocks of unequal heights, more show
 /// hardly more pairs to be hidden.
@@ -113,38 +109,6 @@ impl<'a> Hiding<'a> {
         }
         if is_cut { Cut::Some } else { Cut::None }
     }
-
-    /// The surfaces between two patches without the faces of solids that matter to neither.
-    pub(crate) fn in_front(&self, ends: [usize; 2], surfaces: Vec<usize>) -> Vec<usize> {
-        let mut faces: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-        let mut kept = Vec::with_capacity(surfaces.len());
-        for surface in surfaces {
-            match self.bodies.solid_of(surface) {
-                Some(solid) => faces.entry(solid).or_default().push(surface),
-                None => kept.push(surface),
-            }
-        }
-        let ends = ends.map(|patch| self.surfaces.outline(patch).corners());
-        for (solid, faces) in faces {
-            let body = self.bodies.body(solid);
-            let from = ends.iter().filter(|end| body.is_seen_from(end, self.noise));
-            let seen = from.map(|end| self.seen(&faces, end));
-            kept.extend(seen.min_by_key(Vec::len).unwrap_or(faces.clone()));
-        }
-        kept.sort_unstable();
-        kept
-    }
-
-    /// The faces that some of these corners are in front of.
-    fn seen(&self, faces: &[usize], corners: &[DVec3]) -> Vec<usize> {
-        let is_seen = |face: &&usize| {
-            let plane = self.surfaces.outline(**face).plane();
-            corners
-                .iter()
-                .any(|corner| plane.height(*corner) > self.noise)
-        };
-        faces.iter().filter(is_seen).copied().collect()
-    }
 }
 
 /// The mean of some corners.
@@ -175,16 +139,5 @@ fn halves([ones, others]: Ends) -> [Ends; 2] {
         [one, -one].map(|along| [half(&ones, along), others.clone()])
     } else {
         [other, -other].map(|along| [ones.clone(), half(&others, along)])
-    }
-}
-
-impl Body {
-    /// Whether a patch with these corners is outside the solid, and behind the side that is open.
-    fn is_seen_from(&self, corners: &[DVec3], noise: f64) -> bool {
-        let is_open = |corner: &DVec3| {
-            self.open_side()
-                .is_some_and(|side| side.height(*corner) > noise)
-        };
-        self.is_outside(corners, noise) && !corners.iter().any(is_open)
     }
 }

@@ -1,6 +1,6 @@
 //! Exchange past what stands between: closed rooms with furniture, hidden pairs, bases, plans.
 
-use crate::support::furnished::{shelf, standing, table, two_boxes, u_room};
+use crate::support::furnished::{partition, shelf, standing, table, two_boxes, u_room};
 use crate::support::rooms::{L, among, level, prism, squares};
 use infoscene::exchange::{Closure, Congruence, ExchangeAreas, ScenePairs};
 use infoscene::form_factor::Route;
@@ -36,42 +36,57 @@ fn exact(scene: &Scene) -> ExchangeAreas {
 }
 
 /// `Σ_j F_ij = 1` in a closed room, whatever stands in it; and `B = E/(1 − R)` for one material.
+fn assert_closed_furnace(name: &str, scene: &Scene) {
+    let exchange = exact(scene);
+    let closure = Closure::of_held(&exchange);
+    for row in closure.rows() {
+        let off = (row.sum - 1.0).abs();
+        assert!(
+            off <= row.tolerance(),
+            "{name}, row {}: {off:e} {row:?}",
+            row.row
+        );
+        assert!(row.tolerance() <= 1e-10, "{name}, row {}: {row:?}", row.row);
+    }
+    let grey = Material::try_new(0.75, 1.0).unwrap();
+    let materials = vec![grey; exchange.rows()];
+    let system = RadiositySystem::of(&exchange, &materials).unwrap();
+    let emittances = vec![1.0; exchange.rows()];
+    for radiosity in system.radiosity(&emittances).unwrap().values {
+        // a row that sums to 1 + δ changes B by δ R/(1 − R)² at most
+        assert!(
+            (radiosity - 4.0).abs() <= 12.0 * 1e-10,
+            "{name}: {radiosity}"
+        );
+    }
+    let plan = &exchange.summary().plan;
+    let counts = plan.occlusion.unwrap();
+    assert!(counts.partial > 0, "{name}: {counts:?}");
+    let visible = plan.pairs - plan.coplanar - plan.back_facing;
+    assert_eq!(
+        counts.visible + counts.partial + counts.hidden,
+        visible,
+        "{name}"
+    );
+    assert_eq!(
+        plan.untouched + plan.congruent + plan.computed,
+        plan.pairs,
+        "{name}"
+    );
+}
+
 #[test]
 fn furnished_rooms_are_closed_furnaces() {
     for (name, scene) in rooms() {
-        let exchange = exact(&scene);
-        let closure = Closure::of_held(&exchange);
-        for row in closure.rows() {
-            let off = (row.sum - 1.0).abs();
-            assert!(off <= row.tolerance(), "{name}, row {}: {off:e}", row.row);
-            assert!(row.tolerance() <= 1e-10, "{name}, row {}: {row:?}", row.row);
-        }
-        let grey = Material::try_new(0.75, 1.0).unwrap();
-        let materials = vec![grey; exchange.rows()];
-        let system = RadiositySystem::of(&exchange, &materials).unwrap();
-        let emittances = vec![1.0; exchange.rows()];
-        for radiosity in system.radiosity(&emittances).unwrap().values {
-            // a row that sums to 1 + δ changes B by δ R/(1 − R)² at most
-            assert!(
-                (radiosity - 4.0).abs() <= 12.0 * 1e-10,
-                "{name}: {radiosity}"
-            );
-        }
-        let plan = &exchange.summary().plan;
-        let counts = plan.occlusion.unwrap();
-        assert!(counts.partial > 0, "{name}: {counts:?}");
-        let visible = plan.pairs - plan.coplanar - plan.back_facing;
-        assert_eq!(
-            counts.visible + counts.partial + counts.hidden,
-            visible,
-            "{name}"
-        );
-        assert_eq!(
-            plan.untouched + plan.congruent + plan.computed,
-            plan.pairs,
-            "{name}"
-        );
+        assert_closed_furnace(name, &scene);
     }
+}
+
+/// Two coincident fronts, whose foot is an edge of two ends.
+#[test]
+#[ignore = "rows are 4e-4 off beyond their bounds until walls on edges are right: cargo test --test library a_partition -- --ignored"]
+fn a_partition_on_the_line_between_two_patches_keeps_the_room_closed() {
+    assert_closed_furnace("partition", &partition());
 }
 
 /// `data/reference/room-table.json`: edge integrals in 80-bit arithmetic.

@@ -116,3 +116,17 @@ pub fn u_room() -> Scene {
         [0.0, 2.0],
     ])
 }
+
+/// A wall with two fronts that stands on the line between two patches of the floor.
+pub fn partition() -> Scene {
+    let mut patches = shell();
+    for x in [[0.0, 2.0], [2.0, 4.0]] {
+        patches.push(level("floor", x, [0.0, 3.0], 0.0, true));
+    }
+    let at = |y: f64, z: f64| [2.0, y, z];
+    for front in [true, false] {
+        let corners = [at(1.0, 0.0), at(2.0, 0.0), at(2.0, 1.0), at(1.0, 1.0)];
+        patches.push(facing("partition", corners, front));
+    }
+    Scene::try_new(patches).unwrap()
+}
