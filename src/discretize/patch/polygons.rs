@@ -147,35 +147,46 @@ impl CutSurface {
     }
 
     /// The exchange area of the part between two positions with another polygon past others.
+    ///
+    /// **Arguments** `value`: what counts of an answer.
     fn part_exchange_past(
         &self,
         other: &Polygon,
         past: &Past,
         [from, to]: [f64; 2],
+        value: fn(&Answer) -> f64,
     ) -> Result<f64, FormFactorError> {
         CutLines::check(from, to)?;
         let mut sum = 0.0;
         for part in self.lines.part(from, to)? {
             let part = Polygon::new(&part);
-            sum += past.exchange(&part, other, TOLERANCES[0])?.exchange.value;
+            sum += value(&past.exchange(&part, other, TOLERANCES[0])?);
         }
         Ok(sum)
     }
 
-    /// The exchange area per relative width of the strip at a position, past others.
+    /// The exchange area per relative width of the strip at a position, past others; 0 where one
+    /// side of the position is dark.
     fn strip_exchange_past(
         &self,
         other: &Polygon,
         past: &Past,
         position: f64,
     ) -> Result<f64, FormFactorError> {
-        let quotient = |half: f64| {
-            let ends = [(position - half).max(0.0), (position + half).min(1.0)];
-            let exchange = self.part_exchange_past(other, past, ends)?;
-            Ok::<_, FormFactorError>(exchange / (ends[1] - ends[0]))
+        let exchange = |from: f64, to: f64| {
+            let ends = [from.max(0.0), to.min(1.0)];
+            let exchange = self.part_exchange_past(other, past, ends, certain)?;
+            Ok::<_, FormFactorError>((exchange, ends[1] - ends[0]))
         };
-        let [wide, narrow] = [quotient(HALF_STRIP)?, quotient(0.5 * HALF_STRIP)?];
-        Ok((4.0 * narrow - wide) / 3.0)
+        let half = 0.5 * HALF_STRIP;
+        let (before, width) = exchange(position - half, position)?;
+        let (after, more) = exchange(position, position + half)?;
+        if before <= 0.0 || after <= 0.0 {
+            return Ok(0.0);
+        }
+        let (wide, all) = exchange(position - HALF_STRIP, position + HALF_STRIP)?;
+        let narrow = (before + after) / (width + more);
+        Ok((4.0 * narrow - wide / all) / 3.0)
     }
 
     /// The exchange area of the part between two positions with another polygon.
@@ -258,7 +269,8 @@ impl PartExchange<f64> for PolygonSplit {
             CutPair::Aligned(pair) => pair.part(surface.axis, from, to)?.exchange_value(),
             CutPair::Polygon { other, .. } => surface.part_exchange(other, *from, *to),
             CutPair::Occluded { other, past, .. } => {
-                surface.part_exchange_past(other, past, [*from, *to])
+                let value = |answer: &Answer| answer.exchange.value;
+                surface.part_exchange_past(other, past, [*from, *to], value)
             }
         };
         or_dark(exchange, || self.whole_flux(pair), from)

@@ -113,7 +113,7 @@ fn a_room_with_a_box_has_the_values_of_the_reference() {
         let area = exchange.areas()[i];
         let off = (found.value / area - value).abs();
         assert!(off <= found.error / area + 1e-15, "{entry}: {off:e}");
-        assert!(found.error <= 1e-12 * found.value, "{entry}: {found:?}");
+        assert!(found.error <= 1e-11 * found.value, "{entry}: {found:?}");
     }
 }
 
@@ -136,8 +136,8 @@ fn hidden_pairs_exchange_exactly_nothing() {
     let plate = level("plate", [0.0, 1.0], [0.0, 1.0], 0.5, true);
     let block = standing("box", [-1.0, 2.0], [-1.0, 2.0], [0.25, 0.75]);
     let two = [
-        standing("left", [-1.0, 0.625], [-1.0, 2.0], [0.25, 0.5]),
-        standing("right", [0.375, 2.0], [-1.0, 2.0], [0.625, 0.75]),
+        standing("left", [-1.0, 0.875], [-1.0, 2.0], [0.25, 0.5]),
+        standing("right", [0.125, 2.0], [-1.0, 2.0], [0.625, 0.75]),
     ];
     for (name, between) in [
         ("plate", vec![plate]),

@@ -187,7 +187,8 @@ fn what_is_not_hidden_is_admitted() {
     }
     let refusal = rows(Some(floor), Some(6)).unwrap_err();
     assert_eq!(refusal, SceneError::NoSuchPatch { index: 6, last: 5 });
-    let cut = |other| PatchSplit::try_new(&scene, floor, &[other], SplitAxis::U);
+    let refuse = Occlusion::Refuse;
+    let cut = |other| PatchSplit::with_occlusion(&scene, floor, &[other], SplitAxis::U, refuse);
     assert!(cut(wall).is_ok());
     let refusal = of_split(cut(ceiling).unwrap_err());
     assert!(
