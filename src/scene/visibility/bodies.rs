@@ -13,7 +13,7 @@
 //! **Not covered**: solids whose faces are joined in the middle of edges, or face inward: their
 //! surfaces count as sheets. Sheets in one plane are not joined.
 
-use super::surfaces::{BoxHull, Boxes, boxed};
+use super::boxes::{BoxHull, Boxes, boxed};
 use crate::geometry::{Outline, Plane};
 use glam::DVec3;
 use std::collections::HashMap;

@@ -15,6 +15,7 @@
 
 pub(crate) mod blockers;
 pub(crate) mod bodies;
+mod boxes;
 pub(crate) mod grid_lines;
 pub(crate) mod hiding;
 pub(crate) mod lines;
