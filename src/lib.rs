@@ -57,8 +57,8 @@
 //! Information is in bits, lengths in any one unit, positions relative (0 to 1). Every value that
 //! is not exact has an error with a [grade](numeric::Grade). Constructors check their input and
 //! return `Result`; a formula states the arguments it is meant for, and an index out of range
-//! panics as it does for a slice. An occluded scene is refused by every function that would be
-//! wrong about it ([`Occlusion`]).
+//! panics as it does for a slice. What stands between two patches takes its part of what they
+//! exchange; functions that cannot compute that refuse the scene ([`Occlusion`]).
 
 pub mod chain;
 pub mod claims;

@@ -25,8 +25,7 @@ pub(super) struct Sample {
     /// The continuous mutual information, too, from the same lines.
     #[arg(long)]
     continuous: bool,
-    /// The exact value and the expected bias, too: of a scene of up to 6144 patches in which
-    /// nothing is in the way.
+    /// The exact value and the expected bias, too: of a scene of up to 6144 patches.
     #[arg(long)]
     exact: bool,
     #[command(flatten)]

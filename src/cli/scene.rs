@@ -31,7 +31,7 @@ pub(super) struct SceneArgument {
     /// Turn the front of every patch to its other side.
     #[arg(long)]
     reverse: bool,
-    /// Leave out that patches and obstructions hide others.
+    /// Leave out that patches and obstructions hide others, and say how many pairs that concerns.
     #[arg(long)]
     unoccluded: bool,
 }
@@ -52,7 +52,7 @@ impl SceneArgument {
             occlusion: if self.unoccluded {
                 Occlusion::Ignore
             } else {
-                Occlusion::Refuse
+                Occlusion::Exact
             },
             ..SceneSource::from(self.scene.as_str())
         }

@@ -30,7 +30,8 @@
 //! 1. **Plan** (`plan`). Pairs of planes that do not face each other are left out whole; congruent
 //!    pairs of axis-parallel rectangles share one value.
 //! 2. **Tiles** (`passes/tiles`). The other pairs are walked in tiles, each pair once, on all
-//!    threads. The exchange area of two rows (`row_pair`) is the sum over the terms of both.
+//!    threads. The exchange area of two rows (`row_pair`) is the sum over the terms of both, pairs of
+//!    polygons (`polygon_pair`).
 //! 3. **Sums** (`passes`). The results of the tiles are added in their order, so that they do not
 //!    depend on the number of threads: [`ScenePairs::row_sums`] holds nothing but the sums,
 //!    [`ScenePairs::for_each_row`] one row, [`ScenePairs::tile`] one tile, [`ExchangeAreas`] the
@@ -58,13 +59,24 @@
 //! pair on its own: a check on the plan, and a measure of its worth. A grid on a box finds its
 //! classes without comparing single pairs ([`BoxGrid`](crate::discretize::BoxGrid)).
 //!
-//! **Not covered**: occlusion. An occluded scene is refused
-//! ([`Occlusion`](crate::scene::Occlusion)).
+//! # What stands in the way
+//!
+//! Where something can stand between two patches, each pair looks up what does ([`Blockers`]), and
+//! is evaluated past it ([`Polygon::exchange_area_past`]); a pair that one convex body hides is 0
+//! without an integral. [`Occlusion`] is the policy. The plan counts pairs that are visible,
+//! partial and hidden.
+//!
+//! [`Blockers`]: crate::scene::Blockers
+//! [`Occlusion`]: crate::scene::Occlusion
+//! [`Polygon::exchange_area_past`]: crate::form_factor::Polygon::exchange_area_past
+//!
+//! **Not covered**: reflection on the way, which is transport's.
 
 mod closure;
 mod error;
 mod passes;
 mod plan;
+mod polygon_pair;
 mod progress;
 mod resolution;
 mod resolution_errors;
@@ -72,6 +84,7 @@ mod row_pair;
 mod rows;
 mod scene_pairs;
 mod selection;
+mod sights;
 mod tolerance;
 
 pub use closure::{Closure, RowSum};
@@ -81,7 +94,9 @@ pub use passes::row_sums::TileSums;
 pub use passes::rows::Entry;
 pub use passes::tiles::{Tile, TileAnswers};
 pub use plan::Congruence;
-pub use plan::counts::{PassCounts, PassSummary, PlanSummary, Unreached};
+pub use plan::counts::{
+    IgnoredOcclusion, OcclusionCounts, PassCounts, PassSummary, PlanSummary, Unreached,
+};
 pub use progress::{Progress, Unheard};
 pub use resolution_errors::ResolutionErrors;
 pub(crate) use row_pair::per_area;

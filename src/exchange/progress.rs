@@ -16,7 +16,7 @@ use std::fmt;
 ///     done.fetch_add(finished, Ordering::Relaxed);
 /// };
 /// let cube = Scene::built_in("cube:2")?;
-/// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
+/// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Exact)?;
 /// let pairs = pairs.with_progress(&listener);
 /// pairs.exchange_areas()?;
 /// assert_eq!(done.load(Ordering::Relaxed), pairs.pairs());

@@ -6,6 +6,7 @@
 use crate::exchange::ScenePairs;
 use crate::exchange::plan::facing::Facing;
 use crate::exchange::rows::terms::RowTerm;
+use crate::exchange::sights::Sight;
 use crate::numeric::{Symmetric, parallel_map};
 use rayon::prelude::*;
 
@@ -37,7 +38,14 @@ impl ScenePairs<'_> {
             if roots[one] == roots[two] {
                 return 0.0;
             }
-            resolution.change(one, two, self.facing_polygons(one, two))
+            let facing = self.facing_polygons(one, two);
+            let change = resolution.change(one, two, facing);
+            let Sight::Past(between) = self.exact_sight(one, two, facing) else {
+                return change;
+            };
+            let between = between.iter();
+            let moved = between.map(|surface| resolution.change_by(*surface, one, two));
+            (change + moved.sum::<f64>()).min(resolution.most(one, two))
         };
         times * self.terms().pairs(first, second).map(change).sum::<f64>()
     }

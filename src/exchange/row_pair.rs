@@ -136,7 +136,8 @@ impl ScenePairs<'_> {
                 if known.exchange.error <= finer * known.exchange.value {
                     return Ok(known);
                 }
-                self.evaluate(one.polygon, other.polygon, finer)
+                let sight = self.sight(one.polygon, other.polygon);
+                self.evaluate(one.polygon, other.polygon, &sight, finer)
             })?;
             if again.bound < sum.bound {
                 sum = again;

@@ -11,7 +11,7 @@
 //! (a row at a time), [`tile`](ScenePairs::tile) (a tile at a time) and
 //! [`ExchangeAreas`](super::ExchangeAreas) (all of them).
 //!
-//! **Not covered**: computing with occlusion; an occluded scene is refused ([`Occlusion`]).
+//! **Occlusion** is looked up pair by pair ([`Sights`]), where anything can be in the way at all.
 
 use super::plan::{Congruence, Plan};
 use super::progress::{Listener, Progress, Unheard};
@@ -24,7 +24,8 @@ use crate::exchange::plan::perturbation::allowance;
 use crate::exchange::rows::plane_sets::PlaneSets;
 use crate::exchange::rows::polygons::Polygons;
 use crate::exchange::rows::terms::RowTerms;
-use crate::form_factor::{Answer, Polygon};
+use crate::exchange::sights::{Sight, Sights};
+use crate::form_factor::Answer;
 use crate::numeric::{compensated_sum, try_parallel_map};
 use crate::scene::{NamedPatch, Occlusion, Scene};
 use std::sync::Arc;
@@ -32,25 +33,27 @@ use std::sync::Arc;
 /// A scene whose pairs are ready to be evaluated, and who listens to the progress of passes.
 #[derive(Debug, Clone)]
 pub struct ScenePairs<'p> {
-    plan: Plan,
-    terms: RowTerms,
+    pub(super) plan: Plan,
+    pub(super) terms: RowTerms,
     plane_sets: PlaneSets,
     base_offsets: BaseOffsets,
     /// None if coordinates are exact.
     resolution: Option<Resolution>,
     listener: Listener<'p>,
-    polygons: Polygons,
+    pub(super) polygons: Polygons,
     /// The names of the rows.
     names: Arc<[String]>,
     /// The areas of the rows.
     areas: Vec<f64>,
     area_bounds: Vec<f64>,
-    tolerance: Tolerance,
+    pub(super) tolerance: Tolerance,
     /// Whether all patches face away from each other.
     is_turned_away: bool,
     /// The value of each class of congruent pairs; none where they are not equal within the
     /// tolerance.
-    shared: Vec<Option<Answer>>,
+    pub(super) shared: Vec<Option<Answer>>,
+    /// None if nothing can be in the way of a pair.
+    pub(super) sights: Option<Sights>,
 }
 
 impl<'p> ScenePairs<'p> {
@@ -62,7 +65,7 @@ impl<'p> ScenePairs<'p> {
     ///
     /// # Errors
     /// [`ExchangeError::Scene`] if patches overlap, or if something may stand between two of them
-    /// and occlusion is not ignored; [`ExchangeError::Pair`] if two patches are refused.
+    /// and occlusion is refused; [`ExchangeError::Pair`] if two patches are refused.
     ///
     /// # Examples
     /// ```
@@ -70,7 +73,7 @@ impl<'p> ScenePairs<'p> {
     /// use infoscene::exchange::{Congruence, ScenePairs};
     /// use infoscene::scene::{Occlusion, Scene};
     /// let (tolerance, cube) = (DEFAULT_TOLERANCE, Scene::built_in("cube:4")?);
-    /// let pairs = ScenePairs::try_new(&cube, tolerance, Congruence::Shared, Occlusion::Refuse)?;
+    /// let pairs = ScenePairs::try_new(&cube, tolerance, Congruence::Shared, Occlusion::Exact)?;
     /// // one value per pair: reciprocity is exact
     /// assert_eq!(pairs.row_pair(0, 20)?, pairs.row_pair(20, 0)?);
     /// # Ok::<(), infoscene::exchange::ExchangeError>(())
@@ -82,7 +85,7 @@ impl<'p> ScenePairs<'p> {
         occlusion: Occlusion,
     ) -> Result<Self, ExchangeError> {
         occlusion.check(scene)?;
-        Self::unchecked(scene, tolerance, congruence)
+        Self::prepared(scene, tolerance.into(), congruence, occlusion, None)
     }
 
     /// The pairs of a scene of which only some will be asked for: what does not concern these is
@@ -94,7 +97,7 @@ impl<'p> ScenePairs<'p> {
     ///
     /// # Errors
     /// [`ExchangeError::Scene`] if there is no such row, if a patch of the rows overlaps another
-    /// one, or if something may stand between two of the rows and occlusion is not ignored.
+    /// one, or if something may stand between two of the rows and occlusion is refused.
     ///
     /// # Examples
     /// ```
@@ -102,7 +105,7 @@ impl<'p> ScenePairs<'p> {
     /// use infoscene::scene::{Occlusion, Scene};
     /// let cube = Scene::built_in("cube:1")?;
     /// let pair = Selection { from: Some(vec![0]), to: Some(vec![1]) };
-    /// let (own, occlusion) = (Congruence::Ignored, Occlusion::Refuse);
+    /// let (own, occlusion) = (Congruence::Ignored, Occlusion::Exact);
     /// let pairs = ScenePairs::of_selection(&cube, 1e-12, own, occlusion, &pair)?;
     /// let (entries, _) = pairs.entries(&pair)?;
     /// // opposite faces of a cube
@@ -122,7 +125,7 @@ impl<'p> ScenePairs<'p> {
         };
         occlusion.check_rows(scene, ends, selection.other_ends())?;
         let alone = (congruence == Congruence::Ignored).then_some(selection);
-        Self::prepared(scene, tolerance.into(), congruence, alone)
+        Self::prepared(scene, tolerance.into(), congruence, occlusion, alone)
     }
 
     /// The pairs of a scene that was checked before, or that nothing in it can overlap or hide.
@@ -131,14 +134,16 @@ impl<'p> ScenePairs<'p> {
         tolerance: impl Into<Tolerance>,
         congruence: Congruence,
     ) -> Result<Self, ExchangeError> {
-        Self::prepared(scene, tolerance.into(), congruence, None)
+        let nothing = Occlusion::Refuse;
+        Self::prepared(scene, tolerance.into(), congruence, nothing, None)
     }
 
-    /// The pairs of a selection alone, or all.
+    /// The pairs of a selection alone, or all, of a scene that its policy for occlusion accepts.
     fn prepared(
         scene: &Scene,
         tolerance: Tolerance,
         congruence: Congruence,
+        occlusion: Occlusion,
         selection: Option<&Selection>,
     ) -> Result<Self, ExchangeError> {
         let terms = RowTerms::of(scene);
@@ -152,11 +157,13 @@ impl<'p> ScenePairs<'p> {
             asked
         });
         let plan = Plan::of(&shapes, facings, congruence);
+        let is_few = selection.is_some_and(Selection::is_few);
+        let sights = Sights::of(scene, occlusion, is_few, plan.representatives().len());
         let [areas, area_bounds] = areas(&terms, &shapes);
         let mut pairs = Self {
             plane_sets: PlaneSets::of(&terms, plan.facings()),
             base_offsets: BaseOffsets::of(scene, terms.patches()),
-            resolution: Resolution::of(scene, terms.patches()),
+            resolution: Resolution::of(scene, terms.patches(), sights.is_some()),
             listener: Listener(&Unheard),
             names: scene.group_names().into_iter().map(str::to_owned).collect(),
             plan,
@@ -167,6 +174,7 @@ impl<'p> ScenePairs<'p> {
             tolerance,
             is_turned_away: scene.is_turned_away(),
             shared: Vec::new(),
+            sights,
         };
         let spread = pairs.plan.spread();
         let representatives = pairs.plan.representatives();
@@ -175,7 +183,7 @@ impl<'p> ScenePairs<'p> {
             let tolerance = pairs.relative_tolerance(first, second)?;
             // half of it is for the differences between congruent pairs
             let part = if spread > 0.0 { 0.5 } else { 1.0 };
-            let mut answer = pairs.evaluate(first, second, part * tolerance)?;
+            let mut answer = pairs.evaluate(first, second, &Sight::Clear, part * tolerance)?;
             let [one, other] = [first, second].map(|index| shapes[index].shape());
             let apart = allowance(spread, one, other);
             let exchange = &mut answer.exchange;
@@ -286,73 +294,18 @@ impl ScenePairs<'_> {
         self.listener.0.advance(pairs);
     }
 
-    /// The exchange area of two polygons whose planes face each other, counted.
-    #[inline]
-    pub(crate) fn polygon_pair(
-        &self,
-        first: usize,
-        second: usize,
-        counts: &mut PassCounts,
-    ) -> Result<Answer, ExchangeError> {
-        let shared = self.plan.shared(first, second);
-        let shared = shared.and_then(|place| self.shared[place]);
-        let answer = match shared {
-            Some(answer) => answer,
-            None => {
-                let tolerance = self.relative_tolerance(first, second)?;
-                self.evaluate(first, second, tolerance)?
-            }
-        };
-        counts.polygons(answer.route, shared.is_none());
-        Ok(answer)
-    }
-
-    /// Two polygons, if they are among those that were made ready.
-    fn both(&self, first: usize, second: usize) -> Result<[&Polygon; 2], ExchangeError> {
-        let both = self.polygons.get(first).zip(self.polygons.get(second));
-        let [first, second] = [first, second].map(|polygon| self.terms.patches()[polygon]);
-        both.map(<[&Polygon; 2]>::from)
-            .ok_or(ExchangeError::NotSelected { first, second })
-    }
-
-    /// The relative error to which two polygons are evaluated.
-    fn relative_tolerance(&self, first: usize, second: usize) -> Result<f64, ExchangeError> {
-        let [one, other] = self.both(first, second)?;
-        Ok(self.tolerance.relative_of(one, other))
-    }
-
-    /// Computes the exchange area of two polygons: one value per pair, between 0 and the smaller
-    /// area.
-    pub(crate) fn evaluate(
-        &self,
-        first: usize,
-        second: usize,
-        tolerance: f64,
-    ) -> Result<Answer, ExchangeError> {
-        let (first, second) = (first.min(second), first.max(second));
-        let [one, other] = self.both(first, second)?;
-        let answer = one.exchange_area(other, tolerance);
-        let mut answer = answer.map_err(|source| ExchangeError::Pair {
-            first: self.terms.patches()[first],
-            second: self.terms.patches()[second],
-            source,
-        })?;
-        let most = one.area().min(other.area());
-        answer.exchange.value = answer.exchange.value.min(most);
-        Ok(answer)
-    }
-
-    /// The class whose value a pair of polygons takes, if it takes one.
-    pub(crate) fn class(&self, first: usize, second: usize) -> Option<usize> {
-        let place = self.plan.shared(first, second)?;
-        self.shared[place].map(|_| place)
-    }
-
     /// The summary of a pass over all pairs.
     pub(crate) fn summary(&self, counts: PassCounts) -> PassSummary {
         let n = self.terms.patches().len();
         let left_out = self.plan.facings().pairs_left_out();
-        let classes = self.shared.iter().flatten().count();
+        let is_taken = |class: usize| {
+            let sights = self.sights.as_ref();
+            sights.is_none_or(|sights| sights.is_taken(class))
+        };
+        let shared = self.shared.iter().enumerate();
+        let classes = shared
+            .filter(|(class, value)| value.is_some() && is_taken(*class))
+            .count();
         self.summary_of(n * (n - 1) / 2, left_out, classes, counts)
     }
 
@@ -365,7 +318,10 @@ impl ScenePairs<'_> {
         classes: usize,
         counts: PassCounts,
     ) -> PassSummary {
+        let are_exact = self.sights.as_ref().map(Sights::are_exact);
         let mut summary = counts.summary(pairs, self.plan.facings().count(), left_out, classes);
+        summary.plan.occlusion = summary.plan.occlusion.filter(|_| are_exact == Some(true));
+        summary.plan.ignored = summary.plan.ignored.filter(|_| are_exact == Some(false));
         summary.plan.resolution = self.loose().map(Resolution::surfaces);
         summary.is_turned_away = self.is_turned_away;
         summary

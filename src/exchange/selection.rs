@@ -1,7 +1,7 @@
 //! A selection of a scene's pairs: from some rows, to some rows.
 
 use super::ExchangeError;
-use crate::scene::SceneError;
+use crate::scene::{SceneError, are_few};
 
 /// The ordered pairs from some rows to some rows; all rows where none are listed.
 ///
@@ -46,6 +46,12 @@ impl Selection {
     /// The rows at the other end of the pairs; all if none are listed.
     pub(crate) fn other_ends(&self) -> Option<&[usize]> {
         self.from.as_ref().and(self.to.as_deref())
+    }
+
+    /// Tells whether the pairs are so few that every surface may be looked at for each.
+    pub(crate) fn is_few(&self) -> bool {
+        let ends = self.ends().zip(self.other_ends());
+        ends.is_some_and(|(rows, others)| are_few(rows, others))
     }
 
     /// Tells for each of so many rows whether it is at both ends: both directions of a pair are

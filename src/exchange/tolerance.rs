@@ -32,7 +32,7 @@ use std::fmt;
 /// let squares = Scene::built_in("two-squares")?;
 /// // four digits after the point will do
 /// let tolerance = Tolerance { relative: 1e-12, absolute: Some(1e-4) };
-/// let pairs = ScenePairs::try_new(&squares, tolerance, Congruence::Shared, Occlusion::Refuse)?;
+/// let pairs = ScenePairs::try_new(&squares, tolerance, Congruence::Shared, Occlusion::Exact)?;
 /// assert!(pairs.row_pair(0, 1)?.exchange.error <= 1e-4);
 /// # Ok::<(), infoscene::exchange::ExchangeError>(())
 /// ```

@@ -21,6 +21,14 @@
 //! The minimum is attained at a face of the difference body: at the normal of a face of C or of K,
 //! or at the cross product of an edge of C and an edge of K. All of them are tried.
 //!
+//! A segment from a corner of i⁺ to one of j⁺ that pierces K inside settles most bodies that do
+//! penetrate. If it meets K at `m` from K's boundary, with its ends at heights of `h` at least over
+//! K's plane, at a distance of `L`, then for n with a part b in K's plane
+//!
+//! ```text
+//!   max_K n·x − min_C n·x  ≥  b m + max(0, √(1 − b²) h − b L)  ≥  min(h/2, m h/4L)
+//! ```
+//!
 //! **Noise.** If every corner is off by at most δ, the depth is off by at most 2δ, however small
 //! the patches are and however far apart. So a k whose depth is at most the `noise` given counts as
 //! touching, and this is the only tolerance. Directions that are not quite the minimising one only
@@ -96,6 +104,7 @@ impl Plane {
 /// A patch as convex pieces in a plane, its coordinates divided by a common unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
+    corners: Vec<DVec3>,
     pieces: Vec<Vec<DVec3>>,
     plane: Plane,
     bounds: [DVec3; 2],
@@ -118,9 +127,16 @@ impl Outline {
         ];
         Self {
             pieces: convex_pieces(&corners, patch.normal()),
+            corners,
             plane,
             bounds,
         }
+    }
+
+    /// The corners of the patch, in its order.
+    #[must_use]
+    pub fn corners(&self) -> &[DVec3] {
+        &self.corners
     }
 
     /// Convex polygons without overlap that make up the patch.
@@ -209,6 +225,13 @@ impl Shaft {
         ]
     }
 
+    /// The corners of the two ends, `i⁺` and `j⁺`.
+    #[must_use]
+    pub fn corners(&self) -> [Vec<DVec3>; 2] {
+        let corners = |end: &Vec<Vec<DVec3>>| end.iter().flatten().copied().collect();
+        self.ends.each_ref().map(corners)
+    }
+
     /// Tells whether a third patch enters the shaft by more than `noise`.
     #[must_use]
     pub fn is_entered_by(&self, third: &Outline) -> bool {
@@ -220,6 +243,9 @@ impl Shaft {
         };
         third.pieces.iter().any(|piece| {
             ends().any(|(a, b)| {
+                if is_pierced(a, b, piece, &third.plane, self.noise) {
+                    return true;
+                }
                 let planes = [third.plane.normal, self.normals[0], self.normals[1]];
                 !directions(a, b, piece, planes).any(|n| parts(n, a, b, piece, self.noise))
             })
@@ -275,6 +301,29 @@ fn directions<'a>(
         .chain(sides(a, b))
         .chain(sides(b, a))
         .chain(crossed)
+}
+
+/// Tells whether a segment from a corner of `a` to one of `b` is sure to pierce `k` by more than
+/// `noise`.
+fn is_pierced(a: &[DVec3], b: &[DVec3], k: &[DVec3], plane: &Plane, noise: f64) -> bool {
+    let sides = || k.iter().zip(edges(k));
+    a.iter().any(|from| {
+        let above = plane.height(*from);
+        b.iter().any(|to| {
+            let below = plane.height(*to);
+            let height = above.abs().min(below.abs());
+            if above * below >= 0.0 || height <= 2.0 * noise {
+                return false;
+            }
+            let met = from.lerp(*to, above / (above - below));
+            let slope = height / (4.0 * from.distance(*to));
+            sides().all(|(corner, edge)| {
+                // whichever way k runs around, its plane faces one
+                let inward = plane.normal.cross(edge);
+                (met - *corner).dot(inward) * slope > noise * inward.length()
+            })
+        })
+    })
 }
 
 /// Shortest vector whose length is not lost in the underflow of its square.

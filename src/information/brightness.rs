@@ -33,7 +33,7 @@ use std::f64::consts::LN_2;
 /// use infoscene::transport::RadiositySystem;
 /// // with E = k (1 − R) everywhere the radiosity chain is the visibility chain (§3.4)
 /// let cube = Scene::built_in("cube:2")?;
-/// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
+/// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Exact)?;
 /// let exchange = pairs.exchange_areas()?;
 /// let room = RadiositySystem::of(&exchange, &[Material::try_new(0.5, 0.0)?; 24])?;
 /// let radiosity = brightness_information(&exchange, &room.radiosity(&[0.5; 24])?)?;

@@ -88,7 +88,7 @@ const DIVERGENCE_ERROR: usize = 3;
 /// use infoscene::exchange::{Congruence, ScenePairs};
 /// use infoscene::scene::{Occlusion, Scene};
 /// let cube = Scene::built_in("cube:1")?;
-/// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
+/// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Exact)?;
 /// let cube = scene_information(&pairs, OpenScene::Refuse)?;
 /// // one patch per face, from a 50-digit evaluation
 /// assert!((cube.mutual_information.value - 0.263_034_544_099_120_5).abs() < 1e-15);

@@ -84,6 +84,13 @@ pub const POLYGON_POSITION: f64 = 1e-12;
 /// Relative error of a gain there, at well separated form factors: (b) held by the same test.
 pub const POLYGON_GAIN: f64 = 1e-12;
 
+/// Absolute error of an optimal position where something stands between, on a scale of 1, if the
+/// gain is well curved: (b) held by `a_cut_behind_a_half_plane_is_that_of_the_reference`.
+pub const OCCLUDED_POSITION: f64 = 1e-6;
+
+/// Relative error of a gain there: (b) held by the same test.
+pub const OCCLUDED_GAIN: f64 = 1e-9;
+
 /// Relative error of the mutual information of a grid on a cube: (b) held by
 /// `regular_grids_agree_with_29_digits`.
 pub const GRID_INFORMATION: f64 = 1e-13;

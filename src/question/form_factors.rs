@@ -4,7 +4,7 @@
 //! time.
 
 use super::form_factor_matrix::{FormFactorMatrix, areas, quotient};
-use super::scene::SceneSource;
+use super::scene::{SceneSource, ignored_note};
 use super::unreached::Unreached;
 use super::{PatchName, QuestionError};
 use crate::exchange::{
@@ -202,7 +202,11 @@ impl FormFactors {
         let unreached =
             widest.and_then(|summary| Unreached::pairs(&names, summary, pairs.tolerance()));
         let listed = passes.into_iter().flatten().next_back();
-        let plan = listed.map(|summary| summary.plan.clone());
+        let plan = listed
+            .map(|summary| summary.plan.clone())
+            .unwrap_or_default();
+        let mut notes = loaded.notes;
+        notes.extend(ignored_note(plan.ignored));
         let sums = match (&held, &part) {
             (Some(held), _) => Closure::of_held(held).rows().to_vec(),
             (None, Some((entries, _))) => pairs.complete_sums(&selection, entries),
@@ -224,9 +228,9 @@ impl FormFactors {
         Ok(FormFactorsAnswer {
             patches,
             resolution: scene.resolution(),
-            plan: plan.unwrap_or_default(),
+            plan,
             unreached,
-            notes: loaded.notes,
+            notes,
             held,
             part: part.map(|(entries, _)| entries),
             scene,

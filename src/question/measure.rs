@@ -3,7 +3,7 @@
 
 use super::QuestionError;
 use super::light::Light;
-use super::scene::SceneSource;
+use super::scene::{SceneSource, ignored_note};
 use super::unreached::Unreached;
 use crate::chain::ChainError;
 use crate::exchange::{Congruence, ExchangeError, PlanSummary, Progress, Tolerance};
@@ -202,6 +202,10 @@ impl Measure {
     pub fn ask(&self, progress: &dyn Progress) -> Result<MeasureAnswer, QuestionError> {
         let loaded = self.scene.open()?;
         let scene = loaded.scene;
+        if (self.continuous || self.pairs) && self.scene.occlusion == Occlusion::Exact {
+            // refused before the pass
+            Occlusion::Refuse.check(&scene)?;
+        }
         let asked = (self.tolerance, self.congruence);
         let pairs = self.scene.pairs(&scene, asked, progress)?;
         let measured = if self.light.is_visibility()? {
@@ -217,6 +221,7 @@ impl Measure {
         answer.unreached = unreached;
         answer.resolution = scene.resolution();
         answer.notes = loaded.notes;
+        answer.notes.extend(ignored_note(answer.plan.ignored));
         if self.continuous || self.pairs {
             self.compare(&scene, &mut answer, progress)?;
         }

@@ -4,7 +4,7 @@ use super::QuestionError;
 use super::lights::{ChannelLight, ChannelSolution, Power, Room};
 use super::material_changes::MaterialChanges;
 use super::patch_values::{PatchValue, values};
-use super::scene::SceneSource;
+use super::scene::{SceneSource, ignored_note};
 use super::unreached::Unreached;
 use crate::exchange::{Closure, Congruence, ExchangeAreas, PlanSummary, Progress, Tolerance};
 use crate::scene::Channels;
@@ -151,6 +151,9 @@ impl Radiosity {
             }
         });
         let (solution, channels) = lights.solution();
+        let plan = exchange.summary().plan.clone();
+        let mut notes = loaded.notes;
+        notes.extend(ignored_note(plan.ignored));
         Ok(RadiosityAnswer {
             patches: patches.collect(),
             residual: solution.residual,
@@ -160,9 +163,9 @@ impl Radiosity {
             resolution: scene.resolution(),
             power: solution.power,
             channels,
-            plan: exchange.summary().plan.clone(),
+            plan,
             unreached: self.unreached(&names, &exchange, solution.relative_error),
-            notes: loaded.notes,
+            notes,
         })
     }
 

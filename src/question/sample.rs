@@ -5,7 +5,7 @@ use super::{QuestionError, SampledInformation};
 use crate::exchange::{Congruence, ExchangeError, Progress, ScenePairs, Tolerance};
 use crate::information::{LineKind, LineSample, scene_information_and_bias};
 use crate::numeric::Grade;
-use crate::scene::{Occlusion, Scene, SceneError};
+use crate::scene::{Occlusion, Scene};
 
 /// The question for the information of any closed scene, concave or occluded, from random lines.
 ///
@@ -33,8 +33,7 @@ pub struct Sample {
     /// Whether the continuous mutual information is asked for, too.
     pub continuous: bool,
     /// Are the exact mutual information and the expected bias asked for, too? They are found where
-    /// nothing is in the way and the scene has at most [`MOST_EXACT_ROWS`](Self::MOST_EXACT_ROWS)
-    /// rows.
+    /// the scene has at most [`MOST_EXACT_ROWS`](Self::MOST_EXACT_ROWS) rows.
     pub exact: bool,
     /// The error that is accepted of every form factor behind the exact values.
     pub tolerance: Tolerance,
@@ -101,7 +100,7 @@ impl Sample {
         let loaded = self.scene.open()?;
         let scene = loaded.scene;
         let sample = LineSample::draw(&scene, self.kind, self.lines, self.seed)?;
-        let exact = if let Some(pairs) = self.unblocked_pairs(&scene, progress)? {
+        let exact = if let Some(pairs) = self.exact_pairs(&scene, progress)? {
             let (measured, bias) = scene_information_and_bias(&pairs, sample.counts.samples())?;
             Some([measured.mutual_information.value, bias])
         } else {
@@ -122,9 +121,8 @@ impl Sample {
         })
     }
 
-    /// The pairs, if exact values are asked for of a scene that is small enough and in which
-    /// nothing is in the way.
-    fn unblocked_pairs<'p>(
+    /// The pairs, if exact values are asked for of a scene that is small enough.
+    fn exact_pairs<'p>(
         &self,
         scene: &Scene,
         progress: &'p dyn Progress,
@@ -133,9 +131,6 @@ impl Sample {
             return Ok(None);
         }
         let asked = (self.tolerance, self.congruence);
-        match self.scene.pairs(scene, asked, progress) {
-            Err(ExchangeError::Scene(SceneError::MayBeBlocked { .. })) => Ok(None),
-            pairs => Ok(Some(pairs?)),
-        }
+        self.scene.pairs(scene, asked, progress).map(Some)
     }
 }

@@ -1,12 +1,26 @@
 //! The scene that a question is about.
 
-use crate::exchange::{Congruence, ExchangeError, Progress, ScenePairs, Tolerance};
+use crate::exchange::{
+    Congruence, ExchangeError, IgnoredOcclusion, Progress, ScenePairs, Tolerance,
+};
 use crate::scene::files::{LoadedScene, NonPlanarFaces, OpenError, Reading, open};
 use crate::scene::{Occlusion, Scene};
 
 /// The remark on a scene that exchanges nothing as all its fronts are outside.
 pub const TURNED_AWAY: &str =
     "all patches face away from each other and exchange nothing: were their fronts to be reversed?";
+
+/// The remark on occlusion that was ignored, if some was.
+pub(super) fn ignored_note(ignored: Option<IgnoredOcclusion>) -> Option<String> {
+    let IgnoredOcclusion {
+        pairs,
+        exchange_area,
+    } = ignored.filter(|ignored| ignored.pairs > 0)?;
+    Some(format!(
+        "something stands between {pairs} pairs of patches and is ignored: exchange areas are too \
+         large by up to {exchange_area:.3e} in all"
+    ))
+}
 
 /// A scene that a question is about, and how it is prepared.
 ///

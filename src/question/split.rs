@@ -3,13 +3,13 @@
 use super::PatchName;
 use super::QuestionError;
 use super::light::Light;
-use super::scene::SceneSource;
+use super::scene::{SceneSource, ignored_note};
 use crate::discretize::{DiscretizeError, PatchSplit, regular_positions};
-use crate::exchange::{Congruence, Progress, Tolerance};
+use crate::exchange::{Congruence, IgnoredOcclusion, Progress, Tolerance};
 use crate::geometry::SplitAxis;
 use crate::numeric::interval::DecimalBounds;
 use crate::numeric::{Interval, compensated_sum, tolerance};
-use crate::scene::{Channel, Scene};
+use crate::scene::{Channel, Occlusion, Scene};
 
 /// The question for the best cut of a patch.
 ///
@@ -85,6 +85,10 @@ pub struct SplitAnswer {
     /// The enclosures, if they were asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub enclosures: Option<SplitEnclosures>,
+    /// The occlusion that was ignored: pairs of the cut patch, and their exchange areas; none where
+    /// nothing can stand in the way.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ignored: Option<IgnoredOcclusion>,
     /// The absolute error of a position.
     #[serde(skip)]
     pub position_error: f64,
@@ -146,6 +150,7 @@ impl Split {
             }
         };
         answer.notes = loaded.notes;
+        answer.notes.extend(ignored_note(answer.ignored));
         Ok(answer)
     }
 
@@ -203,7 +208,9 @@ impl Split {
             split = split.under(patch, brightness, *total)?;
         }
         let best = split.best(self.parts)?;
-        let (position_error, gain_error) = if split.is_closed_form() {
+        let (position_error, gain_error) = if split.is_occluded() {
+            (tolerance::OCCLUDED_POSITION, tolerance::OCCLUDED_GAIN)
+        } else if split.is_closed_form() {
             (tolerance::POSITION, tolerance::GAIN)
         } else {
             (tolerance::POLYGON_POSITION, tolerance::POLYGON_GAIN)
@@ -223,6 +230,9 @@ impl Split {
                 Some(bits) => enclosures(&split, bits)?,
                 None => None,
             },
+            ignored: split
+                .ignored_occlusion()
+                .filter(|_| occlusion == Occlusion::Ignore),
             position_error,
             gain_error,
             notes: Vec::new(),

@@ -5,9 +5,10 @@
 //! which are summed into one row ([`Scene::base_of`], [`Scene::group_of`]), and to which length its
 //! coordinates are known ([`Scene::resolution`]).
 //!
-//! **Not covered**: computing with occlusion. What may stand between two patches is found
-//! ([`Scene::blocker`]), and such a scene is refused unless unoccluded values are asked for
-//! ([`Occlusion`]).
+//! What may stand between two patches is found ([`Blockers`]), and [`Occlusion`] says what becomes
+//! of it.
+//!
+//! **Not covered**: what patches exchange.
 
 mod built_in;
 mod channel;
@@ -36,9 +37,11 @@ pub use parts::EmptyRow;
 pub use resolution::ResolvedSurfaces;
 pub use visibility::blockers::{Blocker, Blockers};
 pub use visibility::grid_lines::GridLines;
+pub(crate) use visibility::hiding::Hiding;
 pub use visibility::lines::{Chord, Passage, SceneLines};
 pub use visibility::obstacle::Obstacle;
 pub use visibility::occlusion::Occlusion;
+pub(crate) use visibility::occlusion::are_few;
 
 use crate::geometry::{GeometryError, Patch, Rectangle};
 use std::sync::Arc;

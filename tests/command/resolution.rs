@@ -86,8 +86,8 @@ fn columns_and_notes_are_for_rounded_scenes() {
     );
 }
 
-/// Without a resolution the room is blocked by its own panels, and the message names the flag and a
-/// length that does; a length that tells nothing apart is refused.
+/// Without a resolution the room is blocked by its own panels; what needs full sight is refused, and
+/// the message names the flag and a length that does; a length that tells nothing apart is refused.
 #[test]
 fn a_resolution_is_given() {
     let (_folder, room) = room();
@@ -95,7 +95,7 @@ fn a_resolution_is_given() {
         let run = infoscene(arguments).assert().code(2);
         String::from_utf8_lossy(&run.get_output().stderr).into_owned()
     };
-    let message = refused(&["measure", &room, "--resolution", "0", "--open"]);
+    let message = refused(&["measure", &room, "--resolution", "0", "--continuous"]);
     let length = message
         .split("--resolution ")
         .nth(1)

@@ -108,18 +108,26 @@ fn what_is_ignored_is_said_on_standard_error() {
     let path = written(&folder, "squares.vs3", text);
     let path = path.to_str().unwrap();
     let arguments = ["split", path, "--patch", "0", "--format", "json"];
-    let refused = infoscene(&arguments).assert().code(2);
-    let message = String::from_utf8(refused.get_output().stderr.clone()).unwrap();
-    assert!(
-        message.contains("unoccluded values; --unoccluded computes"),
-        "{message}"
-    );
     let answered = infoscene(&arguments).arg("--unoccluded").assert().success();
     let message = String::from_utf8(answered.get_output().stderr.clone()).unwrap();
     let says = "ignored, they change nothing here: C encl (line 1), C maxU (line 1)";
     assert!(message.contains(says), "{message}");
-    let answer: serde_json::Value = serde_json::from_slice(&answered.get_output().stdout).unwrap();
+    assert!(
+        message.contains("something stands between 1 pairs of patches"),
+        "{message}"
+    );
+    let mut answer: serde_json::Value =
+        serde_json::from_slice(&answered.get_output().stdout).unwrap();
+    let ignored = answer
+        .as_object_mut()
+        .unwrap()
+        .shift_remove("ignored")
+        .unwrap();
+    assert_eq!(ignored["pairs"], 1);
     assert_eq!(answer, json(&["split", "two-squares", "--patch", "0"]));
+    // past the obstruction another cut is best
+    let past = json(&["split", path, "--patch", "0"]);
+    assert!(past["gain"].as_f64() != answer["gain"].as_f64(), "{past}");
 }
 
 #[test]

@@ -17,14 +17,19 @@
 //! all are rectangles with edges along common axes, the split is a [`RectangleSplit`] too, and has
 //! enclosures and proofs.
 //!
-//! **Not covered**: cuts in other directions; computing with occlusion.
+//! Where other surfaces stand between, the parts exchange what is left past all that block the whole
+//! patch ([`Occlusion`]); such a split has no enclosures. A surface that stands on the patch may cut
+//! its light off along a line, where the derivative of the gain jumps.
+//!
+//! **Not covered**: cuts in other directions.
 
+use super::between::Between;
 use super::part_exchange;
 use super::part_exchange::{PartExchange, SplitWeights};
 use super::polygons::{CutPair, CutSurface, PolygonSplit};
 use super::rectangles::RectangleSplit;
 use crate::discretize::error::DiscretizeError;
-use crate::exchange::ExchangeError;
+use crate::exchange::{ExchangeError, IgnoredOcclusion};
 use crate::geometry::SplitAxis;
 use crate::numeric::CertifiedMaximum;
 use crate::scene::{Occlusion, Scene};
@@ -37,6 +42,7 @@ pub struct PatchSplit {
     others: Vec<usize>,
     /// Increasing positions inside `(0, 1)` at which the derivative of the gain jumps.
     pub(crate) kinks: Vec<f64>,
+    ignored: Option<IgnoredOcclusion>,
 }
 
 /// The shapes of a split, which decide how its parts are evaluated.
@@ -65,7 +71,7 @@ const SAME_KINK: f64 = 1e-12;
 
 impl PatchSplit {
     /// Patch `patch` of `scene`, cut across `axis`, judged by its exchange with the patches
-    /// `against`; a scene in which something may stand between these is refused.
+    /// `against`, past all that stands between.
     ///
     /// # Errors
     /// The errors of [`with_occlusion`](Self::with_occlusion).
@@ -75,7 +81,7 @@ impl PatchSplit {
         against: &[usize],
         axis: SplitAxis,
     ) -> Result<Self, DiscretizeError> {
-        Self::with_occlusion(scene, patch, against, axis, Occlusion::Refuse)
+        Self::with_occlusion(scene, patch, against, axis, Occlusion::default())
     }
 
     /// The split of [`try_new`](Self::try_new) under a policy for what may stand between the
@@ -84,7 +90,7 @@ impl PatchSplit {
     /// # Errors
     /// [`DiscretizeError::Scene`] if a patch does not exist, has others lying in it, has no axes,
     /// if patches of the scene overlap, or if something may stand between the cut patch and one of
-    /// the others; [`DiscretizeError::Exchange`] if the exchange area of a pair leaves `f64`'s
+    /// the others and that is refused; [`DiscretizeError::Exchange`] if the exchange area of a pair leaves `f64`'s
     /// range, or if all patches face away from each other; [`DiscretizeError::AgainstItself`];
     /// [`DiscretizeError::NamedTwice`];
     /// [`DiscretizeError::NothingToGain`].
@@ -101,6 +107,8 @@ impl PatchSplit {
         let mut pairs = Vec::new();
         let mut others = Vec::new();
         let mut kinks = surface.lines().steps();
+        let mut between = Between::of(scene, patch);
+        let mut ignored = IgnoredOcclusion::default();
         for other in against {
             if *other == patch {
                 return Err(DiscretizeError::AgainstItself { patch });
@@ -109,12 +117,23 @@ impl PatchSplit {
                 return Err(DiscretizeError::NamedTwice { patch: *other });
             }
             let shape = scene.whole_patch(*other)?.shape();
-            let pair = surface.pair(shape);
+            let past = match occlusion {
+                Occlusion::Exact => between.past(*other),
+                _ => None,
+            };
+            let pair = match past {
+                Some(past) => surface.pair_past(shape, past),
+                None => surface.pair(shape),
+            };
             let (pair, exchange) = pair.map_err(|source| ExchangeError::Pair {
                 first: patch,
                 second: *other,
                 source,
             })?;
+            if occlusion == Occlusion::Ignore && between.is_blocked(*other) {
+                ignored.pairs += 1;
+                ignored.exchange_area += exchange;
+            }
             if exchange > 0.0 {
                 pairs.push(pair);
                 others.push(*other);
@@ -129,6 +148,8 @@ impl PatchSplit {
         if pairs.is_empty() {
             return Err(DiscretizeError::NothingToGain { patch });
         }
+        let standing = between.standing();
+        kinks.extend(standing.filter_map(|(at, normal)| surface.lines().in_plane(at, normal)));
         kinks.sort_by(f64::total_cmp);
         kinks.dedup_by(|a, b| *a - *b < SAME_KINK);
         let weights = SplitWeights {
@@ -140,7 +161,28 @@ impl PatchSplit {
             shapes: Shapes::new(surface, pairs, weights),
             others,
             kinks,
+            ignored: between.can_block().then_some(ignored),
         })
+    }
+
+    /// The occlusion that was ignored; none where nothing can stand in the way. Exchange areas are
+    /// those of the cut patch.
+    #[must_use]
+    pub const fn ignored_occlusion(&self) -> Option<IgnoredOcclusion> {
+        self.ignored
+    }
+
+    /// Whether something stands between the cut patch and one of the others: positions and gains
+    /// are estimates then.
+    #[must_use]
+    pub fn is_occluded(&self) -> bool {
+        match &self.shapes {
+            Shapes::Rectangles(_) => false,
+            Shapes::Polygons(split) => {
+                let mut pairs = split.pairs.iter();
+                pairs.any(|pair| matches!(pair, CutPair::Occluded { .. }))
+            }
+        }
     }
 
     /// The split under a brightness, as in §5: constant on each patch, the cut one included.
@@ -194,7 +236,7 @@ impl PatchSplit {
     ///
     /// # Errors
     /// [`DiscretizeError::NotEnclosed`] unless all patches are rectangles with edges along common
-    /// axes.
+    /// axes, and nothing stands between them.
     pub const fn rectangles(&self) -> Result<&RectangleSplit, DiscretizeError> {
         match &self.shapes {
             Shapes::Rectangles(split) => Ok(split),
@@ -257,7 +299,7 @@ impl Shapes {
     fn new(surface: CutSurface, pairs: Vec<CutPair>, weights: SplitWeights<f64>) -> Self {
         let aligned = pairs.iter().map(|pair| match pair {
             CutPair::Aligned(pair) => Some(*pair),
-            CutPair::Polygon { .. } => None,
+            CutPair::Polygon { .. } | CutPair::Occluded { .. } => None,
         });
         match aligned.collect() {
             Some(pairs) => Self::Rectangles(RectangleSplit::new(pairs, surface.axis(), weights)),

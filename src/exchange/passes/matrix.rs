@@ -210,15 +210,16 @@ impl ScenePairs<'_> {
 }
 
 impl Scene {
-    /// The exchange areas of all pairs, to [`DEFAULT_TOLERANCE`] where a route reaches it.
+    /// The exchange areas of all pairs past all that stands between, to [`DEFAULT_TOLERANCE`] where
+    /// a route reaches it.
     ///
     /// As if nothing were in the way they come from [`ScenePairs`] with [`Occlusion::Ignore`].
     ///
     /// # Errors
-    /// [`ExchangeError::Scene`] if patches overlap or something may stand between two of them;
-    /// [`ExchangeError::Pair`] if two patches are refused.
+    /// [`ExchangeError::Scene`] if patches overlap; [`ExchangeError::Pair`] if two patches are
+    /// refused.
     pub fn exchange_areas(&self) -> Result<ExchangeAreas, ExchangeError> {
-        let (tolerance, occlusion) = (DEFAULT_TOLERANCE, Occlusion::Refuse);
+        let (tolerance, occlusion) = (DEFAULT_TOLERANCE, Occlusion::default());
         ScenePairs::try_new(self, tolerance, Congruence::Shared, occlusion)?.exchange_areas()
     }
 }

@@ -65,7 +65,7 @@ impl ScenePairs<'_> {
     /// use infoscene::exchange::{Congruence, ScenePairs};
     /// use infoscene::scene::{Occlusion, Scene};
     /// let cube = Scene::built_in("cube:2")?;
-    /// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
+    /// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Exact)?;
     /// let (sums, _) = pairs.row_sums(|_, _, exchange| [exchange.value])?;
     /// // the form factors of a closed scene sum to one
     /// assert!((sums[0][0] / pairs.areas()[0] - 1.0).abs() < 1e-13);

@@ -188,7 +188,10 @@ impl ScenePairs<'_> {
                 pairs += 1;
                 let [one, other] = [one.polygon, other.polygon];
                 match self.facing_polygons(one, other) {
-                    Facing::Visible => classes.extend(self.class(one, other)),
+                    Facing::Visible if self.takes_class(one, other) => {
+                        classes.extend(self.class(one, other));
+                    }
+                    Facing::Visible => {}
                     Facing::Coplanar => left_out[0] += 1,
                     Facing::BackFacing => left_out[1] += 1,
                 }

@@ -106,7 +106,7 @@ impl ScenePairs<'_> {
     /// use infoscene::exchange::{Congruence, ScenePairs};
     /// use infoscene::scene::{Occlusion, Scene};
     /// let cube = Scene::built_in("cube:2")?;
-    /// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Refuse)?;
+    /// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Exact)?;
     /// let mut sum = 0.0;
     /// for tile in pairs.tiles(8) {
     ///     sum += 2.0 * pairs.tile(&tile)?.values.iter().sum::<f64>();

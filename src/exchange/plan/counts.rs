@@ -6,6 +6,7 @@
 //! tolerance is asked of pairs of rows.
 
 use crate::form_factor::{ExchangeArea, Route};
+use crate::numeric::real;
 use crate::scene::ResolvedSurfaces;
 use std::collections::BTreeMap;
 
@@ -22,7 +23,8 @@ pub struct PlanSummary {
     pub reciprocal: usize,
     /// Planes in which patches lie.
     pub planes: usize,
-    /// Pairs that were left out: their planes are the same, or one lies behind the other.
+    /// Pairs that were left out: their planes are the same, or one lies behind the other, or one
+    /// convex body hides all.
     pub untouched: usize,
     /// Pairs that exchange nothing since they lie in one plane.
     pub coplanar: usize,
@@ -38,6 +40,32 @@ pub struct PlanSummary {
     /// coordinates are exact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub resolution: Option<ResolvedSurfaces>,
+    /// The pairs by what stands in their way; none where nothing can, or where it was refused.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub occlusion: Option<OcclusionCounts>,
+    /// The occlusion that was ignored; none where nothing can stand in the way.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ignored: Option<IgnoredOcclusion>,
+}
+
+/// Pairs whose planes face each other, by what stands in their way.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
+pub struct OcclusionCounts {
+    /// Pairs that nothing stands between.
+    pub visible: usize,
+    /// Pairs that see nothing of each other.
+    pub hidden: usize,
+    /// Pairs that were evaluated past what stands between them.
+    pub partial: usize,
+}
+
+/// The occlusion that was ignored.
+#[derive(Debug, Clone, Copy, PartialEq, Default, serde::Serialize)]
+pub struct IgnoredOcclusion {
+    /// Pairs of patches that something stands between.
+    pub pairs: usize,
+    /// A bound on what their exchange areas are too large by, in all: their sum.
+    pub exchange_area: f64,
 }
 
 /// A pair of rows whose error bound is beyond the tolerance asked for.
@@ -75,6 +103,12 @@ pub struct PassCounts {
     visible: usize,
     /// Pairs that were computed on their own.
     alone: usize,
+    /// Pairs that were left out as hidden.
+    left_out: usize,
+    /// Pairs that were computed past what stands between, by whether something was left.
+    occluded: [usize; 2],
+    /// Pairs that something stands between, if that was ignored.
+    ignored: IgnoredOcclusion,
     /// Pairs of rows that miss the tolerance.
     unreached: usize,
     /// The worst of them.
@@ -91,6 +125,23 @@ impl PassCounts {
         self.count(route, 1);
         self.visible += 1;
         self.alone += usize::from(is_alone);
+    }
+
+    /// Counts a pair of polygons that something stands between.
+    pub(crate) fn occluded(&mut self, route: Route, is_left_out: bool) {
+        if is_left_out {
+            self.count(route, 1);
+            self.left_out += 1;
+        } else {
+            self.polygons(route, true);
+            self.occluded[usize::from(route == Route::Hidden)] += 1;
+        }
+    }
+
+    /// Counts a pair of polygons that was computed as if nothing stood between.
+    pub(crate) fn ignored(&mut self, exchange: &ExchangeArea) {
+        self.ignored.pairs += 1;
+        self.ignored.exchange_area += exchange.value + exchange.error;
     }
 
     /// Counts a pair of rows that misses the tolerance, the smaller of which has this area.
@@ -127,6 +178,12 @@ impl PassCounts {
         }
         self.visible += other.visible;
         self.alone += other.alone;
+        self.left_out += other.left_out;
+        for (pairs, more) in self.occluded.iter_mut().zip(other.occluded) {
+            *pairs += more;
+        }
+        self.ignored.pairs += other.ignored.pairs;
+        self.ignored.exchange_area += other.ignored.exchange_area;
         self.unreached += other.unreached;
         if let Some(worst) = &other.worst {
             self.keep_worst(worst);
@@ -142,15 +199,20 @@ impl PassCounts {
         [coplanar, back_facing]: [usize; 2],
         classes: usize,
     ) -> PassSummary {
+        // where planes are not compared, some pairs find themselves that they see nothing
+        let dark = [Route::Coplanar, Route::BackFacing].map(|route| self.routes[route as usize]);
         self.count(Route::Coplanar, coplanar);
         self.count(Route::BackFacing, back_facing);
         let computed = self.alone + classes;
+        let [partial, hidden] = self.occluded;
+        // each of its terms is rounded
+        let roundings = 1.0 + 2.0 * f64::EPSILON * real(self.ignored.pairs);
         let routes = Route::ALL.into_iter().zip(self.routes);
         let plan = PlanSummary {
             pairs,
             reciprocal: pairs,
             planes,
-            untouched: coplanar + back_facing,
+            untouched: coplanar + back_facing + self.left_out,
             coplanar: self.routes[Route::Coplanar as usize],
             back_facing: self.routes[Route::BackFacing as usize],
             congruent: self.visible.saturating_sub(computed),
@@ -160,6 +222,17 @@ impl PassCounts {
                 .map(|(route, pairs)| (route.name(), pairs))
                 .collect(),
             resolution: None,
+            occlusion: Some(OcclusionCounts {
+                visible: self
+                    .visible
+                    .saturating_sub(partial + hidden + dark[0] + dark[1]),
+                hidden: self.left_out + hidden,
+                partial,
+            }),
+            ignored: Some(IgnoredOcclusion {
+                pairs: self.ignored.pairs,
+                exchange_area: self.ignored.exchange_area * roundings,
+            }),
         };
         PassSummary {
             plan,

@@ -42,17 +42,22 @@
 //! The widths are measured, and end where the resolution does not explain them any more: what gapes
 //! wider is open.
 //!
+//! **What stands between.** An occluder k, its new place and its ribbons close up, too, so a ray
+//! from i to j is cut by one and not by the other only if it crosses a ribbon of k or ends between
+//! its two places: `c_ki + c_kj` more for each k in the way.
+//!
 //! The bound is for the worst of all places of the corners, and several times what roundings do.
 //! The form factor `F = J/A` changes by `(|ΔJ| + F |ΔA|)/(A − |ΔA|)` at most.
 //!
 //! Open `loose` for one polygon and its c.
 //!
-//! **Not covered**: what stands between two patches; parts and bases, which are taken to lie in
-//! each other.
+//! **Not covered**: occluders that touch the space between two patches up to the noise, which count
+//! as beside it in truth, too; parts and bases, which are taken to lie in each other.
 
 mod loose;
 
 use crate::exchange::plan::facing::Facing;
+use crate::geometry::Patch;
 use crate::numeric::tolerance;
 use crate::scene::{ResolvedSurfaces, Scene};
 use loose::Loose;
@@ -62,21 +67,27 @@ use loose::Loose;
 pub(crate) struct Resolution {
     surfaces: ResolvedSurfaces,
     outlines: Vec<Loose>,
+    /// All surfaces, where they may stand between others; obstructions come after the patches.
+    occluders: Vec<Loose>,
 }
 
 impl Resolution {
     /// The polygons of a scene that are these patches, unless its coordinates are exact.
-    pub(crate) fn of(scene: &Scene, patches: &[usize]) -> Option<Self> {
+    ///
+    /// **Arguments** `is_occluded`: whether surfaces may stand between others.
+    pub(crate) fn of(scene: &Scene, patches: &[usize], is_occluded: bool) -> Option<Self> {
         let surfaces = scene.resolved_surfaces()?;
         let cracks = scene.cracks();
-        let loose = |patch: &usize| {
-            let shape = scene.patches()[*patch].shape();
+        let loose = |shape: &Patch, cracks: &[f64]| {
             let delta = tolerance::SQRT_3 * surfaces.length + shape.moved();
-            Loose::of(shape, delta, &cracks[*patch])
+            Loose::of(shape, delta, cracks)
         };
+        let patch = |patch: &usize| loose(scene.patches()[*patch].shape(), &cracks[*patch]);
+        let all = scene.surfaces().filter(|_| is_occluded);
         Some(Self {
             surfaces,
-            outlines: patches.iter().map(loose).collect(),
+            outlines: patches.iter().map(patch).collect(),
+            occluders: all.map(|surface| loose(surface.shape(), &[])).collect(),
         })
     }
 
@@ -91,7 +102,7 @@ impl Resolution {
         if one.is_in_front_of(two) || two.is_in_front_of(one) {
             return 0.0;
         }
-        let most = (one.area + one.ribbons).min(two.area + two.ribbons);
+        let most = self.most(first, second);
         let change = if facing == Facing::Visible {
             one.change(two) + two.change(one)
         } else {
@@ -100,6 +111,19 @@ impl Resolution {
             one.change(&two) + two.change(&one)
         };
         change.min(most)
+    }
+
+    /// A bound on the change of the exchange area of two polygons as a surface between them moves.
+    pub(crate) fn change_by(&self, surface: usize, first: usize, second: usize) -> f64 {
+        let occluder = &self.occluders[surface];
+        let ends = [first, second].map(|polygon| occluder.change(&self.outlines[polygon]));
+        ends.iter().sum()
+    }
+
+    /// A bound on any change of the exchange area of two polygons.
+    pub(crate) fn most(&self, first: usize, second: usize) -> f64 {
+        let [one, two] = [first, second].map(|polygon| &self.outlines[polygon]);
+        (one.area + one.ribbons).min(two.area + two.ribbons)
     }
 
     /// A bound on the change of a polygon's area.

@@ -94,8 +94,8 @@ pub fn expected_deviation(cells: impl IntoIterator<Item = ([f64; 2], f64)>, samp
     (variance / n + 0.5 * (count - 1.0).max(0.0) / (n * n)).sqrt() / LN_2
 }
 
-/// The expected bias `E[Î] − I` in bits, of N chords of a closed scene without occlusion, when the
-/// weights are known.
+/// The expected bias `E[Î] − I` in bits, of N chords of a closed scene, when the weights are
+/// known.
 ///
 /// # Errors
 /// [`ChainError::Exchange`] if two patches are refused, or the scene is open.

@@ -26,9 +26,16 @@ pub(crate) fn plan_notes(plan: &PlanSummary) -> Vec<(String, String)> {
         "{} of {} planes: {} never looked at, {} congruent to another, {} computed",
         plan.pairs, plan.planes, plan.untouched, plan.congruent, plan.computed
     );
-    [("pairs", counts), ("routes", routes.join(", "))]
-        .map(|(name, note)| (name.to_owned(), note))
-        .to_vec()
+    let mut notes = vec![("pairs", counts), ("routes", routes.join(", "))];
+    notes.extend(plan.occlusion.map(|pairs| {
+        let text = format!(
+            "{} pairs visible, {} past others in part, {} hidden",
+            pairs.visible, pairs.partial, pairs.hidden
+        );
+        ("occlusion", text)
+    }));
+    let owned = |(name, note): (&str, String)| (name.to_owned(), note);
+    notes.into_iter().map(owned).collect()
 }
 
 /// Renders the information of a scene.

@@ -1,7 +1,7 @@
 //! The search for surfaces that stand between two patches.
 //!
-//! Exchange areas are computed as if nothing were in the way. Until occlusion is, a scene in which
-//! something may be in the way is refused, with the pair and the blocker named.
+//! The exchange area of two patches is computed past all surfaces that stand between them, and past
+//! no others.
 //!
 //! ```text
 //!   k blocks (i, j)  ⇔  k meets the interior of the union of all segments from i⁺ to j⁺
@@ -19,7 +19,10 @@
 //! nothing: a closed convex room is settled by comparing every corner with every plane, each once.
 //! What is left is found by boxes, then by planes, then by [`Shaft`].
 //!
-//! **Not covered**: how much is blocked.
+//! **Not covered**: how much is blocked ([`Polygon::exchange_area_past`]); pairs of which nothing is
+//! left (`hiding`).
+//!
+//! [`Polygon::exchange_area_past`]: crate::form_factor::Polygon::exchange_area_past
 
 use super::obstacle::Obstacle;
 use super::surfaces::Search;
@@ -43,7 +46,7 @@ pub struct Blocker {
 }
 
 /// The search for blockers among patches and obstructions, made ready.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub struct Blockers<'a> {
     scene: &'a Scene,
     planes: &'a ScenePlanes,
@@ -51,18 +54,18 @@ pub struct Blockers<'a> {
     surfaces: Option<Search<'a>>,
     /// Indices of the planes with patches on both sides: what lies in another one blocks nothing.
     /// None if these are not known.
-    splitting: Option<Vec<usize>>,
-    /// The outermost patch that each patch lies in: its root. Patches of one root lie in
-    /// one plane and do not block each other.
-    roots: Vec<usize>,
+    splitting: Option<&'a [usize]>,
 }
+
+/// Most splitting planes that are looked at before the trees are asked, where no row keeps how far
+/// its patch reaches over each.
+const MOST_COMPARED: usize = 16;
 
 impl<'a> Blockers<'a> {
     /// Makes the search ready for many pairs.
     #[must_use]
     pub fn of(scene: &'a Scene) -> Self {
-        let splits = scene.splits();
-        let splitting: Vec<usize> = (0..splits.len()).filter(|plane| splits[*plane]).collect();
+        let splitting = scene.splitting_planes();
         Self {
             surfaces: (!splitting.is_empty()).then(|| Search::Indexed(scene.outlined())),
             splitting: Some(splitting),
@@ -73,21 +76,25 @@ impl<'a> Blockers<'a> {
     /// Makes the search ready for few pairs: each looks at every surface.
     #[must_use]
     pub fn for_few(scene: &'a Scene) -> Self {
-        let roots = (0..scene.patches().len()).map(|patch| scene.root_of(patch));
         Self {
             scene,
             planes: scene.planes(),
             surfaces: Some(Search::Scanned(scene)),
             splitting: None,
-            roots: roots.collect(),
         }
+    }
+
+    /// Tells whether anything can stand between two patches: never in a room that is convex inside.
+    #[must_use]
+    pub const fn can_block(&self) -> bool {
+        self.surfaces.is_some()
     }
 
     /// The first blocked pair in the order of its indices, and the first surface that blocks it;
     /// the same for any number of threads.
     #[must_use]
     pub fn first(&self) -> Option<Blocker> {
-        let patches = self.roots.len();
+        let patches = self.scene.patches().len();
         (0..patches)
             .into_par_iter()
             .find_map_first(|first| self.first_of_row(first, first + 1..patches))
@@ -96,7 +103,7 @@ impl<'a> Blockers<'a> {
     /// The first patch that one patch is blocked from, and the first surface that blocks the two.
     #[must_use]
     pub fn of_row(&self, first: usize) -> Option<Blocker> {
-        self.first_of_row(first, 0..self.roots.len())
+        self.first_of_row(first, 0..self.scene.patches().len())
     }
 
     /// The first surface that blocks a pair.
@@ -107,16 +114,41 @@ impl<'a> Blockers<'a> {
 
     /// All surfaces that block a pair: patches, then obstructions, in the order of their indices.
     pub fn obstacles(&self, first: usize, second: usize) -> impl Iterator<Item = Obstacle> {
-        let reaches = self.reaches(first);
-        let surfaces = self.in_the_way(first, second, &reaches);
+        let surfaces = self.surfaces_between(first, second);
         surfaces.map(|surface| self.obstacle(surface))
+    }
+
+    /// The surfaces that block a pair, in order; obstructions are numbered after the patches. Of a
+    /// base and its parts, which block no more than it does, only the base is among them.
+    pub(crate) fn whole_surfaces_between(
+        &self,
+        first: usize,
+        second: usize,
+    ) -> impl Iterator<Item = usize> + use<'a> {
+        let (scene, patches) = (self.scene, self.scene.patches().len());
+        let is_whole =
+            move |surface: &usize| *surface >= patches || scene.base_of(*surface).is_none();
+        self.surfaces_between(first, second).filter(is_whole)
+    }
+
+    /// The surfaces that block a pair, in order.
+    fn surfaces_between(
+        &self,
+        first: usize,
+        second: usize,
+    ) -> impl Iterator<Item = usize> + use<'a> {
+        let few = self
+            .splitting
+            .filter(|planes| planes.len() <= MOST_COMPARED);
+        let reaches = few.map(|_| self.reaches(first));
+        self.in_the_way(first, second, reaches.as_deref())
     }
 
     fn first_of_row(&self, first: usize, mut seconds: Range<usize>) -> Option<Blocker> {
         self.surfaces?;
         let reaches = self.reaches(first);
         seconds.find_map(|second| {
-            let surface = self.in_the_way(first, second, &reaches).next()?;
+            let surface = self.in_the_way(first, second, Some(&reaches)).next()?;
             Some(Blocker {
                 first,
                 second,
@@ -127,7 +159,7 @@ impl<'a> Blockers<'a> {
     }
 
     fn obstacle(&self, surface: usize) -> Obstacle {
-        match surface.checked_sub(self.roots.len()) {
+        match surface.checked_sub(self.scene.patches().len()) {
             None => Obstacle::Patch(surface),
             Some(obstruction) => Obstacle::Obstruction(obstruction),
         }
@@ -137,56 +169,82 @@ impl<'a> Blockers<'a> {
     fn reaches(&self, patch: usize) -> Vec<[f64; 2]> {
         let corners = self.planes.corners(self.scene.surface(patch));
         let range = |plane: &usize| self.planes.planes()[*plane].range(corners.clone());
-        self.splitting.iter().flatten().map(range).collect()
+        self.splitting
+            .unwrap_or_default()
+            .iter()
+            .map(range)
+            .collect()
     }
 
     /// The surfaces that enter the shaft between two patches, in order.
-    fn in_the_way<'s>(
-        &'s self,
+    ///
+    /// **Arguments** `reaches`: the heights of the first over all splitting planes, if known.
+    fn in_the_way(
+        &self,
         first: usize,
         second: usize,
-        reaches: &[[f64; 2]],
-    ) -> impl Iterator<Item = usize> + use<'s, 'a> {
-        let shaft = self.shaft(first, second, reaches);
-        let found = shaft.zip(self.surfaces).map(|(shaft, surfaces)| {
-            let root = |surface: usize| self.roots.get(surface);
-            let ends = [first, second].map(root);
-            let corners = |patch| self.planes.corners(self.scene.surface(patch));
-            let corners = corners(first).chain(corners(second));
-            let mut near = surfaces.candidates_near(shaft.bounds(), corners);
-            near.retain(|surface| !ends.contains(&root(*surface)));
-            near.sort_unstable();
+        reaches: Option<&[[f64; 2]]>,
+    ) -> impl Iterator<Item = usize> + use<'a> {
+        let surfaces = self.surfaces.filter(|_| first != second);
+        let surfaces = surfaces.filter(|_| self.may_be_crossed(second, reaches));
+        let near = surfaces.map_or_else(Vec::new, |all| self.candidates(all, first, second));
+        let shaft = match near.is_empty() {
+            true => None,
+            false => surfaces.and_then(|all| self.shaft(all, first, second)),
+        };
+        let found = shaft.zip(surfaces).map(|(shaft, surfaces)| {
             let enters = move |surface: &usize| shaft.is_entered_by(&surfaces.outline(*surface));
             near.into_iter().filter(enters)
         });
         found.into_iter().flatten()
     }
 
-    /// The shaft between two patches that see each other, if a plane of candidates is between them.
-    fn shaft(&self, first: usize, second: usize, reaches: &[[f64; 2]]) -> Option<Shaft> {
-        let surfaces = self.surfaces.filter(|_| first != second)?;
-        let [one, other] = [first.min(second), first.max(second)].map(|p| surfaces.outline(p));
-        let (one, other) = (&*one, &*other);
-        // cheapest first: do they see each other, is a plane of candidates between them at all?
+    /// The surfaces near the shaft between two patches that see each other whose planes cross it,
+    /// in order.
+    fn candidates(&self, surfaces: Search<'a>, first: usize, second: usize) -> Vec<usize> {
         let noise = self.planes.noise();
-        let rises = one.rises_above(other.plane(), noise) && other.rises_above(one.plane(), noise);
-        let crossed = || {
-            let corners = self.planes.corners(self.scene.surface(second));
-            let Some(splitting) = &self.splitting else {
-                return true;
-            };
-            let mut planes = splitting.iter().zip(reaches);
-            planes.any(|(plane, [low, high])| {
-                let shared = &self.planes.planes()[*plane];
-                let [least, most] = shared.range(corners.clone());
-                shared.is_crossed_by([low.min(least), high.max(most)], noise)
-            })
-        };
-        if rises && crossed() {
-            Shaft::between(one, other, noise)
-        } else {
-            None
+        let [one, other] = [first, second].map(|patch| surfaces.outline(patch));
+        // cheapest first: do they see each other at all?
+        if !(one.rises_above(other.plane(), noise) && other.rises_above(one.plane(), noise)) {
+            return Vec::new();
         }
+        let corners = |patch| self.planes.corners(self.scene.surface(patch));
+        let corners = corners(first).chain(corners(second));
+        let crosses = |surface: usize| {
+            let shared = &self.planes.planes()[self.planes.plane_of(surface).plane];
+            shared.is_crossed_by(shared.range(corners.clone()), noise)
+        };
+        let mut near = surfaces.candidates_between([one.bounds(), other.bounds()]);
+        // patches of one root lie in one plane and do not block each other
+        let root = |surface: usize| match surface < self.scene.patches().len() {
+            true => self.scene.root_of(surface),
+            false => surface,
+        };
+        let ends = [root(first), root(second)];
+        near.retain(|surface| !ends.contains(&root(*surface)) && crosses(*surface));
+        near.sort_unstable();
+        near
+    }
+
+    /// Whether a splitting plane lies between two patches, as far as the heights of the first over
+    /// all of them are known.
+    fn may_be_crossed(&self, second: usize, reaches: Option<&[[f64; 2]]>) -> bool {
+        let (Some(splitting), Some(reaches)) = (self.splitting, reaches) else {
+            return true;
+        };
+        let corners = self.planes.corners(self.scene.surface(second));
+        let mut planes = splitting.iter().zip(reaches);
+        planes.any(|(plane, [low, high])| {
+            let shared = &self.planes.planes()[*plane];
+            let [least, most] = shared.range(corners.clone());
+            shared.is_crossed_by([low.min(least), high.max(most)], self.planes.noise())
+        })
+    }
+
+    /// The shaft between two patches, if they see each other.
+    fn shaft(&self, surfaces: Search<'a>, first: usize, second: usize) -> Option<Shaft> {
+        let [one, other] = [first.min(second), first.max(second)].map(|p| surfaces.outline(p));
+        Shaft::between(&one, &other, self.planes.noise())
     }
 }
 

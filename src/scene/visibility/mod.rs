@@ -1,21 +1,23 @@
 //! Visibility: surfaces that may stand between two patches, and the first surface that a line
 //! meets.
 //!
-//! Form factors are computed as if nothing were in the way. A scene in which something may stand
-//! between two patches is therefore refused, with the pair and the obstacle named, unless
-//! unoccluded values are asked for: [`Occlusion`](crate::scene::Occlusion) is that policy, and
-//! every constructor that evaluates pairs takes it or refuses. Overlapping patches are refused
-//! always. What *is* computed with occlusion are estimates from random lines
-//! ([`LineSample`](crate::information::LineSample)), in concave and furnished rooms, too.
+//! [`Occlusion`](crate::scene::Occlusion) is the policy for scenes in which something stands between
+//! two patches: pairs are evaluated past what does, unless that is refused or left out. Overlapping
+//! patches are refused always.
 //!
-//! Open `occlusion` for the policy, `blockers` for the search behind it, `surfaces` for the planes
-//! and trees of boxes that it needs, `lines` for random lines through any scene, and `grid_lines`
+//! Open `occlusion` for the policy, `blockers` for the search of what is in the way of a pair,
+//! `hiding` for pairs of which a convex body (`bodies`) leaves nothing, `surfaces` for the planes
+//! and trees of boxes that these need, `lines` for random lines through any scene, and `grid_lines`
 //! for the faster ones inside a gridded box.
 //!
-//! **Not covered**: the share of a pair that is hidden.
+//! **Not covered**: the share of a pair that is hidden
+//! ([`Polygon::exchange_area_past`](crate::form_factor::Polygon::exchange_area_past)).
 
 pub(crate) mod blockers;
+pub(crate) mod bodies;
+mod boxes;
 pub(crate) mod grid_lines;
+pub(crate) mod hiding;
 pub(crate) mod lines;
 pub(crate) mod obstacle;
 pub(crate) mod occlusion;

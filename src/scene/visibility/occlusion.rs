@@ -1,17 +1,17 @@
 //! The policy for scenes in which something stands between two patches.
 //!
-//! Exchange areas are computed as if nothing were in the way, so an occluded scene would get
-//! numbers that are too large. Every question about what patches exchange therefore checks the
-//! scene first:
+//! Every question about what patches exchange checks the scene first:
 //!
 //! ```text
 //!   patches overlap                       refused always: what falls on one would count twice
-//!   something may stand between patches   refused, or left out on request
+//!   something may stand between patches   computed past it; or refused, or left out on request
 //! ```
 //!
-//! A room that is convex inside is settled by its planes (see [`Blockers`]).
+//! What needs the closed forms of pairs that see each other fully (continuous mutual information,
+//! enclosures, derivatives) refuses. A room that is convex inside is settled by its planes (see
+//! [`Blockers`]).
 //!
-//! **Not covered**: computing with occlusion.
+//! **Not covered**: the pairs themselves ([`Blockers`]).
 
 use crate::scene::{Blocker, Blockers, Scene, SceneError};
 
@@ -19,9 +19,11 @@ use crate::scene::{Blocker, Blockers, Scene, SceneError};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
 #[non_exhaustive]
 pub enum Occlusion {
+    /// Computes what is left of each pair past all that stands in its way.
+    #[default]
+    Exact,
     /// Refuses the scene, and names the pair and the obstacle
     /// ([`SceneError::MayBeBlocked`]).
-    #[default]
     Refuse,
     /// Computes as if nothing were in the way.
     Ignore,
@@ -30,11 +32,17 @@ pub enum Occlusion {
 /// Most pairs of rows for which every surface is looked at, rather than put in trees.
 const MOST_SCANNED: usize = 16;
 
+/// Tells whether some rows have so few pairs with some others that every surface may be looked at.
+pub(crate) const fn are_few(rows: &[usize], others: &[usize]) -> bool {
+    rows.len() * others.len() <= MOST_SCANNED
+}
+
 impl Occlusion {
     /// Checks all pairs of a scene's patches under this policy.
     ///
     /// # Errors
-    /// [`SceneError::Overlap`] under either policy; [`SceneError::MayBeBlocked`].
+    /// [`SceneError::Overlap`] under any policy; [`SceneError::MayBeBlocked`] where occlusion is
+    /// refused.
     ///
     /// # Examples
     /// ```
@@ -55,7 +63,7 @@ impl Occlusion {
         rows: &[usize],
         others: Option<&[usize]>,
     ) -> Result<(), SceneError> {
-        let few = others.filter(|others| rows.len() * others.len() <= MOST_SCANNED);
+        let few = others.filter(|others| are_few(rows, others));
         match few {
             None => scene.check_overlap()?,
             Some(others) => {
@@ -81,7 +89,7 @@ impl Occlusion {
         })
     }
 
-    /// Refuses what is found, unless occlusion is ignored.
+    /// Refuses what is found, if occlusion is refused.
     fn refuse(
         self,
         scene: &Scene,
@@ -89,7 +97,7 @@ impl Occlusion {
     ) -> Result<(), SceneError> {
         match self {
             Self::Refuse => scene.refuse_blocker(find),
-            Self::Ignore => Ok(()),
+            Self::Exact | Self::Ignore => Ok(()),
         }
     }
 

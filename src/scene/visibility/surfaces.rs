@@ -7,13 +7,14 @@
 //!
 //! **Not covered**: the answers (overlap, blockers, convex rooms).
 
+use super::bodies::Bodies;
+use super::boxes::{BoxHull, Boxes, boxed};
 use crate::geometry::Outline;
 use crate::scene::planes::ScenePlanes;
 use crate::scene::{NamedPatch, Scene};
 use glam::DVec3;
 use rayon::prelude::*;
-use rstar::primitives::{GeomWithData, Rectangle as Box3};
-use rstar::{AABB, RTree};
+use rstar::AABB;
 use std::borrow::Cow;
 use std::fmt;
 use std::sync::{Arc, OnceLock};
@@ -26,7 +27,9 @@ pub(crate) struct Prepared(Arc<Parts>);
 struct Parts {
     planes: OnceLock<ScenePlanes>,
     splits: OnceLock<Vec<bool>>,
+    splitting: OnceLock<Vec<usize>>,
     surfaces: OnceLock<Surfaces>,
+    bodies: OnceLock<Bodies>,
 }
 
 /// Equal scenes have equal surfaces, found or not.
@@ -42,7 +45,6 @@ impl fmt::Debug for Prepared {
     }
 }
 
-type Boxes = RTree<GeomWithData<Box3<[f64; 3]>, usize>>;
 
 /// The outlines of patches and obstructions, and where they are.
 #[derive(Debug)]
@@ -59,12 +61,9 @@ impl Surfaces {
         let outline = |surface| scene.outline(surface);
         let outlines: Vec<Outline> = (0..count).into_par_iter().map(outline).collect();
         let boxes = |are_candidates: bool| {
-            let boxed = outlines.iter().enumerate().map(|(surface, outline)| {
-                let [low, high] = outline.bounds().map(|corner| corner.to_array());
-                GeomWithData::new(Box3::from_corners(low, high), surface)
-            });
-            let kept = boxed.filter(|b| splits[planes.plane_of(b.data).plane] == are_candidates);
-            RTree::bulk_load(kept.collect())
+            let all = outlines.iter().enumerate();
+            let kept = all.filter(|(k, _)| splits[planes.plane_of(*k).plane] == are_candidates);
+            boxed(kept.map(|(surface, outline)| (surface, *outline.bounds())))
         };
         let [candidates, others] = [true, false].map(boxes);
         Self {
@@ -74,9 +73,15 @@ impl Surfaces {
         }
     }
 
-    /// The candidates whose boxes meet a box.
-    fn candidates_near(&self, room: [DVec3; 2]) -> Vec<usize> {
-        near(&self.candidates, room).collect()
+    /// The outline of a surface; obstructions are numbered after the patches.
+    pub(crate) fn outline(&self, surface: usize) -> &Outline {
+        &self.outlines[surface]
+    }
+
+    /// The candidates whose boxes meet the hull of two boxes.
+    fn candidates_between(&self, hull: &BoxHull) -> impl Iterator<Item = usize> {
+        let found = self.candidates.locate_with_selection_function(*hull);
+        found.map(|boxed| boxed.data)
     }
 
     /// All surfaces whose boxes meet a box.
@@ -111,26 +116,16 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The surfaces whose boxes meet a box, and that can stand between two patches with these
-    /// corners.
-    pub(crate) fn candidates_near(
-        self,
-        room: [DVec3; 2],
-        corners: impl Iterator<Item = DVec3> + Clone,
-    ) -> Vec<usize> {
-        let scene = match self {
-            Self::Indexed(surfaces) => return surfaces.candidates_near(room),
-            Self::Scanned(scene) => scene,
-        };
-        let planes = scene.planes();
-        let is_between = |surface: &usize| {
-            let plane = &planes.planes()[planes.plane_of(*surface).plane];
-            plane.is_crossed_by(plane.range(corners.clone()), planes.noise())
-        };
-        scanned(scene, room)
-            .into_iter()
-            .filter(is_between)
-            .collect()
+    /// The surfaces whose boxes meet the hull of two boxes, unless it is known that they lie in a
+    /// plane with all patches on one side.
+    pub(crate) fn candidates_between(self, ends: [&[DVec3; 2]; 2]) -> Vec<usize> {
+        match self {
+            Self::Indexed(surfaces) => surfaces.candidates_between(&BoxHull::of(ends)).collect(),
+            Self::Scanned(scene) => {
+                let [[low, high], [lowest, highest]] = ends;
+                scanned(scene, [low.min(*lowest), high.max(*highest)])
+            }
+        }
     }
 }
 
@@ -182,6 +177,14 @@ impl Scene {
         splits.get_or_init(|| self.planes().splits(&self.patches))
     }
 
+    /// The planes with patches on both sides, found once.
+    pub(crate) fn splitting_planes(&self) -> &[usize] {
+        self.prepared.0.splitting.get_or_init(|| {
+            let splits = self.splits();
+            (0..splits.len()).filter(|plane| splits[*plane]).collect()
+        })
+    }
+
     /// The outline of one surface.
     fn outline(&self, surface: usize) -> Outline {
         let planes = self.planes();
@@ -193,5 +196,11 @@ impl Scene {
     pub(crate) fn outlined(&self) -> &Surfaces {
         let surfaces = &self.prepared.0.surfaces;
         surfaces.get_or_init(|| Surfaces::of(self))
+    }
+
+    /// The convex bodies of all surfaces that can stand between two patches, found once.
+    pub(crate) fn bodies(&self) -> &Bodies {
+        let bodies = &self.prepared.0.bodies;
+        bodies.get_or_init(|| Bodies::of(&self.outlined().outlines, self.planes().noise()))
     }
 }

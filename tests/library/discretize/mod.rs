@@ -6,6 +6,7 @@ mod enclosures;
 mod gradient_cuts;
 mod gradient_limits;
 mod grid;
+mod occluded_cuts;
 mod polygon_cuts;
 mod polygon_splits;
 mod profile_cuts;

@@ -2,6 +2,7 @@
 
 mod bases;
 mod closure;
+mod occluded;
 mod plan;
 mod promises;
 mod resolution;

@@ -33,33 +33,56 @@ fn is_blocked(error: &QuestionError) -> bool {
     matches!(scene, SceneError::MayBeBlocked { .. })
 }
 
+/// The third square sees nothing of the first: exactly nothing, unless occlusion is ignored or
+/// refused.
 #[test]
-fn a_blocked_scene_is_refused_unless_occlusion_is_ignored() {
+fn a_blocked_scene_is_answered_past_what_stands_between() {
     let mut measure = Measure {
         scene: blocked().into(),
         open_scene: OpenScene::AddOutsideState,
         ..Measure::default()
     };
-    assert!(is_blocked(&measure.ask(&Unheard).unwrap_err()));
+    let past = measure.ask(&Unheard).unwrap();
+    assert_eq!(past.plan.occlusion.unwrap().hidden, 1);
+    assert!(past.notes.is_empty(), "{:?}", past.notes);
+    // Howell, C-11: parallel unit squares at distance 1, and nothing else
+    assert!((past.contributions[0].row_sum - 0.199_824_895_698_387).abs() < 1e-14);
+    assert_eq!(past.contributions[2].row_sum, 0.0);
     measure.scene.occlusion = Occlusion::Ignore;
-    assert_eq!(measure.ask(&Unheard).unwrap().patches, 3);
-    let form_factors = FormFactors {
+    let bare = measure.ask(&Unheard).unwrap();
+    assert_eq!(bare.plan.ignored.unwrap().pairs, 1);
+    assert!(
+        bare.notes[0].starts_with("something stands between 1 pairs"),
+        "{:?}",
+        bare.notes
+    );
+    measure.scene.occlusion = Occlusion::Refuse;
+    assert!(is_blocked(&measure.ask(&Unheard).unwrap_err()));
+    measure.scene.occlusion = Occlusion::Exact;
+    measure.continuous = true;
+    assert!(is_blocked(&measure.ask(&Unheard).unwrap_err()));
+    let hidden = FormFactors {
         scene: blocked().into(),
+        from: Some(0.into()),
+        to: Some(2.into()),
         ..FormFactors::default()
     };
-    assert!(is_blocked(&form_factors.ask(&Unheard).unwrap_err()));
-    // between the first two nothing stands
-    let first = FormFactors {
-        from: Some(0.into()),
-        to: Some(1.into()),
-        ..form_factors
-    };
-    assert_eq!(first.ask(&Unheard).unwrap().records().count(), 1);
+    let hidden = hidden.ask(&Unheard).unwrap();
+    let record = hidden.records().next().unwrap();
+    assert_eq!(
+        (record.route, record.value, record.error),
+        ("hidden", 0.0, 0.0)
+    );
     let radiosity = Radiosity {
         scene: blocked().into(),
+        materials: MaterialChanges {
+            reflectance: vec!["all=0.5".parse().unwrap()],
+            emittance: vec!["all=0".parse().unwrap(), "face 0=1".parse().unwrap()],
+        },
         ..Radiosity::default()
     };
-    assert!(is_blocked(&radiosity.ask(&Unheard).unwrap_err()));
+    let lit = radiosity.ask(&Unheard).unwrap();
+    assert_eq!(lit.patches[2].radiosity, 0.0);
 }
 
 #[test]

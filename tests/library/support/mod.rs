@@ -1,6 +1,7 @@
 //! Tools that several rooms share: reading `data/reference`, judges of high precision, rooms,
 //! generators.
 pub mod breadth;
+pub mod furnished;
 pub mod high_precision;
 pub mod intervals;
 pub mod misrounded;
