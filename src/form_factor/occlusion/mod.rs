@@ -2,6 +2,11 @@
 //!
 //! **Not covered**: everything yet but the bounds 0 and the unoccluded value.
 
+mod point;
+
+pub use point::point_form_factor_past;
+pub(crate) use point::{Sight, Viewpoint};
+
 use super::{Answer, FormFactorError, Polygon, Route};
 
 /// The polygons that may stand between two others, each blocking from both sides.

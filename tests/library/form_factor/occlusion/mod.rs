@@ -1,0 +1,3 @@
+//! Form factors past polygons that stand in the way.
+
+mod points;
