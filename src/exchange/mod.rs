@@ -58,13 +58,16 @@
 //! pair on its own: a check on the plan, and a measure of its worth. A grid on a box finds its
 //! classes without comparing single pairs ([`BoxGrid`](crate::discretize::BoxGrid)).
 //!
-//! **Not covered**: occlusion. An occluded scene is refused
+//! [`ScenePoints`] sees the rows from single points, past all that stands in the way.
+//!
+//! **Not covered**: occlusion of pairs. An occluded scene is refused
 //! ([`Occlusion`](crate::scene::Occlusion)).
 
 mod closure;
 mod error;
 mod passes;
 mod plan;
+mod points;
 mod progress;
 mod resolution;
 mod resolution_errors;
@@ -82,6 +85,7 @@ pub use passes::rows::Entry;
 pub use passes::tiles::{Tile, TileAnswers};
 pub use plan::Congruence;
 pub use plan::counts::{PassCounts, PassSummary, PlanSummary, Unreached};
+pub use points::{PointRow, ScenePoints};
 pub use progress::{Progress, Unheard};
 pub use resolution_errors::ResolutionErrors;
 pub(crate) use row_pair::per_area;

@@ -38,7 +38,9 @@ use crate::form_factor::{ExchangeArea, FormFactorError, Polygon};
 use crate::geometry::{Vector, convex_pieces};
 use crate::numeric::{Bounded, DoubleDouble, Scalar, vector_value};
 use cone::{Cone, Ray};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
+use std::borrow::Cow;
+use std::cmp::Ordering;
 
 /// Sines below this are 0: far above the rounding of 106 bits, 2⁻¹⁰², and far below all else.
 const ON_A_CIRCLE: f64 = f64::EPSILON * f64::EPSILON * 256.0;
@@ -61,7 +63,8 @@ pub(crate) struct Sight<'a> {
     height: DoubleDouble,
     /// None if the point is on the plane.
     cones: Vec<Cone>,
-    is_in_front: bool,
+    /// The side of the plane on which the point is: greater in front, equal on it.
+    side: Ordering,
     /// What an edge-on view leaves out, and what corners off their plane change.
     error: f64,
     cap: Cap,
@@ -75,6 +78,13 @@ struct Cap {
     axis: DVec3,
     cosine: f64,
     sine: f64,
+}
+
+impl Sight<'_> {
+    /// Does the polygon's front face the point?
+    pub(crate) fn is_front(&self) -> bool {
+        self.side == Ordering::Greater
+    }
 }
 
 impl Viewpoint {
@@ -122,21 +132,26 @@ impl Viewpoint {
             polygon,
             height,
             cones: Vec::new(),
-            is_in_front: height.to_f64() > 0.0,
+            side: height.to_f64().total_cmp(&0.0),
             error: 0.0,
             cap: Cap::EVERYWHERE,
             reach,
         };
         let noise = self.noise(polygon) + polygon.tilt * reach;
         if height.to_f64().abs() <= noise {
-            sight.is_in_front = false;
+            sight.side = Ordering::Equal;
             sight.error = left_out(point, height.to_f64().abs(), noise, polygon);
             return Ok(sight);
         }
-        for corners in convex_pieces(&shape.corners, polygon.normal) {
+        let pieces = match shape.cells.len() {
+            // a triangle, or a convex quadrilateral
+            1 => vec![shape.corners.to_vec()],
+            _ => convex_pieces(&shape.corners, polygon.normal),
+        };
+        for corners in pieces {
             let rays = corners.iter().filter_map(|c| Ray::between(point, *c));
             let mut rays: Vec<Ray> = rays.collect();
-            if sight.is_in_front {
+            if sight.side == Ordering::Greater {
                 rays.reverse();
             }
             sight.cones.extend(Cone::of(&rays));
@@ -155,39 +170,43 @@ impl Viewpoint {
         self.touching + 8.0 * f64::EPSILON * largest
     }
 
-    /// The form factor of what is seen of a polygon past others; those that hide nothing cost
-    /// little.
+    /// The form factor of what is seen of a polygon's front past others; those that hide nothing
+    /// cost little.
     pub(crate) fn form_factor<'s, 'a: 's>(
         &self,
         receiver: &Sight<'a>,
         blockers: impl Iterator<Item = &'s Sight<'a>>,
     ) -> ExchangeArea {
-        if receiver.cones.is_empty() || !receiver.is_in_front {
-            // what hides something of nothing changes nothing
-            let faces = receiver.height.to_f64() > 0.0;
-            return ExchangeArea {
-                error: if faces { receiver.error.min(1.0) } else { 0.0 },
-                ..ExchangeArea::NOTHING
-            };
+        match receiver.side {
+            Ordering::Less => ExchangeArea::NOTHING,
+            _ => self.visible(receiver, blockers),
         }
+    }
+
+    /// The form factor of what is seen of the side of a polygon that faces the point.
+    pub(crate) fn visible<'s, 'a: 's>(
+        &self,
+        receiver: &Sight<'a>,
+        blockers: impl Iterator<Item = &'s Sight<'a>>,
+    ) -> ExchangeArea {
         let above = |ray: &Ray| vector_value!(self.normal.0[0], ray.exact.dot(self.normal));
         let lit = receiver.cones.iter();
         let lit: Vec<Cone> = lit.filter_map(|cone| cone.clipped(above)).collect();
-        if lit.is_empty() {
-            return ExchangeArea::NOTHING;
-        }
         let mut total = ExchangeArea {
             error: receiver.error,
             ..ExchangeArea::NOTHING
         };
-        let mut before: Vec<Cone> = Vec::new();
+        if lit.is_empty() {
+            return total;
+        }
+        let mut before: Vec<Cow<'s, Cone>> = Vec::new();
         for blocker in blockers {
             if blocker.cap.meets(&receiver.cap) {
                 total.error += blocker.error;
                 self.cut_before(receiver, blocker, &mut before);
             }
         }
-        let before: Vec<&Cone> = before.iter().collect();
+        let before: Vec<&Cone> = before.iter().map(AsRef::as_ref).collect();
         for cone in &lit {
             let part = visible::visible(cone, &before, self.normal);
             total.value += part.value;
@@ -199,23 +218,32 @@ impl Viewpoint {
     }
 
     /// Adds the cones of what a blocker has in front of the receiver's plane.
-    fn cut_before(&self, receiver: &Sight, blocker: &Sight, before: &mut Vec<Cone>) {
+    fn cut_before<'s>(
+        &self,
+        receiver: &Sight,
+        blocker: &'s Sight,
+        before: &mut Vec<Cow<'s, Cone>>,
+    ) {
         let (polygon, normal) = (receiver.polygon, receiver.polygon.precise_normal);
         let noise = self.noise(polygon).max(self.noise(blocker.polygon));
         let noise = noise + polygon.tilt * (receiver.reach + blocker.reach);
         let over = receiver.height.to_f64();
-        let height = |ray: &Ray| over + ray.distance * ray.unit.dot(polygon.normal);
+        // the side of the plane on which the point is counts as above
+        let up = over.signum();
+        let height = |ray: &Ray| up * (over + ray.distance * ray.unit.dot(polygon.normal));
         for cone in &blocker.cones {
             if cone.rays().all(|ray| height(ray) > noise) {
-                before.push(cone.clone());
+                before.push(Cow::Borrowed(cone));
             } else if cone.rays().any(|ray| height(ray) > noise) {
-                before.extend(cone.clipped(|ray| {
+                let cut = cone.clipped(|ray| {
                     if height(ray).abs() <= noise {
                         return DoubleDouble::from(0.0);
                     }
                     let (exact, scale) = (ray.exact, DoubleDouble::from(ray.scale));
-                    vector_value!(scale, exact.dot(normal) + receiver.height * scale)
-                }));
+                    let up = DoubleDouble::from(up);
+                    vector_value!(scale, (exact.dot(normal) + receiver.height * scale) * up)
+                });
+                before.extend(cut.map(Cow::Owned));
             }
         }
     }
@@ -265,9 +293,9 @@ fn left_out(point: DVec3, height: f64, noise: f64, polygon: &Polygon) -> f64 {
         if drop.z >= drop.x && drop.z >= drop.y {
             p.truncate()
         } else if drop.x >= drop.y {
-            glam::DVec2::new(p.y, p.z)
+            DVec2::new(p.y, p.z)
         } else {
-            glam::DVec2::new(p.x, p.z)
+            DVec2::new(p.x, p.z)
         }
     };
     for (from, to) in corners.iter().zip(next) {
