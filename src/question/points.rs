@@ -18,7 +18,7 @@ use std::path::PathBuf;
 /// let answer = question.ask(&Unheard)?;
 /// // Howell, B-3: four quarters of the ceiling
 /// let ceiling = answer.points[0].form_factors.iter().map(|seen| seen.value).fold(0.0, f64::max);
-/// assert!((ceiling - 0.239_439_6).abs() < 1e-6);
+/// assert!((ceiling - 0.239_456_5).abs() < 1e-6);
 /// assert_eq!(answer.notes, ["1 normal is not 1 long, and is taken as a direction"]);
 /// # Ok::<(), infoscene::question::QuestionError>(())
 /// ```
