@@ -2,12 +2,22 @@
 //!
 //! **Not covered**: everything yet but the bounds 0 and the unoccluded value.
 
+mod arrangement;
+mod outer;
 mod point;
+mod rule;
+mod setting;
+mod sight;
 
 pub use point::point_form_factor_past;
 pub(crate) use point::{Sight, Viewpoint};
 
-use super::{Answer, FormFactorError, Polygon, Route};
+use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
+use arrangement::arrange;
+use outer::{Outer, Piece, Wanted, outers};
+use rule::{Panel, Share};
+use setting::Setting;
+use std::f64::consts::TAU;
 
 /// The polygons that may stand between two others, each blocking from both sides.
 #[derive(Debug, Clone, Copy)]
@@ -30,13 +40,109 @@ impl Polygon {
         occluders: &Occluders,
         tolerance: f64,
     ) -> Result<Answer, FormFactorError> {
-        let mut answer = self.exchange_area(other, tolerance)?;
-        if !occluders.polygons.is_empty() {
-            let half = 0.5 * answer.exchange.value;
-            answer.exchange.value = half;
-            answer.exchange.error += half;
-            answer.route = Route::Occluded;
+        let whole = self.exchange_area(other, 0.5 * tolerance)?;
+        if occluders.polygons.is_empty() || whole.exchange.value <= 0.0 {
+            return Ok(whole);
         }
-        Ok(answer)
+        let setting = Setting::of([self, other], occluders);
+        let square = setting.unit * setting.unit;
+        let ExchangeArea { value, error } = whole.exchange;
+        let hidden = exchange(&setting, Wanted::Hidden, 0.1 * tolerance * value / square);
+        let mut best = ExchangeArea {
+            value: value - hidden.value * square,
+            error: error + hidden.error * square,
+        };
+        if best.error > tolerance * best.value {
+            let wanted = 0.2 * tolerance * best.value.max(1e-9 * value) / square;
+            let seen = exchange(&setting, Wanted::Seen, wanted);
+            if seen.error * square < best.error {
+                best = ExchangeArea {
+                    value: seen.value * square,
+                    error: seen.error * square,
+                };
+            }
+        }
+        let value = best.value.clamp(0.0, value);
+        best.error += (value - best.value).abs();
+        best.value = value;
+        Ok(Answer {
+            exchange: best,
+            route: Route::Occluded,
+        })
     }
 }
+
+/// The exchange area of what is wanted.
+fn exchange(setting: &Setting, wanted: Wanted, accuracy: f64) -> ExchangeArea {
+    let mut stretches = Vec::new();
+    for first in &setting.first {
+        for second in &setting.second {
+            stretches.extend(outers(setting, [first, second], wanted));
+        }
+    }
+    let total: f64 = stretches.iter().map(|outer| outer.sight.along.length()).sum();
+    let mut sum = Share::default();
+    for outer in &stretches {
+        for piece in &outer.pieces {
+            let share = stretch(outer, piece, accuracy * TAU / total);
+            sum.value += piece.sign * share.value;
+            sum.truncation += share.truncation;
+            sum.rounding += share.rounding;
+        }
+    }
+    ExchangeArea {
+        value: sum.value / TAU,
+        error: (sum.truncation + sum.rounding) / TAU + setting.slack(),
+    }
+}
+
+/// The integral along a stretch.
+fn stretch(outer: &Outer, piece: &Piece, accuracy: f64) -> Share {
+    let length = outer.sight.along.length();
+    let mut sum = Share::default();
+    let mut open = vec![[0.0, 1.0]];
+    let mut add = |share: Share| {
+        sum.value += share.value;
+        sum.truncation += share.truncation;
+        sum.rounding += share.rounding;
+    };
+    while let Some([low, high]) = open.pop() {
+        let width = high - low;
+        let found = PLACES
+            .iter()
+            .find_map(|place| arrange(outer, piece, [low, high], low + place * width));
+        let Some(found) = found else {
+            if width < 1e-14 {
+                add(outer.sight.unsettled(width));
+                continue;
+            }
+            let middle = 0.5 * (low + high);
+            open.extend([[low, middle], [middle, high]]);
+            continue;
+        };
+        let [from, to] = found.range;
+        if from - low > 1e-15 {
+            open.push([low, from]);
+        }
+        if high - to > 1e-15 {
+            open.push([to, high]);
+        }
+        let mut panels = vec![[from, to]];
+        while let Some([from, to]) = panels.pop() {
+            let panel = Panel::new(&outer.sight, &found, [from, to]);
+            let wanted = accuracy * length * (to - from).max(1e-3);
+            match panel.integral(wanted) {
+                Some(share) => add(share),
+                None if to - from < 1e-15 => add(outer.sight.unsettled(to - from)),
+                None => {
+                    let middle = 0.5 * (from + to);
+                    panels.extend([[from, middle], [middle, to]]);
+                }
+            }
+        }
+    }
+    sum
+}
+
+/// Places at which the boundary is looked for.
+const PLACES: [f64; 3] = [0.5, 0.382, 0.724];

@@ -1,0 +1,314 @@
+//! The frame of a pair: two polygons and those between them, with what they have in common.
+//!
+//! ```text
+//!   P lies in z = 0 and faces up; Q and the screens are cut off at P's plane, P and the screens at
+//!   Q's; all in units of a power of two near the size of the pair
+//! ```
+//!
+//! Everything is cut into convex faces. Corners that coincide are one corner, and edges on one
+//! straight line lie on one [`Line`]: that the edges of neighbours cancel, and that several edges
+//! meet in a corner, is then known and need not be computed.
+//!
+//! Corners are rounded once, from 106 bits, as they are put into the frame.
+
+use super::Occluders;
+use crate::form_factor::Polygon;
+use crate::geometry::{Vector, clipped, convex_pieces};
+use crate::numeric::{DoubleDouble, Scalar, power_of_two_below};
+use glam::DVec3;
+
+/// A straight line that edges lie on.
+#[derive(Debug, Clone)]
+pub(super) struct Line {
+    /// The corners that the line is put through.
+    pub ends: [usize; 2],
+    /// All corners on it.
+    pub through: Vec<usize>,
+}
+
+/// A side of a face.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Side {
+    pub line: usize,
+    /// Whether it runs as its line does.
+    pub is_along: bool,
+    /// The corners that it runs from and to.
+    pub corners: [usize; 2],
+}
+
+/// A convex polygon, counter-clockwise seen from its front.
+#[derive(Debug, Clone)]
+pub(super) struct Face {
+    pub sides: Vec<Side>,
+    pub normal: DVec3,
+    /// The plane's `normal·x`.
+    pub offset: f64,
+}
+
+impl Face {
+    pub(super) fn height(&self, point: DVec3) -> f64 {
+        self.normal.dot(point) - self.offset
+    }
+
+    pub(super) fn corners(&self) -> impl Iterator<Item = usize> + Clone {
+        self.sides.iter().map(|side| side.corners[0])
+    }
+}
+
+/// Two polygons and the screens between them.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Setting {
+    pub corners: Vec<DVec3>,
+    pub lines: Vec<Line>,
+    /// The parts of P, in z = 0.
+    pub first: Vec<Face>,
+    /// The parts of Q.
+    pub second: Vec<Face>,
+    pub screens: Vec<Face>,
+    /// The distance up to which things count as meeting.
+    pub touching: f64,
+    /// A bound on the displacement of corners.
+    pub displaced: f64,
+    /// An upper bound on the distances between points of P and of Q.
+    pub farthest: f64,
+    /// The unit of length.
+    pub unit: f64,
+}
+
+impl Setting {
+    pub(super) fn of([first, second]: [&Polygon; 2], occluders: &Occluders) -> Self {
+        let frame = Frame::of(first);
+        let placed = |polygon: &Polygon| -> Vec<DVec3> {
+            let corners = polygon.shape.corners.iter();
+            corners.map(|corner| frame.place(*corner)).collect()
+        };
+        let (mut floor, ceiling) = (placed(first), placed(second));
+        for corner in &mut floor {
+            corner.z = 0.0;
+        }
+        let ends = floor.iter().chain(&ceiling);
+        let reach = ends.fold(0.0f64, |reach, corner| reach.max(corner.abs().max_element()));
+        let unit = power_of_two_below(reach);
+        let rounding = 64.0 * f64::EPSILON * (reach / unit);
+        let mut setting = Self {
+            touching: rounding.max(occluders.touching / unit),
+            displaced: f64::EPSILON * (reach / unit),
+            farthest: 4.0 * (reach / unit),
+            unit,
+            ..Self::default()
+        };
+        let scaled = |corners: Vec<DVec3>| corners.into_iter().map(|c| c / unit).collect();
+        let (floor, ceiling): (Vec<DVec3>, Vec<DVec3>) = (scaled(floor), scaled(ceiling));
+        let up = Plane {
+            normal: DVec3::Z,
+            offset: 0.0,
+        };
+        let normal = frame.turned(second.precise_normal);
+        let down = Plane {
+            normal,
+            offset: normal.dot(ceiling[0]),
+        };
+        setting.first = setting.faces(&floor, DVec3::Z, &[down]);
+        setting.second = setting.faces(&ceiling, normal, &[up]);
+        for screen in occluders.polygons {
+            let corners = scaled(placed(screen));
+            let normal = frame.turned(screen.precise_normal);
+            let faces = setting.faces(&corners, normal, &[up, down]);
+            setting.screens.extend(faces);
+        }
+        setting.find_through();
+        setting
+    }
+
+    /// The convex faces of a polygon in front of some planes.
+    fn faces(&mut self, corners: &[DVec3], normal: DVec3, planes: &[Plane]) -> Vec<Face> {
+        let mut pieces: Vec<Vec<DVec3>> = convex_pieces(corners, normal);
+        for plane in planes {
+            let whole: Vec<Vec<DVec3>> = std::mem::take(&mut pieces);
+            pieces = whole.into_iter()
+                .filter_map(|piece| plane.front_of(piece, self.touching))
+                .collect();
+        }
+        let pieces = pieces.into_iter();
+        pieces
+            .filter_map(|piece| self.face(&piece, normal))
+            .collect()
+    }
+
+    fn face(&mut self, corners: &[DVec3], normal: DVec3) -> Option<Face> {
+        let mut names: Vec<usize> = corners.iter().map(|c| self.corner(*c)).collect();
+        names.dedup();
+        while names.len() > 1 && names.first() == names.last() {
+            names.pop();
+        }
+        if names.len() < 3 {
+            return None;
+        }
+        let n = names.len();
+        let sides = (0..n).map(|i| self.side([names[i], names[(i + 1) % n]]));
+        let sides: Vec<Side> = sides.collect();
+        let offset = normal.dot(self.corners[names[0]]);
+        Some(Face {
+            sides,
+            normal,
+            offset,
+        })
+    }
+
+    /// The name of a corner.
+    fn corner(&mut self, place: DVec3) -> usize {
+        let is_here = |known: &DVec3| (*known - place).abs().max_element() <= self.touching;
+        if let Some(name) = self.corners.iter().position(is_here) {
+            self.displaced = self.displaced.max(self.corners[name].distance(place));
+            return name;
+        }
+        self.corners.push(place);
+        self.corners.len() - 1
+    }
+
+    /// A side, on a line that is known or new.
+    fn side(&mut self, corners: [usize; 2]) -> Side {
+        let [from, to] = corners.map(|corner| self.corners[corner]);
+        let along = to - from;
+        for (name, line) in self.lines.iter_mut().enumerate() {
+            let [start, end] = line.ends.map(|corner| self.corners[corner]);
+            let known = end - start;
+            // the longer of the two tells where the line runs
+            let (origin, direction, others) = if known.length_squared() >= along.length_squared() {
+                (start, known.normalize(), [from, to])
+            } else {
+                (from, along.normalize(), [start, end])
+            };
+            let is_on = |point: &DVec3| {
+                (*point - origin).cross(direction).length() <= self.touching
+            };
+            if others.iter().all(is_on) {
+                let is_along = known.dot(along) > 0.0;
+                if along.length_squared() > known.length_squared() {
+                    line.ends = if is_along {
+                        corners
+                    } else {
+                        [corners[1], corners[0]]
+                    };
+                }
+                return Side {
+                    line: name,
+                    is_along,
+                    corners,
+                };
+            }
+        }
+        self.lines.push(Line {
+            ends: corners,
+            through: Vec::new(),
+        });
+        Side {
+            line: self.lines.len() - 1,
+            is_along: true,
+            corners,
+        }
+    }
+
+    /// Finds the corners on each line.
+    fn find_through(&mut self) {
+        for line in &mut self.lines {
+            let [start, end] = line.ends.map(|corner| self.corners[corner]);
+            let direction = (end - start).normalize();
+            for (corner, point) in self.corners.iter().enumerate() {
+                let beside = (*point - start).cross(direction).length();
+                if beside <= self.touching {
+                    line.through.push(corner);
+                    self.displaced = self.displaced.max(beside);
+                }
+            }
+        }
+    }
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Plane {
+    normal: DVec3,
+    offset: f64,
+}
+
+impl Plane {
+    /// The part of a convex polygon in front of the plane; none if it does not rise above it.
+    fn front_of(&self, piece: Vec<DVec3>, touching: f64) -> Option<Vec<DVec3>> {
+        let height = |corner: &DVec3| {
+            let height = self.normal.dot(*corner) - self.offset;
+            if height.abs() <= touching { 0.0 } else { height }
+        };
+        let heights: Vec<f64> = piece.iter().map(height).collect();
+        if heights.iter().all(|height| *height <= 0.0) {
+            return None;
+        }
+        let flat = |mut corner: DVec3, height: f64| {
+            // P's plane is met exactly
+            if height == 0.0 && self.normal == DVec3::Z {
+                corner.z = 0.0;
+            }
+            corner
+        };
+        let level = piece.iter().zip(&heights).map(|(c, h)| flat(*c, *h));
+        let level: Vec<DVec3> = level.collect();
+        if heights.iter().all(|height| *height >= 0.0) {
+            return Some(level);
+        }
+        let between = |from: DVec3, to: DVec3, share: f64| flat(from.lerp(to, share), 0.0);
+        Some(clipped(&level, &heights, between))
+    }
+}
+
+/// The frame of a polygon: its first corner, two directions in its plane, its normal.
+struct Frame {
+    origin: Vector<DoubleDouble>,
+    axes: [Vector<DoubleDouble>; 3],
+}
+
+impl Frame {
+    fn of(polygon: &Polygon) -> Self {
+        let zero = DoubleDouble::from(0.0);
+        let one = zero.constant(1.0);
+        let unit = |vector: Vector<DoubleDouble>| vector.times(one / vector.length());
+        let corners = &polygon.shape.corners;
+        let normal = polygon.precise_normal;
+        let origin = Vector::lifted(corners[0], zero);
+        let flat = polygon.normal.abs();
+        let along = if flat.max_element() >= 1.0 {
+            // the plane of two coordinates: they stay as they are
+            let axis = if flat.x >= 1.0 { DVec3::Y } else { DVec3::X };
+            Vector::lifted(axis, zero)
+        } else {
+            let along = Vector::lifted(corners[1], zero).minus(origin);
+            unit(along.minus(normal.times(along.dot(normal))))
+        };
+        Self {
+            origin,
+            axes: [along, normal.cross(along), normal],
+        }
+    }
+
+    fn place(&self, point: DVec3) -> DVec3 {
+        let from_origin = Vector::lifted(point, DoubleDouble::from(0.0)).minus(self.origin);
+        self.turned(from_origin)
+    }
+
+    fn turned(&self, vector: Vector<DoubleDouble>) -> DVec3 {
+        DVec3::from_array(self.axes.map(|axis| vector.dot(axis).to_f64()))
+    }
+}
+
+impl Setting {
+    /// The most that displaced corners can change: an edge that moves by δ changes the exchange
+    /// area by at most 2 δ times its length, as from each of its points all of P subtends at most
+    /// 2π.
+    pub(super) fn slack(&self) -> f64 {
+        let faces = self.first.iter().chain(&self.second).chain(&self.screens);
+        let sides = faces.flat_map(|face| &face.sides);
+        let length = |side: &Side| {
+            let [from, to] = side.corners.map(|corner| self.corners[corner]);
+            from.distance(to)
+        };
+        2.0 * self.displaced * sides.map(length).sum::<f64>()
+    }
+}

@@ -1,0 +1,209 @@
+//! Lines of sight through a point that moves along an edge, and what bounds them.
+//!
+//! ```text
+//!   y(t) = y0 + t v,  t from 0 to 1,  height h(t) over P's plane;    x = y + X,  X = h ξ
+//!   the plane of y and an edge from a to b has the normal n(t) = (a − y) × (b − y), linear in t
+//!   it meets P's plane in the line  α·ξ = c  with  α = (n_x, n_y), c = n_z
+//! ```
+//!
+//! For an edge in P's plane the line is that edge, whatever y is: `α·X = γ` with a constant α and a
+//! γ that is linear in t, n = (h α, γ). Planes that hold the whole stretch have a constant normal;
+//! those that coincide are one line.
+
+use super::rule::Share;
+use super::setting::{Face, Setting};
+use glam::{DVec2, DVec3};
+use std::f64::consts::TAU;
+
+/// One side of a line: `sign · (α·ξ − c) ≥ 0`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct HalfPlane {
+    pub line: usize,
+    pub sign: f64,
+}
+
+/// The intersection of half-planes.
+pub(super) type Region = Vec<HalfPlane>;
+
+/// A line in P's plane, as seen from y.
+#[derive(Debug, Clone)]
+pub(super) struct Trace {
+    /// The normal of the plane of sight, `n0 + t n1`.
+    pub normal: [DVec3; 2],
+    /// The constant α, and γ = `γ0 + t γ1`, of an edge in P's plane.
+    pub edge: Option<(DVec2, [f64; 2])>,
+    /// The edges' line in space; none for a plane that holds the stretch.
+    space: Option<usize>,
+    /// Whether the plane holds the stretch.
+    is_fixed: bool,
+}
+
+/// A stretch y(t) and the lines of sight from it.
+#[derive(Debug, Clone)]
+pub(super) struct Sight {
+    pub start: DVec3,
+    pub along: DVec3,
+    /// Whether the stretch lies in P's plane.
+    pub is_level: bool,
+    pub traces: Vec<Trace>,
+    touching: f64,
+    /// The largest distance between corners.
+    farthest: f64,
+    /// Where each line in space is among the traces, and whether it was turned round.
+    known: Vec<Option<(usize, f64)>>,
+    corners: Vec<DVec3>,
+    spaces: Vec<([usize; 2], Vec<usize>)>,
+}
+
+impl Sight {
+    pub(super) fn new(setting: &Setting, start: DVec3, along: DVec3, is_level: bool) -> Self {
+        Self {
+            start,
+            along,
+            is_level,
+            traces: Vec::new(),
+            touching: setting.touching,
+            farthest: setting.farthest,
+            known: vec![None; setting.lines.len()],
+            corners: setting.corners.clone(),
+            spaces: setting.lines.iter().map(|l| (l.ends, l.through.clone())).collect(),
+        }
+    }
+
+    /// The cone of a face: the half-planes of its sides, which its points are in from a y with
+    /// `sign` −1 in front of it.
+    pub(super) fn cone(&mut self, face: &Face, sign: f64) -> Region {
+        let sides = face.sides.iter();
+        sides
+            .map(|side| {
+                let (line, turn) = self.trace(side.line);
+                let run = if side.is_along { 1.0 } else { -1.0 };
+                HalfPlane {
+                    line,
+                    sign: sign * run * turn,
+                }
+            })
+            .collect()
+    }
+
+    /// The half-plane of points to which a normal of a plane through the stretch points.
+    pub(super) fn through(&mut self, normal: DVec3) -> HalfPlane {
+        let (line, sign) = self.fixed(normal);
+        HalfPlane { line, sign }
+    }
+
+    fn trace(&mut self, space: usize) -> (usize, f64) {
+        if let Some(known) = self.known[space] {
+            return known;
+        }
+        let [a, b] = self.spaces[space].0.map(|corner| self.corners[corner] - self.start);
+        let normal = [a.cross(b), (b - a).cross(self.along)];
+        let edge = (a.z + self.start.z == 0.0 && b.z + self.start.z == 0.0).then(|| {
+            let run = (b - a).truncate();
+            let gamma = [a.truncate().perp_dot(b.truncate()), normal[1].z];
+            (DVec2::new(run.y, -run.x), gamma)
+        });
+        let middle = normal[0] + 0.5 * normal[1];
+        let length = middle.length();
+        let is_fixed = middle.dot(self.along).abs() <= self.touching * length;
+        let through = edge.filter(|(alpha, [gamma, slope])| {
+            self.is_level && gamma.abs() + slope.abs() <= self.touching * alpha.length()
+        });
+        let found = if let Some((alpha, _)) = through {
+            self.fixed(alpha.normalize().extend(0.0))
+        } else if is_fixed && !(self.is_level && edge.is_some()) {
+            self.fixed(middle / length)
+        } else {
+            self.traces.push(Trace {
+                normal,
+                edge,
+                space: Some(space),
+                is_fixed: false,
+            });
+            (self.traces.len() - 1, 1.0)
+        };
+        self.known[space] = Some(found);
+        found
+    }
+
+    fn fixed(&mut self, normal: DVec3) -> (usize, f64) {
+        for (line, trace) in self.traces.iter().enumerate() {
+            if trace.is_fixed && trace.normal[0].cross(normal).length() <= self.touching {
+                return (line, trace.normal[0].dot(normal).signum());
+            }
+        }
+        self.traces.push(Trace {
+            normal: [normal, DVec3::ZERO],
+            edge: None,
+            space: None,
+            is_fixed: true,
+        });
+        (self.traces.len() - 1, 1.0)
+    }
+
+    /// The corner of space that two lines have in common.
+    pub(super) fn common(&self, one: usize, other: usize) -> Option<DVec3> {
+        let through = |line: usize| self.traces[line].space.map(|space| &self.spaces[space].1);
+        let (one, other) = (through(one)?, through(other)?);
+        let corner = one.iter().find(|corner| other.contains(corner))?;
+        Some(self.corners[*corner])
+    }
+
+    /// Whether a face is outside one of the half-planes, from all of the stretch.
+    ///
+    /// **Arguments** `way`: 1 for what is seen by looking at the face, −1 for what the lines of
+    /// sight meet that come from there.
+    pub(super) fn misses(&self, region: &[HalfPlane], face: &Face, way: f64) -> bool {
+        let corners = face.corners().map(|corner| self.corners[corner] - self.start);
+        let corners: Vec<DVec3> = corners.collect();
+        region.iter().any(|half| {
+            let trace = &self.traces[half.line];
+            if self.is_level && trace.edge.is_some() {
+                // no plane of sight
+                return false;
+            }
+            let [from, slope] = trace.normal;
+            let ends = corners.iter().flat_map(|corner| {
+                let last = *corner - self.along;
+                [from.dot(*corner), (from + slope).dot(last)]
+            });
+            let mut least = 0.0f64;
+            let mut most = f64::NEG_INFINITY;
+            for height in ends.map(|height| half.sign * way * height) {
+                (least, most) = (least.min(height), most.max(height));
+            }
+            most <= 0.0 && least < 0.0
+        })
+    }
+
+    /// A piece of the stretch on which nothing is certain but that `|W| ≤ |v| ∫_P dx/r`, which is
+    /// at most 2π times the largest distance.
+    pub(super) fn unsettled(&self, width: f64) -> Share {
+        Share {
+            truncation: TAU * self.farthest * self.along.length() * width,
+            ..Share::default()
+        }
+    }
+
+    pub(super) fn point(&self, t: f64) -> DVec3 {
+        self.start + t * self.along
+    }
+
+    /// Height of the stretch, `h0 + t h1`.
+    pub(super) fn heights(&self) -> [f64; 2] {
+        [self.start.z, self.along.z]
+    }
+
+    /// The line `α·X = γ` at t.
+    pub(super) fn line_at(&self, line: usize, t: f64) -> (DVec2, f64) {
+        let trace = &self.traces[line];
+        match trace.edge {
+            Some((alpha, [gamma, slope])) => (alpha, gamma + t * slope),
+            None => {
+                let normal = trace.normal[0] + t * trace.normal[1];
+                let [height, rise] = self.heights();
+                (normal.truncate(), (height + t * rise) * normal.z)
+            }
+        }
+    }
+}
