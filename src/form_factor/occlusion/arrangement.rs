@@ -66,7 +66,9 @@ pub(super) fn arrange(
     t: f64,
 ) -> Option<Arrangement> {
     let sight = &outer.sight;
-    let placed: Vec<Placed> = (0..sight.traces.len()).map(|line| place(sight, line, t)).collect();
+    let placed: Vec<Placed> = (0..sight.traces.len())
+        .map(|line| place(sight, line, t))
+        .collect();
     let mut validity = Validity {
         sight,
         t,
@@ -84,7 +86,15 @@ pub(super) fn arrange(
         }
         let within = interval(&piece.region, line, &placed, &mut validity);
         if let Some(within) = within {
-            on_line(outer, piece, line, within, &placed, &mut validity, &mut segments);
+            on_line(
+                outer,
+                piece,
+                line,
+                within,
+                &placed,
+                &mut validity,
+                &mut segments,
+            );
         }
         if !validity.is_certain {
             return None;
@@ -141,7 +151,11 @@ fn interval(
         let end = usize::from(slope < 0.0);
         let (known, other) = (ends[end], at);
         validity.ordered(line, known.1, other.1);
-        let is_nearer = if end == 0 { other.0 > known.0 } else { other.0 < known.0 };
+        let is_nearer = if end == 0 {
+            other.0 > known.0
+        } else {
+            other.0 < known.0
+        };
         if is_nearer {
             ends[end] = other;
         }
@@ -175,7 +189,11 @@ fn on_line(
             continue;
         }
         covers.push(([from.0, to.0], side_of(shadow, line)));
-        places.extend([from, to].into_iter().filter(|at| at.0 > low.0 && at.0 < high.0));
+        places.extend(
+            [from, to]
+                .into_iter()
+                .filter(|at| at.0 > low.0 && at.0 < high.0),
+        );
         for end in [from, to] {
             validity.ordered(line, low.1, end.1);
             validity.ordered(line, end.1, high.1);
@@ -216,7 +234,11 @@ fn on_line(
 
 fn close(line: usize, open: Option<(f64, Place)>, end: Place, segments: &mut Vec<Segment>) {
     if let Some((state, start)) = open {
-        let (from, to) = if state > 0.0 { (start.1, end.1) } else { (end.1, start.1) };
+        let (from, to) = if state > 0.0 {
+            (start.1, end.1)
+        } else {
+            (end.1, start.1)
+        };
         segments.push(Segment { line, from, to });
     }
 }
@@ -279,7 +301,10 @@ impl Validity<'_> {
             ([cone], [(a, g), (b, k)]) => {
                 // α1 γ2 − α2 γ1, linear in t
                 let mixed = [a[0] * k[0] - b[0] * g[0], a[0] * k[1] - b[0] * g[1]];
-                self.keeps_sign(product(mixed, *cone), size(mixed).max(size(*a) * size(*b)) * size(*cone));
+                self.keeps_sign(
+                    product(mixed, *cone),
+                    size(mixed).max(size(*a) * size(*b)) * size(*cone),
+                );
             }
             ([], [(a, f), (b, g), (c, k)]) => {
                 let [ab, bc, ca] = [

@@ -80,7 +80,10 @@ fn exchange(setting: &Setting, wanted: Wanted, accuracy: f64) -> ExchangeArea {
             stretches.extend(outers(setting, [first, second], wanted));
         }
     }
-    let total: f64 = stretches.iter().map(|outer| outer.sight.along.length()).sum();
+    let total: f64 = stretches
+        .iter()
+        .map(|outer| outer.sight.along.length())
+        .sum();
     let mut sum = Share::default();
     for outer in &stretches {
         for piece in &outer.pieces {

@@ -109,7 +109,9 @@ impl<'a> Book<'a> {
                 heights[0].max(heights[1]) <= setting.touching
             };
             if let Some(side) = side {
-                let along = side.corners.map(|corner| book.place(setting.corners[corner]));
+                let along = side
+                    .corners
+                    .map(|corner| book.place(setting.corners[corner]));
                 let run = if side.is_along { 1.0 } else { -1.0 };
                 book.contacts.push(Contact {
                     face,
@@ -171,8 +173,12 @@ impl<'a> Book<'a> {
     fn stretches(&self) -> Vec<[f64; 2]> {
         let touching = self.setting.touching;
         let sides = || self.contacts.iter().filter(|contact| contact.is_side);
-        let low = sides().map(|side| side.range[0]).fold(f64::INFINITY, f64::min);
-        let high = sides().map(|side| side.range[1]).fold(f64::NEG_INFINITY, f64::max);
+        let low = sides()
+            .map(|side| side.range[0])
+            .fold(f64::INFINITY, f64::min);
+        let high = sides()
+            .map(|side| side.range[1])
+            .fold(f64::NEG_INFINITY, f64::max);
         let mut breaks = vec![low, high];
         let mut add = |at: f64| {
             if at > low && at < high {
@@ -297,7 +303,9 @@ impl<'a> Book<'a> {
     /// in each, and the inward normals of what bounds it.
     fn sectors(&self, pages: &[Page], start: DVec3) -> Vec<(f64, Vec<DVec3>)> {
         let (east, north) = self.across();
-        let corners = self.ends[0].corners().map(|corner| self.setting.corners[corner] - start);
+        let corners = self.ends[0]
+            .corners()
+            .map(|corner| self.setting.corners[corner] - start);
         let corners: Vec<DVec3> = corners.collect();
         let touching = self.setting.touching;
         let direction = |angle: f64| angle.cos() * east + angle.sin() * north;
@@ -333,7 +341,11 @@ fn states(pages: &[Page], angle: f64, is_on_second: bool, wanted: Wanted) -> [(P
     // the turn from the point to each page, by way of the left or of the right
     let side = |is_left: bool| {
         let turns = pages.iter().map(move |page| {
-            let turn = if is_left { angle - page.angle } else { page.angle - angle };
+            let turn = if is_left {
+                angle - page.angle
+            } else {
+                page.angle - angle
+            };
             (turn.rem_euclid(TAU), page.is_second)
         });
         turns.filter(|(turn, _)| *turn > 0.0 && *turn < PI)
@@ -361,5 +373,8 @@ fn states(pages: &[Page], angle: f64, is_on_second: bool, wanted: Wanted) -> [(P
 
 /// Whether a half-plane is one of a region's, and which side of its line it takes.
 pub(super) fn side_of(region: &[HalfPlane], line: usize) -> Option<f64> {
-    region.iter().find(|half| half.line == line).map(|half| half.sign)
+    region
+        .iter()
+        .find(|half| half.line == line)
+        .map(|half| half.sign)
 }

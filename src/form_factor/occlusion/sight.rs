@@ -66,7 +66,11 @@ impl Sight {
             farthest: setting.farthest,
             known: vec![None; setting.lines.len()],
             corners: setting.corners.clone(),
-            spaces: setting.lines.iter().map(|l| (l.ends, l.through.clone())).collect(),
+            spaces: setting
+                .lines
+                .iter()
+                .map(|l| (l.ends, l.through.clone()))
+                .collect(),
         }
     }
 
@@ -96,7 +100,9 @@ impl Sight {
         if let Some(known) = self.known[space] {
             return known;
         }
-        let [a, b] = self.spaces[space].0.map(|corner| self.corners[corner] - self.start);
+        let [a, b] = self.spaces[space]
+            .0
+            .map(|corner| self.corners[corner] - self.start);
         let normal = [a.cross(b), (b - a).cross(self.along)];
         let edge = (a.z + self.start.z == 0.0 && b.z + self.start.z == 0.0).then(|| {
             let run = (b - a).truncate();
@@ -154,7 +160,9 @@ impl Sight {
     /// **Arguments** `way`: 1 for what is seen by looking at the face, −1 for what the lines of
     /// sight meet that come from there.
     pub(super) fn misses(&self, region: &[HalfPlane], face: &Face, way: f64) -> bool {
-        let corners = face.corners().map(|corner| self.corners[corner] - self.start);
+        let corners = face
+            .corners()
+            .map(|corner| self.corners[corner] - self.start);
         let corners: Vec<DVec3> = corners.collect();
         region.iter().any(|half| {
             let trace = &self.traces[half.line];

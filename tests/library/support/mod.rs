@@ -4,6 +4,7 @@ pub mod breadth;
 pub mod high_precision;
 pub mod intervals;
 pub mod misrounded;
+pub mod occluded;
 pub mod references;
 pub mod rooms;
 pub mod rounded_rooms;
