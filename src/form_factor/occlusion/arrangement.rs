@@ -13,9 +13,10 @@
 //! whatever was compared narrows the range of t for which the boundary has the same corners and
 //! sides: between the nearest zeros of the polynomials on either side.
 
-use super::outer::{Outer, Part, Piece, side_of};
-use super::sight::{Region, Sight};
+use super::outer::{Outer, Part, Piece};
+use super::sight::{Cone, HalfPlane, Region, Sight};
 use glam::{DVec2, DVec3};
+use smallvec::SmallVec;
 
 /// A side of the boundary: a piece of a line between its crossings with two others, the region on
 /// its left.
@@ -66,17 +67,16 @@ pub(super) fn arrange(
     t: f64,
 ) -> Option<Arrangement> {
     let sight = &outer.sight;
-    let placed: Vec<Placed> = (0..sight.traces.len())
-        .map(|line| place(sight, line, t))
-        .collect();
+    let placed: Vec<Placed> = (0..sight.traces.len()).map(|line| place(sight, line, t)).collect();
     let mut validity = Validity {
         sight,
         t,
         range,
         is_certain: true,
     };
-    let mut lines: Vec<usize> = piece.region.iter().map(|half| half.line).collect();
-    lines.extend(outer.shadows.iter().flatten().map(|half| half.line));
+    let regions = outer.shadows.iter().chain([&piece.region]);
+    let sides = regions.flat_map(Region::sides);
+    let mut lines: Vec<usize> = sides.map(|half| half.line).collect();
     lines.sort_unstable();
     lines.dedup();
     let mut segments = Vec::new();
@@ -86,15 +86,7 @@ pub(super) fn arrange(
         }
         let within = interval(&piece.region, line, &placed, &mut validity);
         if let Some(within) = within {
-            on_line(
-                outer,
-                piece,
-                line,
-                within,
-                &placed,
-                &mut validity,
-                &mut segments,
-            );
+            on_line(outer, piece, line, within, &placed, &mut validity, &mut segments);
         }
         if !validity.is_certain {
             return None;
@@ -128,9 +120,19 @@ fn interval(
     placed: &[Placed],
     validity: &mut Validity,
 ) -> Option<[Place; 2]> {
+    let mut halves: SmallVec<[HalfPlane; 8]> = SmallVec::new();
+    for cone in &region.cones {
+        if validity.sight.is_level {
+            halves.extend(cone.sides.iter().copied());
+        } else {
+            halves.extend(validity.crossed(cone, line)?);
+        }
+    }
+    halves.extend(region.halves.iter().copied());
     let own = placed[line];
     let mut ends = [(f64::NEG_INFINITY, NONE), (f64::INFINITY, NONE)];
-    for half in region.iter().filter(|half| half.line != line) {
+    let mut others: SmallVec<[(usize, usize); 8]> = SmallVec::new();
+    for half in halves.iter().filter(|half| half.line != line) {
         let other = placed[half.line];
         if !other.is_line {
             // a plane of sight that is level: all of P is on one side of it
@@ -147,18 +149,16 @@ fn interval(
             }
             continue;
         }
-        let at = (-height / slope, half.line);
+        let at = -height / slope;
         let end = usize::from(slope < 0.0);
-        let (known, other) = (ends[end], at);
-        validity.ordered(line, known.1, other.1);
-        let is_nearer = if end == 0 {
-            other.0 > known.0
-        } else {
-            other.0 < known.0
-        };
-        if is_nearer {
-            ends[end] = other;
+        others.push((end, half.line));
+        let known = ends[end].0;
+        if if end == 0 { at > known } else { at < known } {
+            ends[end] = (at, half.line);
         }
+    }
+    for (end, other) in others {
+        validity.ordered(line, ends[end].1, other);
     }
     validity.ordered(line, ends[0].1, ends[1].1);
     (ends[0].0 < ends[1].0).then_some(ends)
@@ -174,7 +174,7 @@ fn on_line(
     validity: &mut Validity,
     segments: &mut Vec<Segment>,
 ) {
-    let own = side_of(&piece.region, line);
+    let own = piece.region.side_of(line);
     let [low, high] = within;
     let mut places = vec![low, high];
     // the range of each shadow, and the sides of the line on which it is
@@ -188,12 +188,8 @@ fn on_line(
         if from.0 >= high.0 || to.0 <= low.0 {
             continue;
         }
-        covers.push(([from.0, to.0], side_of(shadow, line)));
-        places.extend(
-            [from, to]
-                .into_iter()
-                .filter(|at| at.0 > low.0 && at.0 < high.0),
-        );
+        covers.push(([from.0, to.0], shadow.side_of(line)));
+        places.extend([from, to].into_iter().filter(|at| at.0 > low.0 && at.0 < high.0));
         for end in [from, to] {
             validity.ordered(line, low.1, end.1);
             validity.ordered(line, end.1, high.1);
@@ -234,16 +230,51 @@ fn on_line(
 
 fn close(line: usize, open: Option<(f64, Place)>, end: Place, segments: &mut Vec<Segment>) {
     if let Some((state, start)) = open {
-        let (from, to) = if state > 0.0 {
-            (start.1, end.1)
-        } else {
-            (end.1, start.1)
-        };
+        let (from, to) = if state > 0.0 { (start.1, end.1) } else { (end.1, start.1) };
         segments.push(Segment { line, from, to });
     }
 }
 
 impl Validity<'_> {
+    /// The sides of a face between which the plane of sight of a line cuts it; none if it does not.
+    fn crossed(&mut self, cone: &Cone, line: usize) -> Option<SmallVec<[HalfPlane; 2]>> {
+        let heights = cone.corners.iter().map(|corner| self.height(line, *corner));
+        let heights: SmallVec<[f64; 8]> = heights.collect();
+        let has = |sign: f64| heights.iter().any(|height| height * sign > 0.0);
+        let is_up = match [has(1.0), has(-1.0)] {
+            [true, true] => true,
+            [false, false] => return None,
+            // a corner in the plane counts as across from the others
+            [up, _] if heights.contains(&0.0) => !up,
+            _ => return None,
+        };
+        let up = |height: f64| if height == 0.0 { is_up } else { height > 0.0 };
+        let next = heights.iter().cycle().skip(1);
+        let pairs = heights.iter().zip(next).zip(&cone.sides);
+        let turning = pairs.filter(|((one, other), _)| up(**one) != up(**other));
+        Some(turning.map(|(_, side)| *side).collect())
+    }
+
+    /// The height of a corner over the plane of sight of a line, whose sign is kept.
+    fn height(&mut self, line: usize, corner: usize) -> f64 {
+        let [start, end] = self.sight.ends_of_height(line, corner);
+        if start == 0.0 && end == 0.0 {
+            return 0.0;
+        }
+        let noise = 16.0 * f64::EPSILON * start.abs().max(end.abs());
+        let here = start + self.t * (end - start);
+        if here.abs() <= noise {
+            self.is_certain = false;
+        }
+        let root = start / (start - end);
+        if root > self.range[0] && root < self.t {
+            self.range[0] = root;
+        } else if root >= self.t && root < self.range[1] {
+            self.range[1] = root;
+        }
+        here
+    }
+
     /// The height of P over a level plane of sight, or 0.
     fn level_height(&self, line: usize) -> f64 {
         let normal = self.sight.traces[line].normal;
@@ -301,10 +332,7 @@ impl Validity<'_> {
             ([cone], [(a, g), (b, k)]) => {
                 // α1 γ2 − α2 γ1, linear in t
                 let mixed = [a[0] * k[0] - b[0] * g[0], a[0] * k[1] - b[0] * g[1]];
-                self.keeps_sign(
-                    product(mixed, *cone),
-                    size(mixed).max(size(*a) * size(*b)) * size(*cone),
-                );
+                self.keeps_sign(product(mixed, *cone), size(mixed).max(size(*a) * size(*b)) * size(*cone));
             }
             ([], [(a, f), (b, g), (c, k)]) => {
                 let [ab, bc, ca] = [

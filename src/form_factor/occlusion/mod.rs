@@ -13,7 +13,7 @@ pub use point::point_form_factor_past;
 pub(crate) use point::{Sight, Viewpoint};
 
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
-use arrangement::arrange;
+use arrangement::{Arrangement, arrange};
 use outer::{Outer, Piece, Wanted, outers};
 use rule::{Panel, Share};
 use setting::Setting;
@@ -80,17 +80,15 @@ fn exchange(setting: &Setting, wanted: Wanted, accuracy: f64) -> ExchangeArea {
             stretches.extend(outers(setting, [first, second], wanted));
         }
     }
-    let total: f64 = stretches
-        .iter()
-        .map(|outer| outer.sight.along.length())
-        .sum();
+    let total: f64 = stretches.iter().map(|outer| outer.sight.along.length()).sum();
     let mut sum = Share::default();
     for outer in &stretches {
         for piece in &outer.pieces {
             let share = stretch(outer, piece, accuracy * TAU / total);
-            sum.value += piece.sign * share.value;
-            sum.truncation += share.truncation;
-            sum.rounding += share.rounding;
+            sum.add(Share {
+                value: piece.sign * share.value,
+                ..share
+            });
         }
     }
     ExchangeArea {
@@ -103,48 +101,59 @@ fn exchange(setting: &Setting, wanted: Wanted, accuracy: f64) -> ExchangeArea {
 fn stretch(outer: &Outer, piece: &Piece, accuracy: f64) -> Share {
     let length = outer.sight.along.length();
     let mut sum = Share::default();
-    let mut open = vec![[0.0, 1.0]];
-    let mut add = |share: Share| {
-        sum.value += share.value;
-        sum.truncation += share.truncation;
-        sum.rounding += share.rounding;
-    };
-    while let Some([low, high]) = open.pop() {
-        let width = high - low;
-        let found = PLACES
-            .iter()
-            .find_map(|place| arrange(outer, piece, [low, high], low + place * width));
-        let Some(found) = found else {
-            if width < 1e-14 {
-                add(outer.sight.unsettled(width));
-                continue;
-            }
-            let middle = 0.5 * (low + high);
-            open.extend([[low, middle], [middle, high]]);
-            continue;
-        };
-        let [from, to] = found.range;
-        if from - low > 1e-15 {
-            open.push([low, from]);
-        }
-        if high - to > 1e-15 {
-            open.push([to, high]);
-        }
-        let mut panels = vec![[from, to]];
+    let arrangements = arrangements(outer, piece, &mut sum);
+    for found in &arrangements {
+        let mut panels = vec![found.range];
         while let Some([from, to]) = panels.pop() {
-            let panel = Panel::new(&outer.sight, &found, [from, to]);
+            let panel = Panel::new(&outer.sight, found, [from, to]);
             let wanted = accuracy * length * (to - from).max(1e-3);
             match panel.integral(wanted) {
-                Some(share) => add(share),
-                None if to - from < 1e-15 => add(outer.sight.unsettled(to - from)),
+                Some(share) => sum.add(share),
+                None if to - from < 1e-15 => sum.add(outer.sight.unsettled(to - from)),
                 None => {
                     let middle = 0.5 * (from + to);
-                    panels.extend([[from, middle], [middle, to]]);
+                    panels.extend([[middle, to], [from, middle]]);
                 }
             }
         }
     }
     sum
+}
+
+/// The boundaries along a stretch, in order; what cannot be told is added to the sum.
+fn arrangements(outer: &Outer, piece: &Piece, sum: &mut Share) -> Vec<Arrangement> {
+    let mut done: Vec<Arrangement> = Vec::new();
+    let mut open = vec![[0.0, 1.0]];
+    while let Some([low, high]) = open.pop() {
+        let width = high - low;
+        let mut places = PLACES.iter().map(|place| low + place * width);
+        let Some(found) = places.find_map(|place| arrange(outer, piece, [low, high], place)) else {
+            if width < 1e-14 {
+                sum.add(outer.sight.unsettled(width));
+            } else {
+                let middle = 0.5 * (low + high);
+                open.extend([[middle, high], [low, middle]]);
+            }
+            continue;
+        };
+        let [from, to] = found.range;
+        if high - to > 1e-15 {
+            open.push([to, high]);
+        }
+        if from - low > 1e-15 {
+            // what comes first is asked for first
+            open.push(found.range);
+            open.push([low, from]);
+            continue;
+        }
+        match done.last_mut() {
+            Some(last) if last.segments == found.segments && low - last.range[1] <= 1e-15 => {
+                last.range[1] = to;
+            }
+            _ => done.push(found),
+        }
+    }
+    done
 }
 
 /// Places at which the boundary is looked for.

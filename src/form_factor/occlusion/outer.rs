@@ -11,7 +11,7 @@
 //! others are in the way; where there is none of Q, Q is behind, on both sides.
 
 use super::setting::{Face, Setting};
-use super::sight::{HalfPlane, Region, Sight};
+use super::sight::{Region, Sight};
 use glam::DVec3;
 use std::f64::consts::{PI, TAU};
 
@@ -55,8 +55,7 @@ struct Page {
 }
 
 /// The range of a line in which a face touches it.
-struct Contact<'a> {
-    face: &'a Face,
+struct Contact {
     range: [f64; 2],
     /// Directions into the face; both sides where the line is inside.
     inward: [Option<DVec3>; 2],
@@ -70,7 +69,7 @@ struct Book<'a> {
     ends: [&'a Face; 2],
     origin: DVec3,
     direction: DVec3,
-    contacts: Vec<Contact<'a>>,
+    contacts: Vec<Contact>,
     /// Screens that the line is not in the plane of.
     others: Vec<&'a Face>,
     /// Whether it lies in the plane of Q.
@@ -109,12 +108,9 @@ impl<'a> Book<'a> {
                 heights[0].max(heights[1]) <= setting.touching
             };
             if let Some(side) = side {
-                let along = side
-                    .corners
-                    .map(|corner| book.place(setting.corners[corner]));
+                let along = side.corners.map(|corner| book.place(setting.corners[corner]));
                 let run = if side.is_along { 1.0 } else { -1.0 };
                 book.contacts.push(Contact {
-                    face,
                     range: [along[0].min(along[1]), along[0].max(along[1])],
                     inward: [Some(run * face.normal.cross(book.direction)), None],
                     is_side: true,
@@ -126,8 +122,7 @@ impl<'a> Book<'a> {
                 let aside = face.normal.cross(book.direction);
                 if let Some(range) = book.inside(face) {
                     book.contacts.push(Contact {
-                        face,
-                        range,
+                            range,
                         inward: [Some(aside), Some(-aside)],
                         is_side: false,
                         is_second,
@@ -173,12 +168,8 @@ impl<'a> Book<'a> {
     fn stretches(&self) -> Vec<[f64; 2]> {
         let touching = self.setting.touching;
         let sides = || self.contacts.iter().filter(|contact| contact.is_side);
-        let low = sides()
-            .map(|side| side.range[0])
-            .fold(f64::INFINITY, f64::min);
-        let high = sides()
-            .map(|side| side.range[1])
-            .fold(f64::NEG_INFINITY, f64::max);
+        let low = sides().map(|side| side.range[0]).fold(f64::INFINITY, f64::min);
+        let high = sides().map(|side| side.range[1]).fold(f64::NEG_INFINITY, f64::max);
         let mut breaks = vec![low, high];
         let mut add = |at: f64| {
             if at > low && at < high {
@@ -242,19 +233,21 @@ impl<'a> Book<'a> {
         });
         let pages: Vec<Page> = pages.collect();
         let [first, second] = self.ends;
-        let mut base = sight.cone(first, -1.0);
+        let mut base = Region {
+            cones: vec![sight.cone(first, -1.0)],
+            ..Region::default()
+        };
         if !is_on_second {
-            base.extend(sight.cone(second, 1.0));
-            if sight.misses(&base[first.sides.len()..], first, 1.0)
-                || sight.misses(&base[..first.sides.len()], second, -1.0)
-            {
+            base.cones.push(sight.cone(second, 1.0));
+            let [below, above] = [&base.cones[0], &base.cones[1]];
+            if sight.misses(above, first, 1.0) || sight.misses(below, second, -1.0) {
                 return None;
             }
         }
         let mut pieces = Vec::new();
         for (angle, bounds) in self.sectors(&pages, start) {
             let mut region = base.clone();
-            region.extend(bounds.into_iter().map(|normal| sight.through(normal)));
+            region.halves.extend(bounds.into_iter().map(|normal| sight.through(normal)));
             for (part, sign) in states(&pages, angle, is_on_second, wanted) {
                 if sign != 0.0 {
                     pieces.push(Piece {
@@ -270,22 +263,30 @@ impl<'a> Book<'a> {
         }
         let mut shadows = Vec::new();
         let centre = start + 0.5 * along;
+        let misses_base = |sight: &Sight, screen: &Face, way: f64| {
+            base.cones.iter().any(|cone| sight.misses(cone, screen, way))
+        };
+        let shadow = |cone| Region {
+            cones: vec![cone],
+            ..Region::default()
+        };
         for screen in &self.others {
             let side = screen.height(centre).signum();
             let below = sight.cone(screen, -side);
-            if !sight.misses(&below, first, 1.0) && !sight.misses(&base, screen, 1.0) {
-                shadows.push(below);
+            if !sight.misses(&below, first, 1.0) && !misses_base(&sight, screen, 1.0) {
+                shadows.push(shadow(below));
             }
             if !is_on_second {
                 let above = sight.cone(screen, side);
-                if !sight.misses(&above, second, -1.0) && !sight.misses(&base, screen, -1.0) {
-                    shadows.push(above);
+                if !sight.misses(&above, second, -1.0) && !misses_base(&sight, screen, -1.0) {
+                    shadows.push(shadow(above));
                 }
             }
         }
         if shadows.is_empty() {
             pieces.retain(|piece| piece.part == Part::Lit);
         }
+        sight.measure();
         (!pieces.is_empty()).then_some(Outer {
             sight,
             shadows,
@@ -303,9 +304,7 @@ impl<'a> Book<'a> {
     /// in each, and the inward normals of what bounds it.
     fn sectors(&self, pages: &[Page], start: DVec3) -> Vec<(f64, Vec<DVec3>)> {
         let (east, north) = self.across();
-        let corners = self.ends[0]
-            .corners()
-            .map(|corner| self.setting.corners[corner] - start);
+        let corners = self.ends[0].corners().map(|corner| self.setting.corners[corner] - start);
         let corners: Vec<DVec3> = corners.collect();
         let touching = self.setting.touching;
         let direction = |angle: f64| angle.cos() * east + angle.sin() * north;
@@ -341,11 +340,7 @@ fn states(pages: &[Page], angle: f64, is_on_second: bool, wanted: Wanted) -> [(P
     // the turn from the point to each page, by way of the left or of the right
     let side = |is_left: bool| {
         let turns = pages.iter().map(move |page| {
-            let turn = if is_left {
-                angle - page.angle
-            } else {
-                page.angle - angle
-            };
+            let turn = if is_left { angle - page.angle } else { page.angle - angle };
             (turn.rem_euclid(TAU), page.is_second)
         });
         turns.filter(|(turn, _)| *turn > 0.0 && *turn < PI)
@@ -369,12 +364,4 @@ fn states(pages: &[Page], angle: f64, is_on_second: bool, wanted: Wanted) -> [(P
         Wanted::Hidden => [(Part::InShadow, whole), (Part::Lit, hidden)],
         Wanted::Seen => [(Part::InShadow, 0.0), (Part::Lit, whole - hidden)],
     }
-}
-
-/// Whether a half-plane is one of a region's, and which side of its line it takes.
-pub(super) fn side_of(region: &[HalfPlane], line: usize) -> Option<f64> {
-    region
-        .iter()
-        .find(|half| half.line == line)
-        .map(|half| half.sign)
 }

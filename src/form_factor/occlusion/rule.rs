@@ -62,6 +62,14 @@ pub(super) struct Share {
     pub rounding: f64,
 }
 
+impl Share {
+    pub(super) fn add(&mut self, other: Self) {
+        self.value += other.value;
+        self.truncation += other.truncation;
+        self.rounding += other.rounding;
+    }
+}
+
 impl<'a> Panel<'a> {
     pub(super) fn new(sight: &'a Sight, arrangement: &Arrangement, [from, to]: [f64; 2]) -> Self {
         let middle = 0.5 * (from + to);
@@ -77,14 +85,11 @@ impl<'a> Panel<'a> {
         for Segment { line, from, to } in &arrangement.segments {
             let corners = [*from, *to].map(|other| {
                 let pair = [*line.min(&other), *line.max(&other)];
-                named
-                    .iter()
-                    .position(|known| *known == pair)
-                    .unwrap_or_else(|| {
-                        named.push(pair);
-                        panel.corners.push(panel.corner(pair));
-                        named.len() - 1
-                    })
+                named.iter().position(|known| *known == pair).unwrap_or_else(|| {
+                    named.push(pair);
+                    panel.corners.push(panel.corner(pair));
+                    named.len() - 1
+                })
             });
             panel.sides.push(BoundarySide {
                 corners,
@@ -117,22 +122,14 @@ impl<'a> Panel<'a> {
                 },
                 is_per_height: !is_on_floor,
                 noise: 2.0 * f64::EPSILON * (from.length() + place.length())
-                    / if is_on_floor {
-                        1.0
-                    } else {
-                        (y.z - place.z).abs()
-                    },
+                    / if is_on_floor { 1.0 } else { (y.z - place.z).abs() },
             };
         }
         let (first, second) = (self.planar(one), self.planar(other));
         match (first, second) {
             (Planar::Edge(a, g), Planar::Edge(b, k)) => {
                 let at = |i: usize| solved(a, b, [g[i], k[i]]);
-                crossing(
-                    [at(0), at(1), DVec2::ZERO],
-                    [a.perp_dot(b), 0.0, 0.0],
-                    false,
-                )
+                crossing([at(0), at(1), DVec2::ZERO], [a.perp_dot(b), 0.0, 0.0], false)
             }
             (Planar::Cone(a, c), Planar::Edge(b, g)) | (Planar::Edge(b, g), Planar::Cone(a, c)) => {
                 let h = [y.z, v.z];
@@ -172,10 +169,7 @@ impl<'a> Panel<'a> {
                 Planar::Edge(alpha, [gamma + self.middle * slope, slope])
             }
             None => {
-                let normal = [
-                    trace.normal[0] + self.middle * trace.normal[1],
-                    trace.normal[1],
-                ];
+                let normal = [trace.normal[0] + self.middle * trace.normal[1], trace.normal[1]];
                 Planar::Cone(normal.map(|n| n.truncate()), normal.map(|n| n.z))
             }
         }
@@ -204,11 +198,7 @@ impl<'a> Panel<'a> {
             }
         }
         let mean = (least * most).sqrt();
-        if mean.is_finite() && mean > 0.0 {
-            mean
-        } else {
-            1.0
-        }
+        if mean.is_finite() && mean > 0.0 { mean } else { 1.0 }
     }
 
     /// A bound on |W| for complex t up to `reach` from the middle.
@@ -221,10 +211,7 @@ impl<'a> Panel<'a> {
     }
 
     fn largest_in(&self, reach: f64, is_per_height: bool) -> f64 {
-        let (v, rise) = (
-            self.sight.along.truncate(),
-            self.sight.along.z.abs() * reach,
-        );
+        let (v, rise) = (self.sight.along.truncate(), self.sight.along.z.abs() * reach);
         let height = self.height(self.middle).abs();
         let least_height = height - rise;
         if is_per_height && least_height <= 0.0 {
@@ -234,10 +221,7 @@ impl<'a> Panel<'a> {
             let place = corner.per_denominator();
             let moved = corner.displacement(place, reach);
             match (corner.is_per_height, is_per_height) {
-                (true, false) => (
-                    height * place,
-                    (height + rise) * moved + place.length() * rise,
-                ),
+                (true, false) => (height * place, (height + rise) * moved + place.length() * rise),
                 (false, true) => {
                     let place = place / height;
                     (place, (moved + place.length() * rise) / least_height)
@@ -270,11 +254,7 @@ impl<'a> Panel<'a> {
             let along = v.dot(to - from).abs() + v.length() * (from_moved + to_moved);
             sum += along * log_bound([nearest, farthest], moved, unit);
         }
-        if is_per_height {
-            (height + rise) * sum
-        } else {
-            sum
-        }
+        if is_per_height { (height + rise) * sum } else { sum }
     }
 
     /// The integral over the panel; none if no rule is certain enough.
@@ -328,8 +308,7 @@ impl<'a> Panel<'a> {
                 return moved * (1.0 + (ends[0].length() / self.unit).max(1e-300).ln().abs());
             }
             let nearest = distance(ends, height);
-            moved
-                * (ends[0].distance(ends[1]) / nearest).min(1.0 + (self.unit / nearest).ln().abs())
+            moved * (ends[0].distance(ends[1]) / nearest).min(1.0 + (self.unit / nearest).ln().abs())
         });
         speed * sides.sum::<f64>()
     }
@@ -397,11 +376,7 @@ fn crossing(numerator: [DVec2; 3], denominator: [f64; 3], is_per_height: bool) -
 fn distance([from, to]: [DVec2; 2], height: f64) -> f64 {
     let run = to - from;
     let square = run.length_squared();
-    let share = if square > 0.0 {
-        (-from.dot(run) / square).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
+    let share = if square > 0.0 { (-from.dot(run) / square).clamp(0.0, 1.0) } else { 0.0 };
     (from + share * run).length().hypot(height)
 }
 
@@ -412,10 +387,7 @@ fn log_bound([nearest, farthest]: [f64; 2], moved: f64, unit: f64) -> f64 {
     if kappa.is_nan() || kappa >= 0.95 {
         return f64::INFINITY;
     }
-    let log = (nearest / unit)
-        .ln()
-        .abs()
-        .max((farthest / unit).ln().abs());
+    let log = (nearest / unit).ln().abs().max((farthest / unit).ln().abs());
     log - 0.5 * (1.0 - kappa).ln()
 }
 
@@ -429,21 +401,13 @@ impl Corner {
         let ([_, n1, n2], [d0, d1, d2]) = (self.numerator, self.denominator);
         let left = d0.abs() - reach * (d1.abs() + reach * d2.abs());
         let moved = reach * ((n1 - place * d1).length() + reach * (n2 - place * d2).length());
-        if left > 0.0 {
-            moved / left
-        } else {
-            f64::INFINITY
-        }
+        if left > 0.0 { moved / left } else { f64::INFINITY }
     }
 
     /// X at a place relative to the middle.
     fn at(&self, tau: f64, height: f64) -> DVec2 {
         let ([n0, n1, n2], [d0, d1, d2]) = (self.numerator, self.denominator);
         let place = (n0 + tau * (n1 + tau * n2)) / (d0 + tau * (d1 + tau * d2));
-        if self.is_per_height {
-            height * place
-        } else {
-            place
-        }
+        if self.is_per_height { height * place } else { place }
     }
 }

@@ -87,9 +87,7 @@ impl Setting {
             corner.z = 0.0;
         }
         let ends = floor.iter().chain(&ceiling);
-        let reach = ends.fold(0.0f64, |reach, corner| {
-            reach.max(corner.abs().max_element())
-        });
+        let reach = ends.fold(0.0f64, |reach, corner| reach.max(corner.abs().max_element()));
         let unit = power_of_two_below(reach);
         let rounding = 64.0 * f64::EPSILON * (reach / unit);
         let mut setting = Self {
@@ -127,8 +125,7 @@ impl Setting {
         let mut pieces: Vec<Vec<DVec3>> = convex_pieces(corners, normal);
         for plane in planes {
             let whole: Vec<Vec<DVec3>> = std::mem::take(&mut pieces);
-            pieces = whole
-                .into_iter()
+            pieces = whole.into_iter()
                 .filter_map(|piece| plane.front_of(piece, self.touching))
                 .collect();
         }
@@ -182,8 +179,9 @@ impl Setting {
             } else {
                 (from, along.normalize(), [start, end])
             };
-            let is_on =
-                |point: &DVec3| (*point - origin).cross(direction).length() <= self.touching;
+            let is_on = |point: &DVec3| {
+                (*point - origin).cross(direction).length() <= self.touching
+            };
             if others.iter().all(is_on) {
                 let is_along = known.dot(along) > 0.0;
                 if along.length_squared() > known.length_squared() {
@@ -238,11 +236,7 @@ impl Plane {
     fn front_of(&self, piece: Vec<DVec3>, touching: f64) -> Option<Vec<DVec3>> {
         let height = |corner: &DVec3| {
             let height = self.normal.dot(*corner) - self.offset;
-            if height.abs() <= touching {
-                0.0
-            } else {
-                height
-            }
+            if height.abs() <= touching { 0.0 } else { height }
         };
         let heights: Vec<f64> = piece.iter().map(height).collect();
         if heights.iter().all(|height| *height <= 0.0) {

@@ -22,8 +22,31 @@ pub(super) struct HalfPlane {
     pub sign: f64,
 }
 
-/// The intersection of half-planes.
-pub(super) type Region = Vec<HalfPlane>;
+/// A convex face, seen from y.
+#[derive(Debug, Clone)]
+pub(super) struct Cone {
+    pub corners: Vec<usize>,
+    /// The half-planes of the sides from each corner to the next.
+    pub sides: Vec<HalfPlane>,
+}
+
+/// The intersection of cones and half-planes.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Region {
+    pub cones: Vec<Cone>,
+    pub halves: Vec<HalfPlane>,
+}
+
+impl Region {
+    pub(super) fn sides(&self) -> impl Iterator<Item = &HalfPlane> {
+        self.cones.iter().flat_map(|cone| &cone.sides).chain(&self.halves)
+    }
+
+    /// Whether a line is one of those around the region, and which side of it that is on.
+    pub(super) fn side_of(&self, line: usize) -> Option<f64> {
+        self.sides().find(|half| half.line == line).map(|half| half.sign)
+    }
+}
 
 /// A line in P's plane, as seen from y.
 #[derive(Debug, Clone)]
@@ -52,6 +75,7 @@ pub(super) struct Sight {
     /// Where each line in space is among the traces, and whether it was turned round.
     known: Vec<Option<(usize, f64)>>,
     corners: Vec<DVec3>,
+    heights: Vec<[f64; 2]>,
     spaces: Vec<([usize; 2], Vec<usize>)>,
 }
 
@@ -66,19 +90,16 @@ impl Sight {
             farthest: setting.farthest,
             known: vec![None; setting.lines.len()],
             corners: setting.corners.clone(),
-            spaces: setting
-                .lines
-                .iter()
-                .map(|l| (l.ends, l.through.clone()))
-                .collect(),
+            heights: Vec::new(),
+            spaces: setting.lines.iter().map(|l| (l.ends, l.through.clone())).collect(),
         }
     }
 
     /// The cone of a face: the half-planes of its sides, which its points are in from a y with
     /// `sign` −1 in front of it.
-    pub(super) fn cone(&mut self, face: &Face, sign: f64) -> Region {
+    pub(super) fn cone(&mut self, face: &Face, sign: f64) -> Cone {
         let sides = face.sides.iter();
-        sides
+        let sides = sides
             .map(|side| {
                 let (line, turn) = self.trace(side.line);
                 let run = if side.is_along { 1.0 } else { -1.0 };
@@ -87,7 +108,11 @@ impl Sight {
                     sign: sign * run * turn,
                 }
             })
-            .collect()
+            .collect();
+        Cone {
+            corners: face.corners().collect(),
+            sides,
+        }
     }
 
     /// The half-plane of points to which a normal of a plane through the stretch points.
@@ -100,13 +125,12 @@ impl Sight {
         if let Some(known) = self.known[space] {
             return known;
         }
-        let [a, b] = self.spaces[space]
-            .0
-            .map(|corner| self.corners[corner] - self.start);
-        let normal = [a.cross(b), (b - a).cross(self.along)];
+        let [a, b] = self.spaces[space].0.map(|corner| self.corners[corner] - self.start);
+        // a × (b − a): of short edges far away a × b would lose digits
+        let normal = [a.cross(b - a), (b - a).cross(self.along)];
         let edge = (a.z + self.start.z == 0.0 && b.z + self.start.z == 0.0).then(|| {
             let run = (b - a).truncate();
-            let gamma = [a.truncate().perp_dot(b.truncate()), normal[1].z];
+            let gamma = [a.truncate().perp_dot(run), normal[1].z];
             (DVec2::new(run.y, -run.x), gamma)
         });
         let middle = normal[0] + 0.5 * normal[1];
@@ -147,6 +171,27 @@ impl Sight {
         (self.traces.len() - 1, 1.0)
     }
 
+    /// Measures the heights of corners over the planes of sight of all lines.
+    pub(super) fn measure(&mut self) {
+        self.heights.clear();
+        for trace in &self.traces {
+            let [from, slope] = trace.normal;
+            let last = from + slope;
+            let none = self.touching * from.length().max(last.length());
+            self.heights.extend(self.corners.iter().map(|corner| {
+                let place = *corner - self.start;
+                let ends = [from.dot(place), last.dot(place - self.along)];
+                if ends[0].abs().max(ends[1].abs()) <= none { [0.0; 2] } else { ends }
+            }));
+        }
+    }
+
+    /// The heights of a corner over the plane of sight of a line, at both ends of the stretch; 0
+    /// if it lies in it all along.
+    pub(super) fn ends_of_height(&self, line: usize, corner: usize) -> [f64; 2] {
+        self.heights[line * self.corners.len() + corner]
+    }
+
     /// The corner of space that two lines have in common.
     pub(super) fn common(&self, one: usize, other: usize) -> Option<DVec3> {
         let through = |line: usize| self.traces[line].space.map(|space| &self.spaces[space].1);
@@ -155,16 +200,14 @@ impl Sight {
         Some(self.corners[*corner])
     }
 
-    /// Whether a face is outside one of the half-planes, from all of the stretch.
+    /// Whether a face is outside of one of a cone's sides, from all of the stretch.
     ///
     /// **Arguments** `way`: 1 for what is seen by looking at the face, −1 for what the lines of
     /// sight meet that come from there.
-    pub(super) fn misses(&self, region: &[HalfPlane], face: &Face, way: f64) -> bool {
-        let corners = face
-            .corners()
-            .map(|corner| self.corners[corner] - self.start);
+    pub(super) fn misses(&self, cone: &Cone, face: &Face, way: f64) -> bool {
+        let corners = face.corners().map(|corner| self.corners[corner] - self.start);
         let corners: Vec<DVec3> = corners.collect();
-        region.iter().any(|half| {
+        cone.sides.iter().any(|half| {
             let trace = &self.traces[half.line];
             if self.is_level && trace.edge.is_some() {
                 // no plane of sight
@@ -198,7 +241,7 @@ impl Sight {
     }
 
     /// Height of the stretch, `h0 + t h1`.
-    pub(super) fn heights(&self) -> [f64; 2] {
+    fn height(&self) -> [f64; 2] {
         [self.start.z, self.along.z]
     }
 
@@ -209,7 +252,7 @@ impl Sight {
             Some((alpha, [gamma, slope])) => (alpha, gamma + t * slope),
             None => {
                 let normal = trace.normal[0] + t * trace.normal[1];
-                let [height, rise] = self.heights();
+                let [height, rise] = self.height();
                 (normal.truncate(), (height + t * rise) * normal.z)
             }
         }
