@@ -3,6 +3,7 @@
 mod bases;
 mod closure;
 mod plan;
+mod points;
 mod promises;
 mod resolution;
 mod rows;

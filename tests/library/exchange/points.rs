@@ -68,7 +68,7 @@ fn a_long_street_tends_to_the_cosine_of_its_walls() {
                 &[at(-to, 0.0), at(to, 0.0), at(to, height), at(-to, height)],
             )
         };
-        let walls = vec![wall(0.0, -length), wall(width, length)];
+        let walls = vec![wall(0.0, length), wall(width, -length)];
         let scene = Scene::try_new(walls).unwrap();
         let found = row(&scene, [0.5 * width, 0.0, 0.0], DVec3::Z);
         // walls face the street

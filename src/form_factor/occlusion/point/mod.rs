@@ -61,7 +61,7 @@ pub(crate) struct Sight<'a> {
     polygon: &'a Polygon,
     /// The height of the point over the polygon's plane.
     height: DoubleDouble,
-    /// None if the point is on the plane.
+    /// None if the point is on the plane, or all is below its horizon.
     cones: Vec<Cone>,
     /// The side of the plane on which the point is: greater in front, equal on it.
     side: Ordering,
@@ -143,6 +143,12 @@ impl Viewpoint {
             sight.error = left_out(point, height.to_f64().abs(), noise, polygon);
             return Ok(sight);
         }
+        let normal = self.normal.to_doubles();
+        let below = |corner: &DVec3| (*corner - point).dot(normal) < -1e-12 * reach;
+        if shape.corners.iter().all(below) {
+            // nothing of it is seen, nor hides what is
+            return Ok(sight);
+        }
         let pieces = match shape.cells.len() {
             // a triangle, or a convex quadrilateral
             1 => vec![shape.corners.to_vec()],
@@ -189,9 +195,8 @@ impl Viewpoint {
         receiver: &Sight<'a>,
         blockers: impl Iterator<Item = &'s Sight<'a>>,
     ) -> ExchangeArea {
-        let above = |ray: &Ray| vector_value!(self.normal.0[0], ray.exact.dot(self.normal));
         let lit = receiver.cones.iter();
-        let lit: Vec<Cone> = lit.filter_map(|cone| cone.clipped(above)).collect();
+        let lit: Vec<Cow<Cone>> = lit.filter_map(|cone| self.above_horizon(cone)).collect();
         let mut total = ExchangeArea {
             error: receiver.error,
             ..ExchangeArea::NOTHING
@@ -215,6 +220,21 @@ impl Viewpoint {
         total.value = total.value.clamp(0.0, 1.0);
         total.error = total.error.min(1.0);
         total
+    }
+
+    /// The part of a cone in front of the surface that the point is of.
+    fn above_horizon<'c>(&self, cone: &'c Cone) -> Option<Cow<'c, Cone>> {
+        let normal = self.normal.to_doubles();
+        // scalar products of unit vectors are within 6 ε
+        let certain = 8.0 * f64::EPSILON;
+        if cone.rays().all(|ray| ray.unit.dot(normal) > certain) {
+            return Some(Cow::Borrowed(cone));
+        }
+        if cone.rays().all(|ray| ray.unit.dot(normal) < -certain) {
+            return None;
+        }
+        let height = |ray: &Ray| vector_value!(self.normal.0[0], ray.exact.dot(self.normal));
+        cone.clipped(height).map(Cow::Owned)
     }
 
     /// Adds the cones of what a blocker has in front of the receiver's plane.
