@@ -40,7 +40,7 @@ impl Polygon {
         occluders: &Occluders,
         tolerance: f64,
     ) -> Result<Answer, FormFactorError> {
-        let whole = self.exchange_area(other, 0.5 * tolerance)?;
+        let whole = self.exchange_area(other, 0.25 * tolerance)?;
         if occluders.polygons.is_empty() || whole.exchange.value <= 0.0 {
             return Ok(whole);
         }
@@ -93,7 +93,7 @@ fn exchange(setting: &Setting, wanted: Wanted, accuracy: f64) -> ExchangeArea {
     }
     ExchangeArea {
         value: sum.value / TAU,
-        error: (sum.truncation + sum.rounding) / TAU + setting.slack(),
+        error: (sum.truncation + sum.rounding) / TAU + setting.slack(&stretches),
     }
 }
 
@@ -123,37 +123,49 @@ fn stretch(outer: &Outer, piece: &Piece, accuracy: f64) -> Share {
 /// The boundaries along a stretch, in order; what cannot be told is added to the sum.
 fn arrangements(outer: &Outer, piece: &Piece, sum: &mut Share) -> Vec<Arrangement> {
     let mut done: Vec<Arrangement> = Vec::new();
-    let mut open = vec![[0.0, 1.0]];
-    while let Some([low, high]) = open.pop() {
+    let mut keep = |found: Arrangement| match done.last_mut() {
+        Some(last)
+            if last.segments == found.segments && found.range[0] - last.range[1] <= 1e-15 =>
+        {
+            last.range[1] = found.range[1];
+        }
+        _ => done.push(found),
+    };
+    let mut open = vec![Open::Range([0.0, 1.0])];
+    while let Some(next) = open.pop() {
+        let [low, high] = match next {
+            Open::Range(range) => range,
+            Open::Found(found) => {
+                keep(found);
+                continue;
+            }
+        };
         let width = high - low;
         let mut places = PLACES.iter().map(|place| low + place * width);
-        let Some(found) = places.find_map(|place| arrange(outer, piece, [low, high], place)) else {
-            if width < 1e-14 {
-                sum.add(outer.sight.unsettled(width));
-            } else {
-                let middle = 0.5 * (low + high);
-                open.extend([[middle, high], [low, middle]]);
+        if let Some(found) = places.find_map(|place| arrange(outer, piece, [low, high], place)) {
+            let [from, to] = found.range;
+            if high - to > 1e-15 {
+                open.push(Open::Range([to, high]));
             }
-            continue;
-        };
-        let [from, to] = found.range;
-        if high - to > 1e-15 {
-            open.push([to, high]);
-        }
-        if from - low > 1e-15 {
-            // what comes first is asked for first
-            open.push(found.range);
-            open.push([low, from]);
-            continue;
-        }
-        match done.last_mut() {
-            Some(last) if last.segments == found.segments && low - last.range[1] <= 1e-15 => {
-                last.range[1] = to;
+            open.push(Open::Found(found));
+            if from - low > 1e-15 {
+                open.push(Open::Range([low, from]));
             }
-            _ => done.push(found),
+        } else if width < 1e-14 {
+            sum.add(outer.sight.unsettled(width));
+        } else {
+            let middle = 0.5 * (low + high);
+            open.push(Open::Range([middle, high]));
+            open.push(Open::Range([low, middle]));
         }
     }
     done
+}
+
+/// A range of a stretch, left to right on a stack.
+enum Open {
+    Range([f64; 2]),
+    Found(Arrangement),
 }
 
 /// Places at which the boundary is looked for.

@@ -129,7 +129,8 @@ impl<'a> Panel<'a> {
         match (first, second) {
             (Planar::Edge(a, g), Planar::Edge(b, k)) => {
                 let at = |i: usize| solved(a, b, [g[i], k[i]]);
-                crossing([at(0), at(1), DVec2::ZERO], [a.perp_dot(b), 0.0, 0.0], false)
+                let size = (a.length() + g[0].abs()) * (b.length() + k[0].abs());
+                crossing([at(0), at(1), DVec2::ZERO], [a.perp_dot(b), 0.0, 0.0], size, false)
             }
             (Planar::Cone(a, c), Planar::Edge(b, g)) | (Planar::Edge(b, g), Planar::Cone(a, c)) => {
                 let h = [y.z, v.z];
@@ -142,10 +143,11 @@ impl<'a> Panel<'a> {
                     hc[2] * turned(b) - g[1] * turned(a[1]),
                 ];
                 let denominator = [a[0].perp_dot(b), a[1].perp_dot(b), 0.0];
-                crossing(numerator, denominator, false)
+                let size = (a[0].length() + hc[0].abs()) * (b.length() + g[0].abs());
+                crossing(numerator, denominator, size, false)
             }
             (Planar::Cone(..), Planar::Cone(..)) if self.sight.is_level => {
-                crossing([DVec2::ZERO; 3], [1.0, 0.0, 0.0], false)
+                crossing([DVec2::ZERO; 3], [1.0, 0.0, 0.0], 0.0, false)
             }
             (Planar::Cone(a, c), Planar::Cone(b, k)) => {
                 let turned = |v: DVec2| DVec2::new(v.y, -v.x);
@@ -156,7 +158,8 @@ impl<'a> Panel<'a> {
                     a[0].perp_dot(b[1]) + a[1].perp_dot(b[0]),
                     a[1].perp_dot(b[1]),
                 ];
-                crossing(numerator, denominator, true)
+                let size = (a[0].length() + c[0].abs()) * (b[0].length() + k[0].abs());
+                crossing(numerator, denominator, size, true)
             }
         }
     }
@@ -362,13 +365,19 @@ fn solved(a: DVec2, b: DVec2, [g, k]: [f64; 2]) -> DVec2 {
     DVec2::new(g * b.y - k * a.y, k * a.x - g * b.x)
 }
 
-fn crossing(numerator: [DVec2; 3], denominator: [f64; 3], is_per_height: bool) -> Corner {
+/// A crossing of lines whose coefficients have this size together.
+fn crossing(
+    numerator: [DVec2; 3],
+    denominator: [f64; 3],
+    size: f64,
+    is_per_height: bool,
+) -> Corner {
     let place = numerator[0] / denominator[0];
     Corner {
         numerator,
         denominator,
         is_per_height,
-        noise: 8.0 * f64::EPSILON * (1.0 + place.length()) / denominator[0].abs(),
+        noise: 8.0 * f64::EPSILON * (1.0 + place.length()) * size / denominator[0].abs(),
     }
 }
 

@@ -12,10 +12,12 @@
 //! Corners are rounded once, from 106 bits, as they are put into the frame.
 
 use super::Occluders;
+use super::outer::Outer;
 use crate::form_factor::Polygon;
 use crate::geometry::{Vector, clipped, convex_pieces};
-use crate::numeric::{DoubleDouble, Scalar, power_of_two_below};
+use crate::numeric::{DoubleDouble, Scalar, power_of_two_below, real};
 use glam::DVec3;
+use std::f64::consts::PI;
 
 /// A straight line that edges lie on.
 #[derive(Debug, Clone)]
@@ -300,15 +302,51 @@ impl Frame {
 
 impl Setting {
     /// The most that displaced corners can change: an edge that moves by δ changes the exchange
-    /// area by at most 2 δ times its length, as from each of its points all of P subtends at most
-    /// 2π.
-    pub(super) fn slack(&self) -> f64 {
-        let faces = self.first.iter().chain(&self.second).chain(&self.screens);
-        let sides = faces.flat_map(|face| &face.sides);
-        let length = |side: &Side| {
-            let [from, to] = side.corners.map(|corner| self.corners[corner]);
-            from.distance(to)
+    /// area by at most `δ L Ω/π`, with the solid angle Ω that P or Q subtends from its points,
+    /// the smaller of the two.
+    pub(super) fn slack(&self, stretches: &[Outer]) -> f64 {
+        let [first, second] = [&self.first, &self.second].map(|faces| self.sphere(faces));
+        let weight = |from: DVec3, to: DVec3, sphere: &Sphere| {
+            let near = sphere.centre.distance(0.5 * (from + to)) - 0.5 * from.distance(to);
+            let distance = (near - sphere.radius).max(0.0);
+            (sphere.area / (PI * distance * distance)).min(2.0)
         };
-        2.0 * self.displaced * sides.map(length).sum::<f64>()
+        let outer = stretches.iter().map(|outer| {
+            let (from, to) = (outer.sight.start, outer.sight.point(1.0));
+            from.distance(to) * weight(from, to, &first).min(weight(from, to, &second))
+        });
+        let inner = self.first.iter().flat_map(|face| &face.sides).map(|side| {
+            let [from, to] = side.corners.map(|corner| self.corners[corner]);
+            from.distance(to) * weight(from, to, &second)
+        });
+        self.displaced * (outer.sum::<f64>() + inner.sum::<f64>())
     }
+
+    fn sphere(&self, faces: &[Face]) -> Sphere {
+        let corners = || {
+            let corners = faces.iter().flat_map(Face::corners);
+            corners.map(|corner| self.corners[corner])
+        };
+        let centre = corners().sum::<DVec3>() / real(corners().count().max(1));
+        let radius = corners().map(|corner| corner.distance(centre)).fold(0.0, f64::max);
+        let area = faces.iter().map(|face| {
+            let corners: Vec<DVec3> = face.corners().map(|c| self.corners[c]).collect();
+            let fans = corners.windows(2).map(|pair| {
+                (pair[0] - corners[0]).cross(pair[1] - corners[0]).length()
+            });
+            0.5 * fans.sum::<f64>()
+        });
+        Sphere {
+            centre,
+            radius,
+            area: area.sum(),
+        }
+    }
+}
+
+/// A sphere around a polygon, and its area.
+struct Sphere {
+    centre: DVec3,
+    radius: f64,
+    area: f64,
 }
