@@ -31,7 +31,10 @@ fn a_point_has_its_keys_and_sums_to_one() {
     assert_eq!(seen.len(), 6);
     let off = seen[1]["value"].as_f64().unwrap() - ceiling();
     assert!(off.abs() <= seen[1]["error"].as_f64().unwrap());
-    assert_eq!((&seen[0]["to"], &seen[0]["value"]), (&0.into(), &0.0.into()));
+    assert_eq!(
+        (&seen[0]["to"], &seen[0]["value"]),
+        (&0.into(), &0.0.into())
+    );
 }
 
 /// With names in any order, or without; comments, blank lines, a mark of byte order, any line ends.
@@ -46,7 +49,10 @@ fn files_of_points_are_read_as_people_write_them() {
         let (_folder, path) = file(text);
         let answer = json(&["point", "cube:1", "--points", path.to_str().unwrap()]);
         let found = &answer["points"][0]["form_factors"][1]["value"];
-        assert!((found.as_f64().unwrap() - ceiling()).abs() < 1e-15, "{text:?}");
+        assert!(
+            (found.as_f64().unwrap() - ceiling()).abs() < 1e-15,
+            "{text:?}"
+        );
     }
 }
 
@@ -62,7 +68,15 @@ fn points_as_csv_have_a_line_for_each_patch() {
     let table = stdout(&["point", "cube:1", "--points", path]);
     assert!(table.contains("no patch") && table.contains("ceiling"));
     for threads in ["1", "2"] {
-        let arguments = ["--threads", threads, "point", "cube:1", "--points", path, "--format"];
+        let arguments = [
+            "--threads",
+            threads,
+            "point",
+            "cube:1",
+            "--points",
+            path,
+            "--format",
+        ];
         let arguments: Vec<&str> = arguments.into_iter().chain(["csv"]).collect();
         assert_eq!(stdout(&arguments), text);
     }
@@ -73,7 +87,11 @@ fn points_as_csv_have_a_line_for_each_patch() {
 fn normals_are_normalised_with_a_note() {
     let run = |normal: &str| {
         let arguments = ["point", "cube:1", "--at", "0.5,0.5,0", "--normal", normal];
-        let output = infoscene(&arguments).assert().success().get_output().clone();
+        let output = infoscene(&arguments)
+            .assert()
+            .success()
+            .get_output()
+            .clone();
         (output.stdout, String::from_utf8(output.stderr).unwrap())
     };
     let (unit, silence) = run("0,0,1");
@@ -82,7 +100,14 @@ fn normals_are_normalised_with_a_note() {
     assert_eq!(silence, "");
     assert!(note.contains("1 normal is not 1 long"), "{note}");
     // the other way, it sees nothing of the cube
-    let answer = json(&["point", "cube:1", "--at", "0.5,0.5,0", "--normal", "-0,-0,-1"]);
+    let answer = json(&[
+        "point",
+        "cube:1",
+        "--at",
+        "0.5,0.5,0",
+        "--normal",
+        "-0,-0,-1",
+    ]);
     assert_eq!(answer["points"][0]["unseen"], 1.0);
 }
 
@@ -90,22 +115,46 @@ fn normals_are_normalised_with_a_note() {
 fn points_at_fault_are_refused_with_their_line() {
     let faults = [
         ("x,y,z,nx,ny\n0,0,0,0,0\n", "line 1: no column \"nz\""),
-        ("0,0,0,0,0,1\n\n1,2,3\n", "line 3: 3 columns where there should be 6"),
-        ("0,0,0,0,one,1\n", "line 1, column ny: \"one\" is not a finite number"),
+        (
+            "0,0,0,0,0,1\n\n1,2,3\n",
+            "line 3: 3 columns where there should be 6",
+        ),
+        (
+            "0,0,0,0,one,1\n",
+            "line 1, column ny: \"one\" is not a finite number",
+        ),
         ("0,0,0,0,0,1\n0,NaN,0,0,0,1\n", "line 2, column y: \"NaN\""),
-        ("0,0,0,0,0,0\n", "line 1, columns nx, ny, nz: a normal of length 0 has no direction"),
-        ("# nothing\n", "it has no point: write a line x,y,z,nx,ny,nz"),
+        (
+            "0,0,0,0,0,0\n",
+            "line 1, columns nx, ny, nz: a normal of length 0 has no direction",
+        ),
+        (
+            "# nothing\n",
+            "it has no point: write a line x,y,z,nx,ny,nz",
+        ),
     ];
     for (text, message) in faults {
         let (_folder, path) = file(text);
-        assert_refused(&["point", "cube:1", "--points", path.to_str().unwrap()], message);
+        assert_refused(
+            &["point", "cube:1", "--points", path.to_str().unwrap()],
+            message,
+        );
     }
-    assert_refused(&["point", "cube:1", "--points", "nowhere.csv"], "nowhere.csv: it cannot be read");
+    assert_refused(
+        &["point", "cube:1", "--points", "nowhere.csv"],
+        "nowhere.csv: it cannot be read",
+    );
     let at = ["point", "cube:1", "--at", "0,0,0"];
     assert_refused(&at, "--normal");
     let with = |normal| ["point", "cube:1", "--at", "0,0,0", "--normal", normal];
-    assert_refused(&with("0,0,0"), "point 0: a normal of length 0 has no direction");
+    assert_refused(
+        &with("0,0,0"),
+        "point 0: a normal of length 0 has no direction",
+    );
     assert_refused(&with("0,0"), "three finite numbers");
     assert_refused(&["point", "cube:1"], "--at");
-    assert_refused(&["point", "cube:1", "--at", "1e70,0,0", "--normal", "0,0,1"], "point 0");
+    assert_refused(
+        &["point", "cube:1", "--at", "1e70,0,0", "--normal", "0,0,1"],
+        "point 0",
+    );
 }

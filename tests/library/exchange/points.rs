@@ -28,7 +28,12 @@ fn courtyard(side: f64, height: f64) -> Scene {
     let mut patches = vec![level("floor", [0.0, side], [0.0, side], 0.0, true)];
     for k in 0..4 {
         let ([ax, ay], [bx, by]) = (corners[k], corners[(k + 1) % 4]);
-        let wall = [[bx, by, 0.0], [ax, ay, 0.0], [ax, ay, height], [bx, by, height]];
+        let wall = [
+            [bx, by, 0.0],
+            [ax, ay, 0.0],
+            [ax, ay, height],
+            [bx, by, height],
+        ];
         patches.push(polygon(&format!("wall {k}"), &wall));
     }
     Scene::try_new(patches).unwrap()
@@ -42,8 +47,8 @@ fn a_courtyard_sees_the_sky_through_its_opening() {
     let scene = courtyard(side, height);
     let middle = row(&scene, [1.0, 1.0, 0.0], DVec3::Z);
     let a: f64 = 0.5 * side / height;
-    let exact = 4.0 / std::f64::consts::PI * a / (1.0 + a * a).sqrt()
-        * (a / (1.0 + a * a).sqrt()).atan();
+    let exact =
+        4.0 / std::f64::consts::PI * a / (1.0 + a * a).sqrt() * (a / (1.0 + a * a).sqrt()).atan();
     assert_is(middle.unseen.unwrap(), exact);
     assert_eq!(middle.backs.unwrap().value, 0.0);
     let opening = level("", [0.0, side], [0.0, side], height, false);
@@ -74,7 +79,10 @@ fn a_long_street_tends_to_the_cosine_of_its_walls() {
         // walls face the street
         assert_eq!(found.backs.unwrap().value, 0.0);
         let unseen = found.unseen.unwrap().value;
-        assert!((unseen - exact).abs() <= allowed, "{length}: {unseen}, not {exact}");
+        assert!(
+            (unseen - exact).abs() <= allowed,
+            "{length}: {unseen}, not {exact}"
+        );
     }
 }
 
@@ -144,7 +152,11 @@ fn a_point_on_a_face_of_a_closed_room_sees_the_others() {
         let unseen = found.unseen.unwrap();
         let backs = found.backs.unwrap();
         let sum: f64 = found.form_factors.iter().map(|part| part.value).sum();
-        assert!((sum + unseen.value - 1.0).abs() <= unseen.error, "{}", patch.name());
+        assert!(
+            (sum + unseen.value - 1.0).abs() <= unseen.error,
+            "{}",
+            patch.name()
+        );
         assert!(backs.value <= unseen.value + backs.error + unseen.error);
     }
 }

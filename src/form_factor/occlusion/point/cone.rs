@@ -131,21 +131,4 @@ impl Cone {
         });
         Self::of(&kept)
     }
-
-    /// The largest angle by which a corner lies outside a side, as corners that do not quite lie in
-    /// one plane may.
-    pub(super) fn bend(&self) -> f64 {
-        let mut bend: f64 = 0.0;
-        let count = self.sides.len();
-        for (i, side) in self.sides.iter().enumerate() {
-            // the other corners than its own ends
-            for next in 2..count {
-                let ray = &self.sides[(i + next) % count].ends[0];
-                if super::crossings::side_of(ray, side).is_lt() {
-                    bend = bend.max(4.0 * f64::EPSILON - ray.unit.dot(side.unit));
-                }
-            }
-        }
-        bend
-    }
 }

@@ -40,6 +40,23 @@ pub(super) fn side_of(ray: &Ray, circle: &Side) -> Ordering {
     }
 }
 
+/// The largest angle by which a corner lies outside a side of its own cone, as corners that do not
+/// quite lie in one plane may.
+pub(super) fn bend(cone: &Cone) -> f64 {
+    let mut bend: f64 = 0.0;
+    let count = cone.sides.len();
+    for (i, side) in cone.sides.iter().enumerate() {
+        // the other corners than its own ends
+        for next in 2..count {
+            let ray = &cone.sides[(i + next) % count].ends[0];
+            if side_of(ray, side).is_lt() {
+                bend = bend.max(4.0 * f64::EPSILON - ray.unit.dot(side.unit));
+            }
+        }
+    }
+    bend
+}
+
 fn height(ray: &Ray, circle: &Side) -> DoubleDouble {
     let (exact, normal) = (ray.exact, circle.normal);
     vector_value!(DoubleDouble::from(0.0), exact.dot(normal))

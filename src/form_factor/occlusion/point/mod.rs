@@ -38,6 +38,7 @@ use crate::form_factor::{ExchangeArea, FormFactorError, Polygon};
 use crate::geometry::{Vector, convex_pieces};
 use crate::numeric::{Bounded, DoubleDouble, Scalar, vector_value};
 use cone::{Cone, Ray};
+use crossings::bend;
 use glam::{DVec2, DVec3};
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -163,7 +164,7 @@ impl Viewpoint {
             sight.cones.extend(Cone::of(&rays));
         }
         // by twice the bend along the whole outline
-        let bend = sight.cones.iter().map(Cone::bend);
+        let bend = sight.cones.iter().map(bend);
         sight.error = 2.0 * bend.sum::<f64>();
         let rays: Vec<Ray> = sight.cones.iter().flat_map(Cone::rays).copied().collect();
         sight.cap = Cap::around(&rays);
@@ -340,7 +341,7 @@ fn left_out(point: DVec3, height: f64, noise: f64, polygon: &Polygon) -> f64 {
 /// occluders block from both sides, each piece of them that is nearer than the polygon's plane.
 /// **Returns** a number in `[0, 1]`, dimensionless, with a bound on its error for corners and point
 /// as given: exactly 0 if the point is not in front of the polygon or all of it is hidden.
-/// **Accuracy** some ε for few blockers, measured by `bounds_of_points_are_narrow`.
+/// **Accuracy** some ε for few blockers, held by `half_planes_hide_half_and_all`.
 ///
 /// # Errors
 /// [`FormFactorError::NotAUnitNormal`]; [`FormFactorError::NotAPoint`];
