@@ -110,7 +110,10 @@ fn half_planes_hide_half_and_all() {
     for z in [1e-9, 0.3, 1.0, 1.999_999] {
         let right = ceiling([0.0, 1e3], [-1e3, 1e3], z);
         let left = ceiling([-1e3, 0.0], [-1e3, 1e3], 0.5 * z);
-        assert_is(seen(DVec3::ZERO, DVec3::Z, &face, &[right.clone()]), half);
+        assert_is(
+            seen(DVec3::ZERO, DVec3::Z, &face, std::slice::from_ref(&right)),
+            half,
+        );
         let none = seen(DVec3::ZERO, DVec3::Z, &face, &[right, left]);
         assert_eq!(none.value, 0.0);
         assert!(none.error < 1e-15);
