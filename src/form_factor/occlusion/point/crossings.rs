@@ -1,7 +1,7 @@
 //! The part of a side that lies in a cone.
 //!
 //! ```text
-//!   side from a to b, circle with normal N′:   p·N′ has one zero at most, as the side is less than π
+//!   side from a to b, circle with normal N′:   p·N′ has one zero at most, the side being below π
 //!   s_a = a·N′,  s_b = b·N′,  opposite signs:  t = atan2(|s_a| |a × b|, |s_a| a·b + |s_b| a·a)
 //! ```
 //!

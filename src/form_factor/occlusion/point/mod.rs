@@ -21,8 +21,8 @@
 //! Three decisions are no matter of rounding. A point within [`Occluders::touching`] of a polygon's
 //! plane, and what corners and rounding leave uncertain of it, is *on* it: it does not see this
 //! polygon, and nothing is hidden by it. For a point *on* the plane but beside the polygon the bound
-//! holds what that leaves out, 2 h/r at height h and distance r. A blocker within the same distance of the
-//! receiver's plane is *in* it and hides nothing.
+//! holds what that leaves out, 2 h/r at height h and distance r. A blocker within the same distance
+//! of the receiver's plane is *in* it and hides nothing.
 //!
 //! **Not covered**: a point that itself lies on two sides of a surface, such as one on a wall that
 //! stands on its own surface: the wall is seen edge-on there, and hides nothing.
@@ -355,8 +355,8 @@ fn left_out(point: DVec3, height: f64, noise: f64, polygon: &Polygon) -> f64 {
 /// // a square of side 2 at distance 2, seen from its axis past a plate over half of it
 /// let level = |x: [f64; 2], z: f64| {
 ///     let corner = |x, y| DVec3::new(x, y, z);
-///     let corners = vec![corner(x[0], 1.0), corner(x[1], 1.0), corner(x[1], -1.0), corner(x[0], -1.0)];
-///     Ok::<_, GeometryError>(Polygon::new(&Patch::try_new(corners)?))
+///     let [a, b] = x.map(|x| [corner(x, 1.0), corner(x, -1.0)]);
+///     Ok::<_, GeometryError>(Polygon::new(&Patch::try_new(vec![a[0], b[0], b[1], a[1]])?))
 /// };
 /// let (face, plate) = (level([-1.0, 1.0], 2.0)?, level([0.0, 1.0], 1.0)?);
 /// let occluders = Occluders { polygons: &[&plate], touching: 0.0 };
