@@ -51,7 +51,7 @@ impl<'s> ScenePoints<'s> {
     /// use glam::DVec3;
     /// use infoscene::exchange::{ScenePoints, Unheard};
     /// use infoscene::scene::{Occlusion, Scene};
-    /// // the middle of a cube's floor sees a fifth of the ceiling's hemisphere, and all of the cube
+    /// // the middle of a cube's floor sees the cube, and nothing else
     /// let cube = Scene::built_in("cube:1")?;
     /// let points = ScenePoints::try_new(&cube, Occlusion::Refuse)?;
     /// let rows = points.seen_from(&[(DVec3::new(0.5, 0.5, 0.0), DVec3::Z)], &Unheard)?;

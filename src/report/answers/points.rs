@@ -28,8 +28,8 @@ struct CsvRecord<'p> {
 ///
 /// # Errors
 /// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite, before anything is
-/// written; [`ReportError::Write`], [`ReportError::Csv`] or [`ReportError::Json`] if the text cannot
-/// be written.
+/// written; [`ReportError::Write`], [`ReportError::Csv`] or [`ReportError::Json`] if the text
+/// cannot be written.
 pub fn write_points(
     answer: &PointsAnswer,
     format: Format,

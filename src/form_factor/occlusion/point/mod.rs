@@ -7,8 +7,8 @@
 //!
 //! The receiver is cut into convex pieces and clipped at the point's horizon, blockers are cut into
 //! convex pieces and clipped at the receiver's plane, what is behind it. Each piece is seen in a
-//! convex cone (`cone`). The arcs are parts of the cones' sides: of a side of the receiver what lies
-//! in no blocker, of a side of a blocker what lies in the receiver and in no other blocker
+//! convex cone (`cone`). The arcs are parts of the cones' sides: of a side of the receiver what
+//! lies in no blocker, of a side of a blocker what lies in the receiver and in no other blocker
 //! (`visible`). Such a part is a union of intervals, since a convex cone cuts a great circle in one
 //! (`crossings`).
 //!
@@ -20,8 +20,8 @@
 //!
 //! Three decisions are no matter of rounding. A point within [`Occluders::touching`] of a polygon's
 //! plane, and what corners and rounding leave uncertain of it, is *on* it: it does not see this
-//! polygon, and nothing is hidden by it. For a point *on* the plane but beside the polygon the bound
-//! holds what that leaves out, 2 h/r at height h and distance r. A blocker within the same distance
+//! polygon, and nothing is hidden by it. For a point *on* the plane but beside the polygon the
+//! bound holds what that leaves out, 2 h/r at height h and distance r. A blocker within the same distance
 //! of the receiver's plane is *in* it and hides nothing.
 //!
 //! **Not covered**: a point that itself lies on two sides of a surface, such as one on a wall that
