@@ -16,6 +16,7 @@ mod light;
 mod measure;
 mod mends;
 mod output;
+mod point;
 mod progress;
 mod radiosity;
 mod reproduce;
@@ -55,6 +56,9 @@ enum Question {
     Grid(grid::Grid),
     /// Compute the form factors of a scene.
     FormFactor(form_factor::FormFactor),
+    /// Compute the form factors from points to the patches of a scene, past all that is in the way,
+    /// and what of the sky they see.
+    Point(point::Point),
     /// Measure the information of a scene: entropies and mutual information.
     Measure(measure::Measure),
     /// Estimate the information of a scene from random lines.
@@ -122,6 +126,7 @@ fn answer(question: Question) -> Answer {
         Question::Cut(question) => question.answer(),
         Question::Grid(question) => question.answer(),
         Question::FormFactor(question) => question.answer(),
+        Question::Point(question) => question.answer(),
         Question::Measure(question) => question.answer(),
         Question::Sample(question) => question.answer(),
         Question::Radiosity(question) => question.answer(),

@@ -17,6 +17,14 @@ pub enum ExchangeError {
         /// The reason.
         source: FormFactorError,
     },
+    /// A point, a direction or a patch that is seen from it cannot be computed with.
+    #[error("point {index}: {source}")]
+    Point {
+        /// Index of the point.
+        index: usize,
+        /// The reason.
+        source: FormFactorError,
+    },
     /// A pair is not one of the selection that pairs were made ready for.
     #[error("patches {first} and {second} are not of the selection: select them, too")]
     NotSelected {

@@ -70,12 +70,15 @@
 //! [`Occlusion`]: crate::scene::Occlusion
 //! [`Polygon::exchange_area_past`]: crate::form_factor::Polygon::exchange_area_past
 //!
+//! [`ScenePoints`] sees the rows from single points, past all that stands in the way.
+//!
 //! **Not covered**: reflection on the way, which is transport's.
 
 mod closure;
 mod error;
 mod passes;
 mod plan;
+mod points;
 mod polygon_pair;
 mod progress;
 mod resolution;
@@ -97,6 +100,7 @@ pub use plan::Congruence;
 pub use plan::counts::{
     IgnoredOcclusion, OcclusionCounts, PassCounts, PassSummary, PlanSummary, Unreached,
 };
+pub use points::{PointRow, ScenePoints};
 pub use progress::{Progress, Unheard};
 pub use resolution_errors::ResolutionErrors;
 pub(crate) use row_pair::per_area;

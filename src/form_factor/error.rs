@@ -54,6 +54,18 @@ pub enum FormFactorError {
         /// The length of the vector.
         length: f64,
     },
+    /// Coordinates that are no point to compute with.
+    #[error(
+        "({x}, {y}, {z}) is no point to compute with: its coordinates must be finite, below 1e60"
+    )]
+    NotAPoint {
+        /// The coordinates.
+        x: f64,
+        /// The second one.
+        y: f64,
+        /// The third one.
+        z: f64,
+    },
     /// Two points that should be apart are not.
     #[error("two points {distance} apart: they must be apart, and not infinitely far")]
     SamePoint {

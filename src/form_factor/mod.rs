@@ -16,6 +16,7 @@
 //! | double-double | the contour in 106 bits | `contour/double_double` |
 //! | point to polygon | Lambert's formula, with a Gauss rule over one polygon | `gauss/lambert` |
 //! | kernel | Gauss rules over both polygons | `gauss/kernel` |
+//! | points past others | arcs about what is visible | `occlusion/point` |
 //!
 //! `clipped_pair` removes the part of each polygon behind the other's plane and measures the rest;
 //! `chooser` chooses the route. [`LogMeans`] are the integrals of the logarithms of distance and
@@ -93,7 +94,8 @@ pub use error::FormFactorError;
 pub use exchange_area::{Answer, ExchangeArea};
 pub use gauss::lambert::{point_form_factor, point_kernel};
 pub use logarithms::LogMeans;
-pub use occlusion::Occluders;
+pub use occlusion::{Occluders, point_form_factor_past};
+pub(crate) use occlusion::{Sight, Viewpoint};
 pub use polygon::Polygon;
 pub use rectangles::corner_sum::Exchange;
 pub(crate) use rectangles::derivatives::EdgeSlopes;

@@ -2,6 +2,7 @@
 
 use super::patch_name::PatchNameError;
 use super::patch_values::PatchValueError;
+use super::point_file::PointFileError;
 use crate::chain::ChainError;
 use crate::claims::ClaimError;
 use crate::discretize::DiscretizeError;
@@ -65,6 +66,9 @@ pub enum QuestionError {
     /// A value for some patches was refused.
     #[error(transparent)]
     PatchValue(#[from] PatchValueError),
+    /// Points, or a file of them, were refused.
+    #[error(transparent)]
+    Points(#[from] PointFileError),
     /// The scene could not be opened.
     #[error(transparent)]
     Open(#[from] OpenError),

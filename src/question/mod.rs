@@ -24,6 +24,8 @@ mod material_changes;
 mod measure;
 mod patch_name;
 mod patch_values;
+mod point_file;
+mod points;
 mod radiosity;
 mod reproduce;
 mod sample;
@@ -54,6 +56,8 @@ pub use measure::{
 };
 pub use patch_name::{PatchName, PatchNameError};
 pub use patch_values::{PatchValue, PatchValueError};
+pub use point_file::{PointFileError, SurfacePoint};
+pub use points::{PointRecord, PointSource, Points, PointsAnswer, SeenPatch, SeenRecord};
 pub use radiosity::{PatchLight, Radiosity, RadiosityAnswer};
 pub use reproduce::{JudgedClaim, Reproduce, ReproduceAnswer};
 pub use sample::{Sample, SampleAnswer};

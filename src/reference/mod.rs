@@ -4,14 +4,15 @@
 //! exact value of an exchange area to compare with; it takes aligned rectangles from their closed
 //! form in intervals, and all others from [`exchange`], an independent integral of any two polygons
 //! to twenty digits and more. [`fixed_float`] has its numbers. [`exact_gain`] encloses the gain of
-//! a refinement from the definition.
-//!
-//! **Not covered**: occlusion.
+//! a refinement from the definition. [`exchange_area_past`] integrates what points see past
+//! polygons that stand in the way.
 
 pub mod exchange;
 pub mod fixed_float;
 mod gain;
+mod occluded;
 mod truth;
 
 pub use gain::exact_gain;
+pub use occluded::exchange_area_past;
 pub use truth::Truth;

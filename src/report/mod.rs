@@ -23,6 +23,7 @@ pub use answers::fuzz::fuzz_report;
 pub use answers::grid::grid_report;
 pub use answers::measure::measure_report;
 pub(crate) use answers::measure::plan_notes;
+pub use answers::points::write_points;
 pub use answers::radiosity::radiosity_report;
 pub use answers::sampled::sample_report;
 pub use answers::split::split_report;

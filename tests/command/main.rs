@@ -16,6 +16,7 @@ mod keys;
 mod light;
 mod materials;
 mod matrices;
+mod points;
 mod refusals;
 mod resolution;
 mod sampling;

@@ -21,7 +21,9 @@ fn each_row_is_claimed_by_exactly_one_recomputation() {
     }
 }
 
-/// The four files are all there are.
+/// The four files are all there are, beside `occlusion.json`: its values are of two integrals that
+/// nothing here recomputes, and are judged by `library::form_factor::occlusion` with their
+/// uncertainties.
 #[test]
 fn no_reference_file_is_left_out() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/data/reference");

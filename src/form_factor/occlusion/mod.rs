@@ -5,6 +5,7 @@
 mod arrangement;
 mod occluders;
 mod outer;
+mod point;
 mod rule;
 mod setting;
 mod share;
@@ -12,6 +13,9 @@ mod sight;
 mod slack;
 
 pub use occluders::Occluders;
+
+pub use point::point_form_factor_past;
+pub(crate) use point::{Sight, Viewpoint};
 
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
 use arrangement::{Arrangement, arrange};

@@ -1,6 +1,6 @@
 //! Answers as tables and records, a file for each question.
 //!
-//! `measure` and `sampled` answer `infoscene measure`, `check`, `form_factors`, `grid` and
+//! `measure` and `sampled` answer `infoscene measure`, `check`, `form_factors`, `grid`, `points` and
 //! `radiosity` the questions of these names, `cuts` the question `cut`, `claims` the question
 //! `reproduce`; `refinement` and `studies` answer `study`. `claims_page` and `findings` are the
 //! generated pages of `data/report`. Formats are in `render`, computing is in the rooms before this
@@ -16,6 +16,7 @@ pub(crate) mod form_factors;
 pub(crate) mod fuzz;
 pub(crate) mod grid;
 pub(crate) mod measure;
+pub(crate) mod points;
 pub(crate) mod radiosity;
 pub(crate) mod sampled;
 pub(crate) mod split;

@@ -4,6 +4,7 @@ mod bases;
 mod closure;
 mod occluded;
 mod plan;
+mod points;
 mod promises;
 mod resolution;
 mod rows;

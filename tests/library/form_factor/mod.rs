@@ -7,6 +7,7 @@ mod error_bounds;
 mod extreme_polygons;
 mod far_rectangles;
 mod independent_roads;
+mod occlusion;
 mod polygon_invariance;
 mod reciprocity;
 mod rectangle_invariance;
