@@ -21,6 +21,8 @@
 //!
 //! The evidence is a [`Grade`](crate::numeric::Grade). A theorem raises a finding that agrees with
 //! it to *proof* before the rule is applied; it never hides a computation that does not agree. A
+//! [`Theorem`] stands beside its claim with hypotheses and conclusion: that the two say the same is
+//! checked by reading, not by a machine. A
 //! control changes the configuration, the formula or the printed number so that the verdict must
 //! turn; the theorems say nothing of it.
 //!
@@ -37,6 +39,7 @@ mod judge;
 mod registry;
 mod rule;
 mod sections;
+mod theorem;
 mod verdict;
 
 pub use case::Case;
@@ -50,4 +53,5 @@ pub use judge::{Judgement, judge, judge_all, judge_control};
 pub use registry::registry;
 #[cfg(feature = "report")]
 pub(crate) use sections::figure_5::samples_for;
+pub use theorem::Theorem;
 pub use verdict::Verdict;

@@ -49,6 +49,77 @@ pub(crate) fn theorems(text: &str) -> BTreeMap<String, String> {
     found
 }
 
+/// A statement taken apart: `forall variables, hypothesis -> … -> conclusion`.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) struct Parts {
+    /// The bound variables and local definitions, those of all quantifiers in a row.
+    pub variables: String,
+    /// The hypotheses, in order.
+    pub hypotheses: Vec<String>,
+    /// What follows.
+    pub conclusion: String,
+}
+
+impl Parts {
+    /// The parts of a statement from `Theorem` to its full stop.
+    pub fn of(statement: &str) -> Self {
+        let (_, text) = statement.split_once(':').unwrap();
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let mut rest = text.trim_end_matches('.').trim();
+        let (mut variables, mut hypotheses) = (Vec::new(), Vec::new());
+        loop {
+            let (end, opening) = if rest.starts_with("forall ") {
+                (",", "forall ")
+            } else if rest.starts_with("let ") {
+                (" in ", "")
+            } else {
+                ("->", "")
+            };
+            let Some(at) = outermost(rest, end) else {
+                break;
+            };
+            let part = rest[opening.len()..at].trim();
+            if end == "->" {
+                hypotheses.push(part.to_owned());
+            } else {
+                variables.push(part);
+            }
+            rest = rest[at + end.len()..].trim();
+        }
+        Self {
+            variables: variables.join("; "),
+            hypotheses,
+            conclusion: rest.to_owned(),
+        }
+    }
+}
+
+/// The first place of a mark outside brackets and before any inner quantifier.
+fn outermost(text: &str, mark: &str) -> Option<usize> {
+    let mut depth = 0_u32;
+    for (at, own) in text.char_indices() {
+        let rest = &text[at..];
+        match own {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth -= 1,
+            _ => {}
+        }
+        if depth > 0 {
+            continue;
+        }
+        let is_inner = ["forall ", "exists ", "fun ", "let "]
+            .iter()
+            .any(|word| rest.starts_with(word));
+        if is_inner && mark == "->" {
+            return None;
+        }
+        if rest.starts_with(mark) && !text[..at].ends_with('<') {
+            return Some(at);
+        }
+    }
+    None
+}
+
 /// All theorems that are stated again, with their statements.
 pub(crate) fn stated() -> BTreeMap<String, String> {
     let mut all = BTreeMap::new();
@@ -69,4 +140,18 @@ fn a_theorem_in_a_comment_is_none() {
     let found = theorems(text);
     assert_eq!(found.keys().collect::<Vec<_>>(), ["c"]);
     assert!(found["c"].ends_with("True.\n"));
+}
+
+#[test]
+fn a_statement_is_taken_apart() {
+    let text = "Theorem t : forall n (f : nat -> R), (0 < n)%nat ->\n  \
+                (forall i, 0 <= f i) -> let s := sum n f in forall c, a <-> b ->\n  \
+                c = s <-> exists x, f x -> x = 0.\n";
+    let parts = Parts::of(text);
+    assert_eq!(parts.variables, "n (f : nat -> R); let s := sum n f; c");
+    assert_eq!(
+        parts.hypotheses,
+        ["(0 < n)%nat", "(forall i, 0 <= f i)", "a <-> b"]
+    );
+    assert_eq!(parts.conclusion, "c = s <-> exists x, f x -> x = 0");
 }

@@ -2,10 +2,12 @@
 
 use crate::coq::{stated, theorems, without_comments};
 use crate::{files, folder, text};
+use std::collections::BTreeMap;
 use std::fs;
 
-/// One row of the index: its theorems, and the files it says they are in.
+/// One row of the index: what it says, its theorems, and the files it says they are in.
 struct Row {
+    says: String,
     theorems: Vec<String>,
     files: Vec<String>,
 }
@@ -25,11 +27,22 @@ fn index(page: &str) -> Vec<Row> {
                 .skip(1)
                 .filter_map(|link| link.split(')').next());
             Row {
+                says: cells[0].trim_start_matches("| ").to_owned(),
                 theorems: theorems.map(str::to_owned).collect(),
                 files: files.map(str::to_owned).collect(),
             }
         })
         .collect()
+}
+
+/// What the index says of each theorem.
+pub(crate) fn words_of_theorems() -> BTreeMap<String, String> {
+    let rows = index(&text("proofs/README.md")).into_iter();
+    rows.flat_map(|Row { says, theorems, .. }| {
+        let named = theorems.into_iter();
+        named.map(move |name| (name, says.clone()))
+    })
+    .collect()
 }
 
 /// The fault of a row, given the theorems of a file.
