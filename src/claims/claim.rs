@@ -1,6 +1,6 @@
 //! One claim of the paper, as it stands in `data/paper/`.
 
-use super::{Computation, Inputs, Verdict};
+use super::{Computation, Inputs, OneSided, Verdict};
 use crate::numeric::Interval;
 
 /// The task that a claim sets.
@@ -16,6 +16,8 @@ pub enum Task {
         control: Control,
         /// The verdict on record: any other is an error of the suite.
         recorded: Verdict,
+        /// The only side to which the computation can decide; none for both.
+        can_only: Option<OneSided>,
     },
     /// Nothing to compute: a theorem of `proofs/` decides it.
     Proved {
@@ -115,6 +117,7 @@ pub(super) struct Entry {
     complete: bool,
     computation: Option<Computation>,
     verdict: Option<Verdict>,
+    can_only: Option<OneSided>,
     not_checked: Option<String>,
     curve: Option<[String; 2]>,
     #[serde(default)]
@@ -162,6 +165,7 @@ impl TryFrom<Entry> for Claim {
                     input: entry.input,
                     control,
                     recorded,
+                    can_only: entry.can_only,
                 }
             }
             (None, None, Some(reason)) => Task::NotChecked { reason },

@@ -11,8 +11,10 @@ use rayon::prelude::*;
 pub struct Judgement {
     /// The claim.
     pub claim: Claim,
-    /// The finding; `None` if the claim is not computed.
+    /// The finding of the computation alone; `None` if the claim is not computed.
     pub finding: Option<Finding>,
+    /// Does a theorem prove the claim as it stands, or its contrary?
+    pub is_proved: bool,
     /// The verdict by the rule.
     pub verdict: Verdict,
 }
@@ -31,11 +33,18 @@ impl Judgement {
     /// The grade of the evidence, if there is any.
     #[must_use]
     pub fn evidence(&self) -> Option<Grade> {
-        match (&self.finding, &self.claim.task) {
-            (Some(finding), _) => Some(finding.grade),
-            (None, Task::Proved { .. }) => Some(Grade::Proof),
-            (None, _) => None,
+        if self.is_proved {
+            return Some(Grade::Proof);
         }
+        self.finding.as_ref().map(|finding| finding.grade)
+    }
+
+    /// The verdict of the computation alone, without the theorems that the claim names; `None` if
+    /// nothing is computed.
+    #[must_use]
+    pub fn by_computation(&self) -> Option<Verdict> {
+        let finding = self.finding.as_ref();
+        finding.map(|finding| Verdict::of(&self.claim, finding))
     }
 
     /// The finding's note, or the reason why there is none.
@@ -58,7 +67,8 @@ pub fn judge(claim: &Claim, context: &Context) -> Result<Judgement, ClaimError> 
     judge_with(claim.clone(), &Inputs::default(), Theorems::Count, context)
 }
 
-/// Judges a claim with its control's changes; a sound computation gives another verdict.
+/// Judges a claim with its control's changes, of which the theorems say nothing; a sound
+/// computation gives another verdict than [`Judgement::by_computation`] does for the claim.
 ///
 /// # Errors
 /// [`ClaimError`] if the computation fails.
@@ -136,9 +146,9 @@ fn judge_with(
     theorems: Theorems,
     context: &Context,
 ) -> Result<Judgement, ClaimError> {
-    let (finding, verdict) = match &claim.task {
-        Task::Proved { is_refuted, .. } => (None, Verdict::of_proof(*is_refuted)),
-        Task::NotChecked { .. } => (None, Verdict::NotChecked),
+    let (finding, is_proved, verdict) = match &claim.task {
+        Task::Proved { is_refuted, .. } => (None, true, Verdict::of_proof(*is_refuted)),
+        Task::NotChecked { .. } => (None, false, Verdict::NotChecked),
         Task::Compute {
             computation,
             input,
@@ -146,17 +156,20 @@ fn judge_with(
             ..
         } => {
             let case = Case::new(input.changed_by(changes), context);
-            let mut finding = computation.compute(&case)?;
-            if theorems == Theorems::Count && is_proved(&claim, *recorded, &finding) {
-                finding.grade = Grade::Proof;
+            let finding = computation.compute(&case)?;
+            let is_proved = theorems == Theorems::Count && is_proved(&claim, *recorded, &finding);
+            let mut raised = finding.clone();
+            if is_proved {
+                raised.grade = Grade::Proof;
             }
-            let verdict = Verdict::of(&claim, &finding);
-            (Some(finding), verdict)
+            let verdict = Verdict::of(&claim, &raised);
+            (Some(finding), is_proved, verdict)
         }
     };
     Ok(Judgement {
         claim,
         finding,
+        is_proved,
         verdict,
     })
 }

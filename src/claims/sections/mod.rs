@@ -9,6 +9,7 @@
 pub(crate) mod appendix;
 pub(crate) mod continuous_limit;
 pub(crate) mod figure_5;
+pub(crate) mod lit;
 pub(crate) mod section_2;
 pub(crate) mod section_3;
 pub(crate) mod section_3_light;

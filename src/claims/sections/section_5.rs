@@ -84,20 +84,27 @@ fn ratio_to_truth(ratio: Interval, total: f64, case: &Case<'_>) -> Result<Findin
     let fails = ratio.intersection(&one).is_none();
     // an equality cannot be enclosed, only refuted; the control comes to within its enclosure and
     // is left open
-    Ok(Finding::decided(false, fails, ratio).noting(note))
+    Ok(Finding::refuted_if(fails, ratio).noting(note))
 }
 
-/// Three equal strips of two facing squares, `far` being the share below which the potential counts
-/// as far.
+/// Three equal strips of two facing squares, at `distance` and at half of it: the gain is below the
+/// share `far` of the potential, and the farther the squares are the less of it is left. Near to
+/// each other it is the other way round, as the form factors of touching squares are equal, too.
 pub(crate) fn potential_is_far_from_real_gain(case: &Case<'_>) -> Result<Finding, ClaimError> {
-    let scene = Scene::facing_squares(case.number("distance")?)?;
     let far = case.interval("far")?;
-    let split = PatchSplit::try_new(&scene, 0, &[1], SplitAxis::U)?;
-    let split = split.rectangles()?.lifted(&far);
     let three = far.constant(3.0);
     let thirds = [1.0, 2.0].map(|k| far.constant(k) / &three);
-    let share = split.gain(&thirds)? / &split.maximum_gain(3)?;
-    Ok(Finding::decided(share < far, share > far, share))
+    let share = |distance: f64| -> Result<Interval, ClaimError> {
+        let scene = Scene::facing_squares(distance)?;
+        let split = PatchSplit::try_new(&scene, 0, &[1], SplitAxis::U)?;
+        let split = split.rectangles()?.lifted(&far);
+        Ok(split.gain(&thirds)? / &split.maximum_gain(3)?)
+    };
+    let distance = case.number("distance")?;
+    let (near, share) = (share(0.5 * distance)?, share(distance)?);
+    let note = format!("{:.1e} of it at half the distance", near.to_f64());
+    let (holds, fails) = (share < far && share < near, share > far || share > near);
+    Ok(Finding::decided(holds, fails, share).noting(note))
 }
 
 /// Two halves with form factors F (1 ± g), g from 0 to 1; with `flux_loss` the total falls as g
