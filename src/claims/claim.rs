@@ -26,6 +26,15 @@ pub enum Task {
         /// A note for the reader.
         note: String,
     },
+    /// Nothing of its own: the claim is that all of these hold.
+    AllOf {
+        /// The ids of the claims.
+        members: Vec<String>,
+        /// Their names in a sentence.
+        note: String,
+        /// The verdict on record.
+        recorded: Verdict,
+    },
     /// Nothing yet, for this reason.
     NotChecked {
         /// The reason.
@@ -119,6 +128,7 @@ pub(super) struct Entry {
     verdict: Option<Verdict>,
     can_only: Option<OneSided>,
     not_checked: Option<String>,
+    all_of: Option<Vec<String>>,
     curve: Option<[String; 2]>,
     #[serde(default)]
     proof: Vec<String>,
@@ -154,8 +164,13 @@ impl TryFrom<Entry> for Claim {
             printed.transpose()
         };
         let printed = number(entry.printed)?;
-        let task = match (entry.computation, entry.verdict, entry.not_checked) {
-            (Some(computation), Some(recorded), None) => {
+        let task = match (
+            entry.computation,
+            entry.verdict,
+            entry.not_checked,
+            entry.all_of,
+        ) {
+            (Some(computation), Some(recorded), None, None) => {
                 let control = Control {
                     inputs: entry.control.inputs,
                     printed: number(entry.control.printed)?,
@@ -168,8 +183,13 @@ impl TryFrom<Entry> for Claim {
                     can_only: entry.can_only,
                 }
             }
-            (None, None, Some(reason)) => Task::NotChecked { reason },
-            (None, Some(verdict @ (Verdict::Confirmed | Verdict::Refuted)), None)
+            (None, None, Some(reason), None) => Task::NotChecked { reason },
+            (None, Some(recorded), None, Some(members)) => Task::AllOf {
+                note: format!("holds where all of these do: {}", members.join(", ")),
+                members,
+                recorded,
+            },
+            (None, Some(verdict @ (Verdict::Confirmed | Verdict::Refuted)), None, None)
                 if !entry.proof.is_empty() =>
             {
                 Task::Proved {
@@ -179,8 +199,8 @@ impl TryFrom<Entry> for Claim {
             }
             _ => {
                 return Err(format!(
-                    "claim {id}: needs computation and verdict, or proof and verdict, or \
-                     not_checked"
+                    "claim {id}: needs computation and verdict, or proof and verdict, or all_of \
+                     and verdict, or not_checked"
                 ));
             }
         };

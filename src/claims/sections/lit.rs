@@ -106,6 +106,11 @@ impl Lit {
         }
     }
 
+    /// `B_i B_j A_i F_ij`, the potential of a pair, §5.
+    pub(crate) fn potential(&self, i: usize, j: usize) -> f64 {
+        self.solution[i] * self.solution[j] * self.exchange.get(i, j).exchange.value
+    }
+
     /// B, or R I.
     pub(crate) fn brightness(&self) -> Vec<f64> {
         let values = self.solution.iter().zip(&self.materials);

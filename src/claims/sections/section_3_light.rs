@@ -117,29 +117,23 @@ pub(crate) fn divided_light_adds_up(case: &Case<'_>) -> Result<Finding, ClaimErr
     Ok(Finding::residual(worst, tolerance::CLOSURE))
 }
 
-/// `E = k (1 − R)`, or `V = k (1/R − 1)`: the largest difference of `P_ij` from `F_ij`.
+/// `E(x) = k (1 − R(x))`, or `V(x) = k (1/R(x) − 1)`, with a reflectance that varies inside the
+/// patches: the largest difference of `P_ij`, by quadrature, from `F_ij`. The brightness is what the
+/// integral equation makes of k, from which every point of a closed scene receives k.
 pub(crate) fn even_light_is_visibility(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let lit = Lit::new(case)?;
-    let room = RadiositySystem::of(&lit.exchange, &lit.materials)?;
-    let level = case.number("level")?;
-    let even = lit.materials.iter().enumerate().map(|(i, material)| {
-        let absorbed = level * (1.0 - material.reflectance());
-        let brighter = if i == 0 {
-            1.0 + case.number("flaw")?
+    let (level, flaw) = (case.number("level")?, case.number("flaw")?);
+    let brightness = |patch: usize, at: glam::DVec3| {
+        let reflectance = lit.reflectance(patch) * (1.0 - 0.5 * at.x * at.y);
+        let brighter = if patch == 0 { 1.0 + flaw } else { 1.0 };
+        if lit.importance.is_some() {
+            let direct = brighter * level * (1.0 / reflectance - 1.0);
+            reflectance * (direct + level)
         } else {
-            1.0
-        };
-        Ok::<_, ClaimError>(brighter * absorbed)
-    });
-    let even = even.collect::<Result<Vec<_>, _>>()?;
-    let brightness = if lit.importance.is_some() {
-        let direct = even.iter().zip(&lit.materials);
-        let direct: Vec<f64> = direct.map(|(e, m)| e / m.reflectance()).collect();
-        room.importance(&direct)?.reflected.values
-    } else {
-        room.radiosity(&even)?.values
+            brighter * level * (1.0 - reflectance) + reflectance * level
+        }
     };
-    let chain = brightness_chain(&lit.exchange, &brightness)?;
+    let chain = continuous_chain(&lit.scene, brightness, 1e-9)?.chain;
     let mut worst: f64 = 0.0;
     for i in 0..lit.patches() {
         for j in 0..lit.patches() {
@@ -236,17 +230,6 @@ pub(crate) fn null_variance_shooting(case: &Case<'_>) -> Result<Finding, ClaimEr
         allowed = larger(allowed, walk_rounding(&walks));
     }
     Ok(Finding::residual(worst, allowed).sampled())
-}
-
-/// `Σ_j B_i B_j A_i F_ij` against `A_i B_i (B_i − E_i)/R_i`.
-pub(crate) fn potentials_sum_to_generalised_area(case: &Case<'_>) -> Result<Finding, ClaimError> {
-    let lit = Lit::new(case)?;
-    let off = (0..lit.patches()).map(|i| {
-        let potentials = (0..lit.patches())
-            .map(|j| lit.solution[i] * lit.solution[j] * lit.exchange.get(i, j).exchange.value);
-        (compensated_sum(potentials) / lit.weight(i) - 1.0).abs()
-    });
-    Ok(Finding::residual(largest(off), tolerance::CLOSURE))
 }
 
 /// `I = H_p − H_s` of the radiosity and of the importance chain.

@@ -2,8 +2,8 @@
 
 use super::{CONTEXT, JUDGEMENTS};
 use infoscene::claims::{
-    Case, Claim, Computation, Context, Control, Finding, Inputs, Judgement, OneSided, Printed, Task,
-    Verdict, judge_control, registry,
+    Case, Claim, Computation, Context, Control, Finding, Inputs, Judgement, OneSided, Printed,
+    Task, Verdict, judge_control, registry,
 };
 use infoscene::numeric::{Grade, Interval};
 
@@ -80,6 +80,43 @@ fn one_sided_computations_are_where_the_data_say() {
     assert!(wrong.is_empty(), "can_only should be\n{}", wrong.join("\n"));
 }
 
+/// A statement of several parts stands and falls with them.
+#[test]
+fn a_conjunction_is_settled_as_its_least_settled_part() {
+    use Verdict::{Confirmed, NotChecked, Refuted, Supported, Undecided};
+    for (parts, whole) in [
+        (vec![Confirmed, Confirmed], Confirmed),
+        (vec![Confirmed, Supported], Supported),
+        (vec![Supported, Undecided], Undecided),
+        (vec![Undecided, NotChecked], NotChecked),
+        (vec![NotChecked, Confirmed, Refuted], Refuted),
+    ] {
+        assert_eq!(Verdict::of_all(&parts), whole, "{parts:?}");
+    }
+    let conjunctions = JUDGEMENTS.iter().filter(|j| !j.members.is_empty());
+    for judgement in conjunctions {
+        let parts: Vec<Verdict> = judgement.members.iter().map(|part| part.verdict).collect();
+        assert!(parts.len() > 1, "{}", judgement.claim.id);
+        assert_eq!(judgement.verdict, Verdict::of_all(&parts));
+    }
+}
+
+/// Nothing is left unchecked but what needs meshes that are refined.
+#[test]
+fn only_refinement_is_not_checked() {
+    let open = JUDGEMENTS
+        .iter()
+        .filter(|j| j.verdict == Verdict::NotChecked);
+    let open: Vec<&str> = open.map(|judgement| judgement.claim.id.as_str()).collect();
+    let expected = [
+        "s5-cheap-gradient",
+        "s5-full-gain-is-the-better-oracle",
+        "s6-oracle-is-useful",
+        "s6-minimises-error",
+    ];
+    assert_eq!(open, expected);
+}
+
 /// A printed number two units of its last decimal off is refuted, or undecided where the paper
 /// leaves its configuration open.
 #[test]
@@ -148,7 +185,7 @@ fn every_computation_has_a_claim() {
             Task::Compute {
                 computation: used, ..
             } => used == computation,
-            Task::Proved { .. } | Task::NotChecked { .. } => false,
+            Task::Proved { .. } | Task::NotChecked { .. } | Task::AllOf { .. } => false,
         };
         let name = computation.name();
         assert!(computed().iter().any(uses), "{name} has no claim");
