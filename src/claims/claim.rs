@@ -1,7 +1,8 @@
 //! One claim of the paper, as it stands in `data/paper/`.
 
-use super::{Computation, Inputs, OneSided, Verdict};
+use super::{Computation, Inputs, OneSided, Theorem, Verdict};
 use crate::numeric::Interval;
+use std::collections::BTreeMap;
 
 /// The task that a claim sets.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,7 +59,7 @@ pub struct Claim {
     /// The labels of the axes of the figure's curve, with units, if its computation returns one.
     pub curve_axes: Option<[String; 2]>,
     /// Theorems of `proofs/Statements.v` that prove the claim as it stands, or its contrary.
-    pub proof: Vec<String>,
+    pub proof: Vec<Theorem>,
     /// The task.
     pub task: Task,
 }
@@ -151,10 +152,10 @@ const fn yes() -> bool {
     true
 }
 
-impl TryFrom<Entry> for Claim {
-    type Error = String;
-
-    fn try_from(entry: Entry) -> Result<Self, String> {
+impl Entry {
+    /// The claim of this entry, whose theorems are among these.
+    pub(super) fn claim(self, theorems: &BTreeMap<String, Theorem>) -> Result<Claim, String> {
+        let entry = self;
         let id = entry.id;
         let number = |text: Option<String>| {
             let printed = text.map(|text| {
@@ -204,15 +205,20 @@ impl TryFrom<Entry> for Claim {
                 ));
             }
         };
+        let proof = entry.proof.iter().map(|name| {
+            let theorem = theorems.get(name).cloned();
+            theorem.ok_or_else(|| format!("claim {id}: {name} is not in data/proved_theorems.toml"))
+        });
+        let proof = proof.collect::<Result<_, _>>()?;
         let (place, quantity, complete) = (entry.place, entry.quantity, entry.complete);
-        Ok(Self {
+        Ok(Claim {
             id,
             place,
             quantity,
             printed,
             complete,
             curve_axes: entry.curve,
-            proof: entry.proof,
+            proof,
             task,
         })
     }

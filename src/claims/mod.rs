@@ -21,6 +21,8 @@
 //!
 //! The evidence is a [`Grade`](crate::numeric::Grade). A theorem raises a finding that agrees with
 //! it to *proof* before the rule is applied; it never hides a computation that does not agree. A
+//! [`Theorem`] stands beside its claim with hypotheses and conclusion: that the two say the same is
+//! checked by reading, not by a machine. A
 //! control changes the configuration, the formula or the printed number so that the verdict must
 //! turn; the theorems say nothing of it, so it is compared with the verdict of the computation
 //! alone. What a computation cannot decide, whatever it finds, its claim's data say
@@ -40,6 +42,7 @@ mod reach;
 mod registry;
 mod rule;
 mod sections;
+mod theorem;
 mod verdict;
 
 pub use case::Case;
@@ -54,4 +57,5 @@ pub use reach::OneSided;
 pub use registry::registry;
 #[cfg(feature = "report")]
 pub(crate) use sections::figure_5::samples_for;
+pub use theorem::Theorem;
 pub use verdict::Verdict;
