@@ -1,6 +1,6 @@
 //! One claim of the paper, as it stands in `data/paper/`.
 
-use super::{Computation, Inputs, Theorem, Verdict};
+use super::{Computation, Inputs, OneSided, Theorem, Verdict};
 use crate::numeric::Interval;
 use std::collections::BTreeMap;
 
@@ -17,6 +17,8 @@ pub enum Task {
         control: Control,
         /// The verdict on record: any other is an error of the suite.
         recorded: Verdict,
+        /// The only side to which the computation can decide; none for both.
+        can_only: Option<OneSided>,
     },
     /// Nothing to compute: a theorem of `proofs/` decides it.
     Proved {
@@ -24,6 +26,15 @@ pub enum Task {
         is_refuted: bool,
         /// A note for the reader.
         note: String,
+    },
+    /// Nothing of its own: the claim is that all of these hold.
+    AllOf {
+        /// The ids of the claims.
+        members: Vec<String>,
+        /// Their names in a sentence.
+        note: String,
+        /// The verdict on record.
+        recorded: Verdict,
     },
     /// Nothing yet, for this reason.
     NotChecked {
@@ -116,7 +127,9 @@ pub(super) struct Entry {
     complete: bool,
     computation: Option<Computation>,
     verdict: Option<Verdict>,
+    can_only: Option<OneSided>,
     not_checked: Option<String>,
+    all_of: Option<Vec<String>>,
     curve: Option<[String; 2]>,
     #[serde(default)]
     proof: Vec<String>,
@@ -152,8 +165,13 @@ impl Entry {
             printed.transpose()
         };
         let printed = number(entry.printed)?;
-        let task = match (entry.computation, entry.verdict, entry.not_checked) {
-            (Some(computation), Some(recorded), None) => {
+        let task = match (
+            entry.computation,
+            entry.verdict,
+            entry.not_checked,
+            entry.all_of,
+        ) {
+            (Some(computation), Some(recorded), None, None) => {
                 let control = Control {
                     inputs: entry.control.inputs,
                     printed: number(entry.control.printed)?,
@@ -163,10 +181,16 @@ impl Entry {
                     input: entry.input,
                     control,
                     recorded,
+                    can_only: entry.can_only,
                 }
             }
-            (None, None, Some(reason)) => Task::NotChecked { reason },
-            (None, Some(verdict @ (Verdict::Confirmed | Verdict::Refuted)), None)
+            (None, None, Some(reason), None) => Task::NotChecked { reason },
+            (None, Some(recorded), None, Some(members)) => Task::AllOf {
+                note: format!("holds where all of these do: {}", members.join(", ")),
+                members,
+                recorded,
+            },
+            (None, Some(verdict @ (Verdict::Confirmed | Verdict::Refuted)), None, None)
                 if !entry.proof.is_empty() =>
             {
                 Task::Proved {
@@ -176,8 +200,8 @@ impl Entry {
             }
             _ => {
                 return Err(format!(
-                    "claim {id}: needs computation and verdict, or proof and verdict, or \
-                     not_checked"
+                    "claim {id}: needs computation and verdict, or proof and verdict, or all_of \
+                     and verdict, or not_checked"
                 ));
             }
         };

@@ -24,7 +24,9 @@
 //! [`Theorem`] stands beside its claim with hypotheses and conclusion: that the two say the same is
 //! checked by reading, not by a machine. A
 //! control changes the configuration, the formula or the printed number so that the verdict must
-//! turn; the theorems say nothing of it.
+//! turn; the theorems say nothing of it, so it is compared with the verdict of the computation
+//! alone. What a computation cannot decide, whatever it finds, its claim's data say
+//! ([`OneSided`]).
 //!
 //! **Not here**: printing.
 
@@ -36,6 +38,7 @@ mod error;
 mod finding;
 mod inputs;
 mod judge;
+mod reach;
 mod registry;
 mod rule;
 mod sections;
@@ -50,6 +53,7 @@ pub use error::ClaimError;
 pub use finding::{Finding, Quantity};
 pub use inputs::Inputs;
 pub use judge::{Judgement, judge, judge_all, judge_control};
+pub use reach::OneSided;
 pub use registry::registry;
 #[cfg(feature = "report")]
 pub(crate) use sections::figure_5::samples_for;

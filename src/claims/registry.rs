@@ -1,7 +1,7 @@
 //! All claims in paper order, as the data have them.
 
 use super::ClaimError;
-use super::claim::{Claim, Entry};
+use super::claim::{Claim, Entry, Task};
 use super::theorem::theorems;
 
 const FILES: [(&str, &str); 6] = [
@@ -55,6 +55,22 @@ pub fn registry() -> Result<Vec<Claim>, ClaimError> {
                 return Err(invalid(format!("claim {} stands there twice", claim.id)));
             }
             claims.push(claim);
+        }
+    }
+    for claim in &claims {
+        let Task::AllOf { members, .. } = &claim.task else {
+            continue;
+        };
+        let is_single = |id: &String| {
+            let found = claims.iter().find(|other| other.id == *id);
+            found.is_some_and(|other| !matches!(other.task, Task::AllOf { .. }))
+        };
+        if let Some(id) = members.iter().find(|id| !is_single(id)) {
+            let reason = format!("claim {}: {id} is no claim of its own", claim.id);
+            return Err(ClaimError::InvalidData {
+                file: "all_of",
+                reason,
+            });
         }
     }
     Ok(claims)

@@ -76,7 +76,11 @@ pub fn first_verdicts(judgements: &[Judgement]) -> Result<String, ReportError> {
         let finding = judgement.finding.as_ref();
         let computed = finding.map(|finding| match finding.quantity {
             Quantity::Value { value, error } if printed.is_some() => certain_digits(value, error),
-            _ => finding.grade.name().to_owned(),
+            _ => judgement
+                .evidence()
+                .unwrap_or(finding.grade)
+                .name()
+                .to_owned(),
         });
         vec![
             claim.id.clone(),
