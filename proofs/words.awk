@@ -37,6 +37,8 @@ function command(text,   first, rest) {
     if (text !~ /^From Infoscene Require Export [A-Za-z0-9_ ]+$/) refuse("a collection holds one Require Export: " first)
     return
   }
+  if (text ~ /:>/) refuse("a coercion")
+  if (text ~ /(^|[^A-Za-z0-9_\047])where *"/) refuse("a notation behind where")
   if (text == "Proof") { if (awaited == "") refuse("Proof of nothing"); awaited = ""; inside = 1; return }
   if (text == "Open Scope R_scope") return
   if (first ~ /^(Theorem|Lemma|Corollary|Example)$/ && kind == "library") { define(first, text); awaited = word[2]; return }

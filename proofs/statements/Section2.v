@@ -341,6 +341,55 @@ Theorem continuous_information_of_a_scene_is_least_upper_bound :
     continuous.
 Proof. exact ContinuousLimit.continuous_information_of_a_scene_is_least_upper_bound. Qed.
 
+Theorem discrete_information_of_a_scene_tends_to_continuous :
+  forall (point : Type) (patches : nat -> nat) (over : nat -> nat -> (point -> R) -> R) (integrable : (point -> R) -> Prop)
+    (kernel : point -> point -> R) (patch : nat -> point -> nat) continuous (e : nat -> R) (uneven : nat -> nat -> nat -> bool),
+  (forall d, (0 < patches d)%nat) ->
+  (forall d, integrable_scene point (patches d) (over d) integrable kernel) ->
+  (forall d i f g, (i < patches d)%nat -> integrable f -> integrable g -> (forall x, patch d x = i -> f x <= g x) ->
+    over d i f <= over d i g) ->
+  (forall d, information_of_all_points (patches d) (over d) kernel = continuous) ->
+  (forall d, 0 <= e d) ->
+  (forall d i j, (i < patches d)%nat -> (j < patches d)%nat -> uneven d i j = false ->
+    nearly_constant_pair (sum (patches d) (patch_area (over d))) kernel (patch d) (e d) i j) ->
+  Un_cv (fun d => e d + sum (patches d) (fun i => sum (patches d) (fun j => if uneven d i j then
+    information_of_pair (patches d) (over d) kernel i j +
+    exp (-1) / ln 2 * (patch_weight (patches d) (over d) i * patch_weight (patches d) (over d) j) else 0))) 0 ->
+  Un_cv (fun d => mutual_information (patches d) (patch_weight (patches d) (over d)) (patch_form_factor (over d) kernel))
+    continuous.
+Proof. exact ContinuousLimit.discrete_information_of_a_scene_tends_to_continuous. Qed.
+
+(* An integral that does not keep order; and a scene that fulfils all hypotheses. *)
+Theorem without_order_a_division_may_have_more :
+  let over := fun (_ : nat) (f : bool -> R) => 2 * f true - f false in
+  let kernel := fun x y : bool => (if x then 1 else 1 / 2) * (if y then 1 else 1 / 2) in
+  integrals bool 1 over (fun _ => True) /\ (forall x y, 0 <= kernel x y) /\ 0 < patch_area over 0 /\
+  information_of_all_points 1 over kernel < mutual_information 1 (patch_weight 1 over) (patch_form_factor over kernel).
+Proof. exact ContinuousLimit.without_order_a_division_may_have_more. Qed.
+
+Theorem two_points_fulfil_hypotheses :
+  let over := fun (i : nat) (f : bool -> R) => if Nat.eqb i 0 then f true else f false in
+  let patch := fun x : bool => if x then 0%nat else 1%nat in
+  let kernel := fun x y : bool => if Bool.eqb x y then 0 else 1 in
+  integrable_scene bool 2 over (fun _ => True) kernel /\
+  (forall i f g, (i < 2)%nat -> (forall x, patch x = i -> f x <= g x) -> over i f <= over i g) /\
+  (forall i j, (i < 2)%nat -> (j < 2)%nat -> nearly_constant_pair (sum 2 (patch_area over)) kernel patch 0 i j) /\
+  information_of_all_points 2 over kernel = 1 /\
+  mutual_information 2 (patch_weight 2 over) (patch_form_factor over kernel) = 1.
+Proof. exact ContinuousLimit.two_points_fulfil_hypotheses. Qed.
+
+Theorem division_of_an_unevenly_seen_patch_lies_below :
+  forall (point : Type) n (over : nat -> (point -> R) -> R) integrable (kernel : point -> point -> R) (patch : point -> nat),
+  integrable_scene point n over integrable kernel -> (0 < n)%nat ->
+  (forall i f g, (i < n)%nat -> integrable f -> integrable g -> (forall x, patch x = i -> f x <= g x) -> over i f <= over i g) ->
+  forall coarse parent w P k k' l a b,
+  refines coarse n parent w P (patch_weight n over) (patch_form_factor over kernel) ->
+  (k < n)%nat -> (k' < n)%nat -> (l < n)%nat -> parent k = parent k' -> a < b ->
+  (forall x y, patch x = k -> patch y = l -> sum n (patch_area over) * kernel x y <= a) ->
+  (forall x y, patch x = k' -> patch y = l -> b <= sum n (patch_area over) * kernel x y) ->
+  mutual_information coarse w P < information_of_all_points n over kernel.
+Proof. exact ContinuousLimit.division_of_an_unevenly_seen_patch_lies_below. Qed.
+
 (* Planar patches: the points x + k s, k = 0 to 4, lie in the plane of x, and only 0 is the same form factor to y for all. *)
 Theorem form_factor_of_a_planar_patch_is_not_constant :
   forall x1 x2 x3 n1 n2 n3 y1 y2 y3 m1 m2 m3 s1 s2 s3 c,

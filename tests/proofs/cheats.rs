@@ -169,6 +169,26 @@ fn a_notation_that_changes_a_statement_is_refused() {
     refused(&[("gain/Halves.v", &library)], "outside a section");
 }
 
+/// What a definition can bring along.
+#[test]
+fn a_notation_or_a_coercion_inside_a_definition_is_refused() {
+    let notation = "Fixpoint f (n : nat) : nat := n where \"x = y\" := (x = x).\n";
+    let library = format!("{LIBRARY}{notation}");
+    refused(&[("gain/Halves.v", &library)], "a notation behind where");
+    let library = format!("{LIBRARY}Record r := {{ f :> nat }}.\n");
+    refused(&[("gain/Halves.v", &library)], "a coercion");
+}
+
+#[test]
+fn a_second_theorem_on_a_line_is_refused() {
+    let second = "Qed. Theorem other : 1 = 1. Proof. reflexivity. Qed.";
+    let statements = STATEMENTS.replace("Qed.", second);
+    refused(
+        &[("statements/One.v", &statements)],
+        "does not begin its line",
+    );
+}
+
 #[test]
 fn a_statement_made_by_a_tactic_is_refused() {
     let statements = STATEMENTS.replace("forall x, half x + half x = x", "ltac:(exact True)");

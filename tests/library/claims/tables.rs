@@ -56,6 +56,10 @@ fn the_page_of_claims_is_current_and_complete() {
             "{}",
             judgement.claim.id
         );
+        for theorem in &judgement.claim.proof {
+            let heading = format!("\n### {}\n\n{}.\n", theorem.name, theorem.says);
+            assert!(page.contains(&heading), "{}", theorem.name);
+        }
     }
     assert_current("data/report/claims.md", &page);
 }
