@@ -34,7 +34,11 @@ pub fn trusted_page(judgements: &[Judgement]) -> Result<String, PageError> {
     texts.text("proofs", proved.len().to_string());
     texts.text("estimates", estimated.len().to_string());
     let links = proved.iter().map(|claim| {
-        let names: Vec<String> = claim.proof.iter().map(|own| format!("`{}`", own.name)).collect();
+        let names: Vec<String> = claim
+            .proof
+            .iter()
+            .map(|own| format!("`{}`", own.name))
+            .collect();
         format!("| {} | {} |\n", claim.id, names.join(", "))
     });
     texts.text("links", links.collect());
