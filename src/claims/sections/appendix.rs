@@ -207,6 +207,10 @@ pub(crate) fn a_lit_cut_can_beat_the_line(case: &Case<'_>) -> Result<Finding, Cl
         Err(DiscretizeError::Numeric(NumericError::NoInteriorMaximum { .. })) => {
             return Ok(Finding::decided(false, true, one).noting(limited));
         }
+        // next to the line the gain is too flat to tell
+        Err(DiscretizeError::Numeric(NumericError::NotIsolated { .. })) => {
+            return Ok(Finding::decided(false, false, one).noting(limited));
+        }
         best => best?,
     };
     let ratio = best.value / &shadow.gain(&line)?;

@@ -1,6 +1,6 @@
 //! §3.1 to §3.3: Theorem 1, the increase of a pair, and visibility.
 
-use super::enclosed::exchanges;
+use super::enclosed::exchange_row;
 use super::section_2::cube;
 use crate::chain::random::seeded::RandomChains;
 use crate::chain::{ReversibleChain, visibility_chain};
@@ -205,7 +205,7 @@ pub(crate) fn printed_total_is_a_maximum(case: &Case<'_>) -> Result<Finding, Cla
     let parts = like.constant(f64::from(case.count("parts")?)).ln();
     let area = like.constant(scene.rectangle(0)?.area());
     let mut reached = like.zero();
-    for [exchange, _] in exchanges(&scene, &like)?.swap_remove(0) {
+    for [exchange, _] in exchange_row(&scene, 0, &like)? {
         if exchange.is_zero() {
             continue;
         }
