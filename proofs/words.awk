@@ -53,7 +53,7 @@ function command(text,   first, rest) {
     refuse(first " in a file of statements")
     return
   }
-  if (first ~ /^(Definition|Fixpoint|Record|Inductive)$/) {
+  if (first ~ /^(Definition|Fixpoint|Record)$/) {
     define(first, text)
     if (first == "Definition" && text !~ /:=/) awaited = word[2]
     return

@@ -2,8 +2,8 @@
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
 From Infoscene Require Import Sums Information FiniteSums ConstantKernel ContinuousChain ContinuousInformation
-  ContinuousLimit Convergence Corollary1 DiscreteBelowContinuous Divisions DoubleIntegral IntegralChain IntegralScenes MarkovChains
-  MutualInformation OddWalks PlanarKernel Refinement SourceAndDestination Sphere Visibility WeightedScene.
+  ContinuousLimit Convergence ConvexEdge Corollary1 DiscreteBelowContinuous Divisions DoubleIntegral IntegralChain
+  IntegralScenes MarkovChains MutualInformation OddWalks PlanarKernel Refinement SourceAndDestination Sphere Visibility WeightedScene.
 Open Scope R_scope.
 
 (* ==== The words used below ==== *)
@@ -100,6 +100,27 @@ Proof. exact OddWalks.walk_converges_if_three_patches_see_each_other. Qed.
 
 Theorem two_patches_close_no_odd_walk : forall k, Nat.odd k = true -> power 2 swap_transition k 0 0 = 0.
 Proof. exact OddWalks.two_patches_close_no_odd_walk. Qed.
+
+(* Three such patches are there near a convex edge, which passes through the origin. *)
+Theorem words_of_points_in_front : forall p1 p2 p3 n1 n2 n3 q1 q2 q3,
+  has_in_front p1 p2 p3 n1 n2 n3 q1 q2 q3 <-> 0 < (q1 - p1) * n1 + (q2 - p2) * n2 + (q3 - p3) * n3.
+Proof. easy. Qed.
+
+Theorem points_near_a_convex_edge_face_each_other :
+  forall n1 n2 n3 m1 m2 m3 r1 r2 r3 x1 x2 x3 y1 y2 y3 z1 z2 z3,
+  x1 * n1 + x2 * n2 + x3 * n3 = 0 -> 0 < x1 * m1 + x2 * m2 + x3 * m3 ->
+  y1 * m1 + y2 * m2 + y3 * m3 = 0 -> 0 < y1 * n1 + y2 * n2 + y3 * n3 ->
+  0 < z1 * n1 + z2 * n2 + z3 * n3 -> 0 < z1 * m1 + z2 * m2 + z3 * m3 -> has_in_front z1 z2 z3 r1 r2 r3 0 0 0 ->
+  exists near, 0 < near /\ forall t, 0 < t <= near ->
+    has_in_front (t * x1) (t * x2) (t * x3) n1 n2 n3 (t * y1) (t * y2) (t * y3) /\
+    has_in_front (t * y1) (t * y2) (t * y3) m1 m2 m3 (t * x1) (t * x2) (t * x3) /\
+    has_in_front (t * x1) (t * x2) (t * x3) n1 n2 n3 z1 z2 z3 /\ has_in_front z1 z2 z3 r1 r2 r3 (t * x1) (t * x2) (t * x3) /\
+    has_in_front (t * y1) (t * y2) (t * y3) m1 m2 m3 z1 z2 z3 /\ has_in_front z1 z2 z3 r1 r2 r3 (t * y1) (t * y2) (t * y3).
+Proof. exact ConvexEdge.points_near_a_convex_edge_face_each_other. Qed.
+
+Theorem points_at_another_edge_do_not_face_each_other : forall n1 n2 n3 x1 x2 x3 y1 y2 y3,
+  x1 * n1 + x2 * n2 + x3 * n3 = 0 -> y1 * n1 + y2 * n2 + y3 * n3 <= 0 -> ~ has_in_front x1 x2 x3 n1 n2 n3 y1 y2 y3.
+Proof. exact ConvexEdge.points_at_another_edge_do_not_face_each_other. Qed.
 
 (* The visibility chain: w_i = A_i / A_T and P_ij = F_ij. *)
 Theorem visibility_chain_is_markov : forall n area form_factor,

@@ -62,7 +62,7 @@ pub(crate) struct Parts {
 
 impl Parts {
     /// The parts of a statement from `Theorem` to its full stop.
-    pub fn of(statement: &str) -> Self {
+    pub(crate) fn of(statement: &str) -> Self {
         let (_, text) = statement.split_once(':').unwrap();
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
         let mut rest = text.trim_end_matches('.').trim();
