@@ -3,7 +3,7 @@
 use infoscene::claims::{Case, Computation, Context, Inputs, registry};
 
 /// Every claim, in paper order.
-const CLAIMS: [&str; 111] = [
+const CLAIMS: [&str; 112] = [
     "s1-optimum-is-highest-information",
     "s1-optimum-has-least-error",
     "s2-convergence-to-stationary",
@@ -17,6 +17,7 @@ const CLAIMS: [&str; 111] = [
     "s2-finer-grids-know-more",
     "eq4-limit",
     "s2-discrete-below-continuous",
+    "s2-discrete-below-for-planar-patches",
     "s2-radiosity-complexity",
     "s3-most-precise-has-highest-information",
     "theorem-1",
