@@ -79,6 +79,7 @@ mod error;
 mod exchange_area;
 mod gauss;
 mod logarithms;
+mod occlusion;
 mod polygon;
 // hidden: tests and benchmarks reach its closed forms, a user takes `RectanglePair`
 #[doc(hidden)]
@@ -92,6 +93,7 @@ pub use error::FormFactorError;
 pub use exchange_area::{Answer, ExchangeArea};
 pub use gauss::lambert::{point_form_factor, point_kernel};
 pub use logarithms::LogMeans;
+pub use occlusion::Occluders;
 pub use polygon::Polygon;
 pub use rectangles::corner_sum::Exchange;
 pub(crate) use rectangles::derivatives::EdgeSlopes;

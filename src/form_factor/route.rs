@@ -43,4 +43,8 @@ routes! {
     Kernel = "kernel",
     /// The contour integral in double-double arithmetic.
     DoubleDouble = "double-double",
+    /// Contours of what is seen past other polygons, along their edges and the polygons' own.
+    Occluded = "occluded",
+    /// Other polygons hide all: nothing is exchanged.
+    Hidden = "hidden",
 }
