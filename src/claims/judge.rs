@@ -3,7 +3,7 @@
 use super::claim::{Claim, Task};
 use super::registry::registry;
 use super::rule::Agreement;
-use super::{Case, ClaimError, Context, Finding, Inputs, Verdict};
+use super::{Case, ClaimError, Context, Finding, Inputs, OneSided, Verdict};
 use crate::numeric::Grade;
 use rayon::prelude::*;
 
@@ -50,6 +50,17 @@ impl Judgement {
     pub fn by_computation(&self) -> Option<Verdict> {
         let finding = self.finding.as_ref();
         finding.map(|finding| Verdict::of(&self.claim, finding))
+    }
+
+    /// The only side to which the computation can decide; `None` for both, and if nothing is
+    /// computed.
+    #[must_use]
+    pub fn one_sided(&self) -> Option<OneSided> {
+        let finding = self.finding.as_ref()?;
+        let refutes = finding.grade >= Grade::Enclosure && self.claim.complete;
+        finding
+            .one_sided
+            .or((!refutes).then_some(OneSided::Confirm))
     }
 
     /// The finding's note, or the reason why there is none.

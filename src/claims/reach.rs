@@ -10,10 +10,6 @@
 //! A claim says so in its data, and a test compares that with its finding. Theorems are not bound
 //! by it: they raise a finding afterwards.
 
-use super::claim::Claim;
-use super::finding::Finding;
-use crate::numeric::Grade;
-
 /// The only side to which a computation can decide: else the claim is left open.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -22,14 +18,4 @@ pub enum OneSided {
     Confirm,
     /// The computation refutes, and never supports.
     Refute,
-}
-
-impl OneSided {
-    /// The only side to which the computation behind a finding can decide; `None` for both.
-    #[must_use]
-    pub fn of(claim: &Claim, finding: &Finding) -> Option<Self> {
-        let refutes = finding.grade >= Grade::Enclosure && claim.complete;
-        let by_rule = (!refutes).then_some(Self::Confirm);
-        finding.one_sided.or(by_rule)
-    }
 }

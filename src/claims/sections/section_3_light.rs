@@ -74,11 +74,10 @@ pub(crate) fn light_is_reciprocal(case: &Case<'_>) -> Result<Finding, ClaimError
         .map(flow)
         .collect::<Result<Vec<_>, _>>()?;
     let mut worst: f64 = 0.0;
-    for i in 0..lit.patches() {
-        for j in 0..i {
-            let (there, back) = (flows[i][j], flows[j][i]);
-            if there > 0.0 {
-                worst = larger(worst, (back / there - 1.0).abs());
+    for (i, row) in flows.iter().enumerate() {
+        for (there, back) in row.iter().zip(&flows).take(i) {
+            if *there > 0.0 {
+                worst = larger(worst, (back[i] / there - 1.0).abs());
             }
         }
     }

@@ -153,8 +153,8 @@ pub(crate) fn printed_gain_is_unstable(case: &Case<'_>) -> Result<Finding, Claim
     Ok(Finding::decided(holds, fails, digits).noting(note))
 }
 
-/// The logarithms of a form that keeps its digits over those of the printed one; with `as_it_stands`, no
-/// other form is known, so that digits must be bought by longer numbers.
+/// The logarithms of a form that keeps its digits over those of the printed one; with
+/// `as_it_stands`, no other form is known, so that digits must be bought by longer numbers.
 pub(crate) fn exact_gain_costs_more(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let halves = Halves::new(case)?;
     let error = if case.switch("as_it_stands")? {

@@ -2,8 +2,8 @@
 
 use super::{AGAIN, CONTEXT, JUDGEMENTS};
 use infoscene::claims::{
-    Case, Claim, Computation, Context, Control, Finding, Inputs, Judgement, OneSided, Printed,
-    Task, Verdict, judge_control, registry,
+    Case, Claim, Computation, Context, Control, Finding, Inputs, Judgement, Printed, Task, Verdict,
+    judge_control, registry,
 };
 use infoscene::numeric::{Grade, Interval};
 
@@ -102,12 +102,10 @@ fn no_regular_grid_of_any_size_has_the_printed_value() {
 fn one_sided_computations_are_where_the_data_say() {
     let mut wrong = Vec::new();
     for judgement in JUDGEMENTS.iter() {
-        let (Task::Compute { can_only, .. }, Some(finding)) =
-            (&judgement.claim.task, &judgement.finding)
-        else {
+        let Task::Compute { can_only, .. } = &judgement.claim.task else {
             continue;
         };
-        let found = OneSided::of(&judgement.claim, finding);
+        let found = judgement.one_sided();
         if found != *can_only {
             wrong.push(format!("{}: {found:?}", judgement.claim.id));
         }
