@@ -50,7 +50,7 @@ Proof.
   - now apply (continuous_plus (fun x => sum n (fun k => g k x)) (g n)).
 Qed.
 
-Lemma integral_of_sum : forall n (g : nat -> R -> R) a b, (forall k x, continuous (g k) x) ->
+Lemma riemann_integral_of_sum : forall n (g : nat -> R -> R) a b, (forall k x, continuous (g k) x) ->
   RInt (fun x => sum n (fun k => g k x)) a b = sum n (fun k => RInt (g k) a b).
 Proof.
   intros n g a b H. induction n as [|n IH]; simpl.
@@ -119,6 +119,6 @@ Proof.
   assert (C : forall l x, continuous (fun x => RInt (fun y => f x y) (q l) (q (S l))) x)
     by (intros; now apply inner_integral_continuous).
   rewrite (integral_over_intervals _ p n) by now apply sum_continuous.
-  apply sum_ext. intros k _. now apply integral_of_sum.
+  apply sum_ext. intros k _. now apply riemann_integral_of_sum.
 Qed.
 End TwoVariables.

@@ -114,7 +114,7 @@ Proof.
     assert (I3 := integrable_below _ c weight_density_integrable Hc). assert (I4 := integrable_below _ c Hw Hc).
     rewrite <- (integral_of_difference _ _ 0 c I3 I4), <- (integral_of_difference _ _ 0 c I1 I2).
     assert (I5 := difference_integrable _ _ _ _ I1 I2). assert (I6 := difference_integrable _ _ _ _ I3 I4).
-    rewrite <- (integral_of_multiple (ratio c) _ 0 c I5).
+    rewrite <- (riemann_integral_of_multiple (ratio c) _ 0 c I5).
     apply RInt_le; [lra|exact I6|now apply multiple_integrable|].
     intros x Hx. rewrite weight_is_ratio_times_flux by lra.
     assert (F := flux_density_nonneg x ltac:(lra)). assert (S := Hs x ltac:(lra)).
@@ -122,7 +122,7 @@ Proof.
     assert (0 <= flux_density x * (1 - s x)) by (apply Rmult_le_pos; lra).
     pose proof (Rmult_le_compat_r _ _ _ H Q). lra. }
   assert (behind : ratio c * RInt (fun x => flux_density x * s x) c 1 <= RInt (fun x => weight_density x * s x) c 1).
-  { rewrite <- (integral_of_multiple (ratio c) _ c 1 (integrable_above _ c Hf Hc)).
+  { rewrite <- (riemann_integral_of_multiple (ratio c) _ c 1 (integrable_above _ c Hf Hc)).
     apply RInt_le; [lra|apply multiple_integrable; apply integrable_above; assumption|apply integrable_above; assumption|].
     intros x Hx. rewrite weight_is_ratio_times_flux by lra.
     assert (F := flux_density_nonneg x ltac:(lra)). assert (S := Hs x ltac:(lra)).
@@ -162,7 +162,7 @@ Proof.
     rewrite weight_is_ratio_times_flux by lra.
     apply Rmult_le_pos; [apply ratio_at_edge_nonneg|apply flux_density_nonneg]; lra. }
   assert (ratio e * RInt flux_density e c <= RInt weight_density e c).
-  { rewrite <- (integral_of_multiple (ratio e) _ e c If).
+  { rewrite <- (riemann_integral_of_multiple (ratio e) _ e c If).
     apply RInt_le; [lra|now apply multiple_integrable|exact Iw|]. intros x Hx.
     rewrite weight_is_ratio_times_flux by lra. apply Rmult_le_compat_r; [apply flux_density_nonneg; lra|].
     apply ratio_increasing; lra. }

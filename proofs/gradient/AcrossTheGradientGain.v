@@ -197,8 +197,8 @@ Proof.
   { split; [intros; exact Hk|]. rewrite !E. split; now apply multiple_integrable. }
   rewrite division_gain_is_information by exact Hs. unfold division_information, two_sided_information.
   unfold divided_flux, divided_weight. rewrite !E.
-  rewrite (integral_of_multiple k flux_density 0 1 flux_density_integrable).
-  rewrite (integral_of_multiple k weight_density 0 1 weight_density_integrable).
+  rewrite (riemann_integral_of_multiple k flux_density 0 1 flux_density_integrable).
+  rewrite (riemann_integral_of_multiple k weight_density 0 1 weight_density_integrable).
   fold (total_flux flux_density) (total_weight weight_density).
   replace (total_flux flux_density - k * total_flux flux_density) with ((1 - k) * total_flux flux_density) by ring.
   replace (total_weight weight_density - k * total_weight weight_density) with ((1 - k) * total_weight weight_density) by ring.
@@ -216,9 +216,9 @@ Proof.
   assert (Iw : ex_RInt (fun x => k * f x) 0 1) by now apply multiple_integrable.
   rewrite (division_gain_is_information f (fun x => k * f x) (fun _ => k)); try assumption; try (intros; lra).
   assert (W : divided_weight (fun x => k * f x) s = k * divided_flux f s).
-  { unfold divided_weight, divided_flux. rewrite <- (integral_of_multiple k _ 0 1 (proj1 (proj2 Hs))).
+  { unfold divided_weight, divided_flux. rewrite <- (riemann_integral_of_multiple k _ 0 1 (proj1 (proj2 Hs))).
     f_equal. apply FunctionalExtensionality.functional_extensionality. intros x. ring. }
-  assert (W0 : total_weight (fun x => k * f x) = k * total_flux f) by (apply integral_of_multiple; exact If).
+  assert (W0 : total_weight (fun x => k * f x) = k * total_flux f) by (apply riemann_integral_of_multiple; exact If).
   unfold division_information, two_sided_information. rewrite W, W0.
   assert (X : forall F, xlog2 F (k * F) = F * log2 (1 / k)).
   { intros F. destruct (Req_dec F 0) as [->|N]; [rewrite xlog2_0; ring|]. rewrite xlog2_nonzero by exact N.

@@ -90,10 +90,10 @@ Proof.
   rewrite <- (integral_split g c (gradient_flux_integrable 0 1) Hc), <- (integral_split w c (gradient_weight_integrable 0 1) Hc).
   assert (Fl : forall a b, RInt g a b = gradient_strip_flux total B K n a b).
   { intros a b. unfold gradient_strip_flux, Rdiv. rewrite Rmult_comm.
-    apply (integral_of_multiple (/ total) (fun x => K * (B * x ^ n))), multiple_integrable, power_integrable. }
+    apply (riemann_integral_of_multiple (/ total) (fun x => K * (B * x ^ n))), multiple_integrable, power_integrable. }
   assert (We : forall a b, RInt w a b = gradient_strip_weight total B H n m a b).
   { intros a b. unfold gradient_strip_weight, Rdiv. rewrite Rmult_comm.
-    apply (integral_of_multiple (/ total) (fun x => B * x ^ n * (H * x ^ m))).
+    apply (riemann_integral_of_multiple (/ total) (fun x => B * x ^ n * (H * x ^ m))).
     apply (ex_RInt_ext (V := R_NormedModule) (fun x => B * H * x ^ (n + m))); [|apply power_integrable].
     intros x _. rewrite pow_add. simpl. ring. }
   rewrite !Fl, !We. reflexivity.

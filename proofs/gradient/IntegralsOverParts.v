@@ -24,7 +24,7 @@ Proof. intros f h a b Hf Hh. exact (RInt_minus (V := R_CompleteNormedModule) f h
 Lemma difference_integrable : forall (f h : R -> R) a b, ex_RInt f a b -> ex_RInt h a b -> ex_RInt (fun x => f x - h x) a b.
 Proof. intros f h a b Hf Hh. exact (ex_RInt_minus (V := R_NormedModule) f h a b Hf Hh). Qed.
 
-Lemma integral_of_multiple : forall k (f : R -> R) a b, ex_RInt f a b -> RInt (fun x => k * f x) a b = k * RInt f a b.
+Lemma riemann_integral_of_multiple : forall k (f : R -> R) a b, ex_RInt f a b -> RInt (fun x => k * f x) a b = k * RInt f a b.
 Proof. intros k f a b H. exact (RInt_scal (V := R_CompleteNormedModule) f a b k H). Qed.
 
 Lemma multiple_integrable : forall k (f : R -> R) a b, ex_RInt f a b -> ex_RInt (fun x => k * f x) a b.

@@ -87,7 +87,7 @@ Proof.
   { unfold v. rewrite integral_of_difference by (now apply integrable_below).
     rewrite (integral_split _ c Hw Hc) in EW. lra. }
   assert (behind : ratio c * RInt (fun x => flux_density x * s x) c 1 <= RInt (fun x => weight_density x * s x) c 1).
-  { rewrite <- (integral_of_multiple (ratio c) _ c 1 (integrable_above _ c Hf Hc)).
+  { rewrite <- (riemann_integral_of_multiple (ratio c) _ c 1 (integrable_above _ c Hf Hc)).
     apply RInt_le; [lra|apply multiple_integrable; now apply integrable_above|now apply integrable_above|].
     intros x Hx. rewrite weight_is_ratio_times_flux by lra.
     assert (F := flux_density_nonneg x ltac:(lra)). assert (S := Hs x ltac:(lra)).
@@ -115,11 +115,11 @@ Proof.
     destruct (sub v e c ltac:(lra) ltac:(lra) Iv) as [Ive Eve].
     assert (Ih0 := integrable_below h e Ih ltac:(lra)). assert (Iv0 := integrable_below v e Iv ltac:(lra)).
     assert (V1 : RInt v 0 e <= ratio e * RInt h 0 e).
-    { rewrite <- (integral_of_multiple (ratio e) h 0 e Ih0).
+    { rewrite <- (riemann_integral_of_multiple (ratio e) h 0 e Ih0).
       apply RInt_le; [lra|exact Iv0|now apply multiple_integrable|]. intros x Hx. rewrite Vh by lra.
       apply Rmult_le_compat_r; [apply Ph; lra|apply ratio_increasing_too; lra]. }
     assert (V2 : RInt v e c <= ratio c * RInt h e c).
-    { rewrite <- (integral_of_multiple (ratio c) h e c Ihe).
+    { rewrite <- (riemann_integral_of_multiple (ratio c) h e c Ihe).
       apply RInt_le; [lra|exact Ive|now apply multiple_integrable|]. intros x Hx. rewrite Vh by lra.
       apply Rmult_le_compat_r; [apply Ph; lra|apply ratio_increasing_too; lra]. }
     assert (Q := ratio_strictly_increasing e c ltac:(lra) ltac:(lra) ltac:(lra)).
@@ -132,7 +132,7 @@ Lemma divided_weight_at_most : forall s, is_share s ->
   divided_weight weight_density s <= ratio 1 * divided_flux flux_density s.
 Proof.
   intros s [Hs [Hf Hw]]. unfold divided_flux, divided_weight.
-  rewrite <- (integral_of_multiple (ratio 1) _ 0 1 Hf).
+  rewrite <- (riemann_integral_of_multiple (ratio 1) _ 0 1 Hf).
   apply RInt_le; [lra|exact Hw|now apply multiple_integrable|]. intros x Hx.
   rewrite weight_is_ratio_times_flux by lra.
   assert (F := flux_density_nonneg x ltac:(lra)). assert (S := Hs x ltac:(lra)).
@@ -219,7 +219,7 @@ Proof.
           by (apply Rmult_le_pos; [left; apply ratio_positive|apply flux_density_nonneg]; lra).
         specialize (Sh x ltac:(lra)). nra. }
       assert (B : RInt (fun x => weight_density x * s x) c 1 <= ratio 1 * RInt (fun x => flux_density x * s x) c 1).
-      { rewrite <- (integral_of_multiple (ratio 1) _ c 1 (integrable_above _ c Hf Hc)).
+      { rewrite <- (riemann_integral_of_multiple (ratio 1) _ c 1 (integrable_above _ c Hf Hc)).
         apply RInt_le; [lra|now apply integrable_above|apply multiple_integrable; now apply integrable_above|].
         intros x Hx. rewrite weight_is_ratio_times_flux by lra.
         assert (0 <= flux_density x * s x) by (apply Rmult_le_pos; [apply flux_density_nonneg|apply Sh]; lra).

@@ -2,11 +2,14 @@
 From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
 From Infoscene Require Import Sums Information FiniteSums ConstantKernel ContinuousChain ContinuousInformation
-  Convergence Corollary1 Divisions DoubleIntegral IntegralChain IntegralScenes MarkovChains MutualInformation
-  Refinement SourceAndDestination Sphere Visibility WeightedScene.
+  ContinuousLimit Convergence ConvexEdge Corollary1 DiscreteBelowContinuous Divisions DoubleIntegral IntegralChain
+  IntegralScenes MarkovChains MutualInformation OddWalks PlanarKernel Refinement SourceAndDestination Sphere Visibility WeightedScene.
 Open Scope R_scope.
 
 (* ==== The words used below ==== *)
+
+Theorem words_of_sums : forall (n : nat) (f : nat -> R), sum 0 f = 0 /\ sum (S n) f = sum n f + f n.
+Proof. easy. Qed.
 
 Theorem words_of_logarithms : forall x y : R,
   log2 x = ln x / ln 2 /\ xlog2 0 y = 0 /\ (x <> 0 -> xlog2 x y = x * log2 (x / y)).
@@ -79,6 +82,45 @@ Proof. exact Convergence.swap_chain_is_reciprocal_markov_chain. Qed.
 Theorem walk_between_two_patches_does_not_converge : let p := fun i => match i with | 0%nat => 1 | S _ => 0 end in
   distribution 2 p /\ ~ (exists l, Un_cv (fun t => after_steps 2 swap_transition t p 0) l).
 Proof. exact Convergence.walk_between_two_patches_does_not_converge. Qed.
+
+(* One closed walk of odd length is enough. *)
+Theorem walk_converges_if_an_odd_walk_closes : forall (n : nat) (w : nat -> R) (P : nat -> nat -> R), markov_chain n w P ->
+  reciprocal n w P -> (forall i, (i < n)%nat -> 0 < w i) -> forall c, (c < n)%nat ->
+  (forall i, (i < n)%nat -> exists k, 0 < power n P k i c) ->
+  (exists k, Nat.odd k = true /\ 0 < power n P k c c) ->
+  forall p, distribution n p -> forall j, (j < n)%nat -> Un_cv (fun t => after_steps n P t p j) (w j).
+Proof. exact OddWalks.walk_converges_if_an_odd_walk_closes. Qed.
+
+Theorem walk_converges_if_three_patches_see_each_other : forall (n : nat) (w : nat -> R) (P : nat -> nat -> R),
+  markov_chain n w P -> reciprocal n w P -> (forall i, (i < n)%nat -> 0 < w i) ->
+  forall c a b, (c < n)%nat -> (a < n)%nat -> (b < n)%nat -> 0 < P c a -> 0 < P a b -> 0 < P b c ->
+  (forall i, (i < n)%nat -> exists k, 0 < power n P k i c) ->
+  forall p, distribution n p -> forall j, (j < n)%nat -> Un_cv (fun t => after_steps n P t p j) (w j).
+Proof. exact OddWalks.walk_converges_if_three_patches_see_each_other. Qed.
+
+Theorem two_patches_close_no_odd_walk : forall k, Nat.odd k = true -> power 2 swap_transition k 0 0 = 0.
+Proof. exact OddWalks.two_patches_close_no_odd_walk. Qed.
+
+(* Three such patches are there near a convex edge, which passes through the origin. *)
+Theorem words_of_points_in_front : forall p1 p2 p3 n1 n2 n3 q1 q2 q3,
+  has_in_front p1 p2 p3 n1 n2 n3 q1 q2 q3 <-> 0 < (q1 - p1) * n1 + (q2 - p2) * n2 + (q3 - p3) * n3.
+Proof. easy. Qed.
+
+Theorem points_near_a_convex_edge_face_each_other :
+  forall n1 n2 n3 m1 m2 m3 r1 r2 r3 x1 x2 x3 y1 y2 y3 z1 z2 z3,
+  x1 * n1 + x2 * n2 + x3 * n3 = 0 -> 0 < x1 * m1 + x2 * m2 + x3 * m3 ->
+  y1 * m1 + y2 * m2 + y3 * m3 = 0 -> 0 < y1 * n1 + y2 * n2 + y3 * n3 ->
+  0 < z1 * n1 + z2 * n2 + z3 * n3 -> 0 < z1 * m1 + z2 * m2 + z3 * m3 -> has_in_front z1 z2 z3 r1 r2 r3 0 0 0 ->
+  exists near, 0 < near /\ forall t, 0 < t <= near ->
+    has_in_front (t * x1) (t * x2) (t * x3) n1 n2 n3 (t * y1) (t * y2) (t * y3) /\
+    has_in_front (t * y1) (t * y2) (t * y3) m1 m2 m3 (t * x1) (t * x2) (t * x3) /\
+    has_in_front (t * x1) (t * x2) (t * x3) n1 n2 n3 z1 z2 z3 /\ has_in_front z1 z2 z3 r1 r2 r3 (t * x1) (t * x2) (t * x3) /\
+    has_in_front (t * y1) (t * y2) (t * y3) m1 m2 m3 z1 z2 z3 /\ has_in_front z1 z2 z3 r1 r2 r3 (t * y1) (t * y2) (t * y3).
+Proof. exact ConvexEdge.points_near_a_convex_edge_face_each_other. Qed.
+
+Theorem points_at_another_edge_do_not_face_each_other : forall n1 n2 n3 x1 x2 x3 y1 y2 y3,
+  x1 * n1 + x2 * n2 + x3 * n3 = 0 -> y1 * n1 + y2 * n2 + y3 * n3 <= 0 -> ~ has_in_front x1 x2 x3 n1 n2 n3 y1 y2 y3.
+Proof. exact ConvexEdge.points_at_another_edge_do_not_face_each_other. Qed.
 
 (* The visibility chain: w_i = A_i / A_T and P_ij = F_ij. *)
 Theorem visibility_chain_is_markov : forall n area form_factor,
@@ -235,6 +277,150 @@ Theorem discrete_information_at_most_continuous : forall f : R -> R -> R,
   forall n p, division n p ->
   information (discretized f n p) <= RInt (fun x => RInt (fun y => xlog2 (f x y) 1) 0 1) 0 1.
 Proof. exact ContinuousInformation.discrete_information_at_most_continuous. Qed.
+
+(* Any surfaces, any occluders: of the integral its rules are used, and that it keeps the order of functions. *)
+Theorem words_of_continuous_scenes :
+  forall (point : Type) n (over : nat -> (point -> R) -> R) integrable (kernel : point -> point -> R) i j,
+  patch_area over i = over i (fun _ => 1) /\
+  patch_weight n over i = over i (fun _ => 1) / sum n (fun k => over k (fun _ => 1)) /\
+  patch_form_factor over kernel i j = over i (fun x => over j (fun y => kernel x y)) / over i (fun _ => 1) /\
+  information_of_all_points n over kernel =
+    sum n (fun i => sum n (fun j => over i (fun x => over j (fun y =>
+      1 / sum n (patch_area over) * xlog2 (kernel x y) (1 / sum n (patch_area over)))))) /\
+  (integrable_scene point n over integrable kernel <->
+    integrals point n over integrable /\
+    (forall i f g, (i < n)%nat -> integrable f -> integrable g -> (forall x, f x <= g x) -> over i f <= over i g) /\
+    (forall x y, 0 <= kernel x y) /\
+    integrable (fun _ => 1) /\
+    (forall i, (i < n)%nat -> 0 < patch_area over i) /\
+    (forall x, integrable (kernel x)) /\
+    (forall j, (j < n)%nat -> integrable (fun x => over j (kernel x))) /\
+    (forall x, integrable (fun y => 1 / sum n (patch_area over) * xlog2 (kernel x y) (1 / sum n (patch_area over)))) /\
+    (forall j, (j < n)%nat -> integrable (fun x => over j (fun y =>
+      1 / sum n (patch_area over) * xlog2 (kernel x y) (1 / sum n (patch_area over)))))).
+Proof.
+  intros. do 4 (split; [reflexivity|]). split; [intros []; do 8 (split; [assumption|]); assumption|].
+  intros [? [? [? [? [? [? [? []]]]]]]]; constructor; assumption.
+Qed.
+
+Theorem no_division_has_more_information_than_the_continuous_scene :
+  forall (point : Type) n (over : nat -> (point -> R) -> R) integrable (kernel : point -> point -> R),
+  integrable_scene point n over integrable kernel -> (0 < n)%nat ->
+  mutual_information n (patch_weight n over) (patch_form_factor over kernel) <= information_of_all_points n over kernel.
+Proof. exact DiscreteBelowContinuous.no_division_has_more_information_than_the_continuous_scene. Qed.
+
+Theorem division_that_can_gain_lies_below_the_continuous_scene :
+  forall (point : Type) n (over : nat -> (point -> R) -> R) integrable (kernel : point -> point -> R),
+  integrable_scene point n over integrable kernel -> (0 < n)%nat -> forall coarse parent w P,
+  refines coarse n parent w P (patch_weight n over) (patch_form_factor over kernel) ->
+  (exists k l, (k < n)%nat /\ (l < n)%nat /\
+     joint (patch_weight n over) (patch_form_factor over kernel) k l * (w (parent k) * w (parent l)) <>
+     patch_weight n over k * patch_weight n over l * joint w P (parent k) (parent l)) ->
+  mutual_information coarse w P < information_of_all_points n over kernel.
+Proof. exact DiscreteBelowContinuous.division_that_can_gain_lies_below_the_continuous_scene. Qed.
+
+(* And it is the least upper bound: a pair of patches on which A_T F(x, y) varies little loses little, any other at most what
+   it has. Shadow lines and common edges are left to the others, which finer patches make as few as one likes. *)
+Theorem words_of_nearly_constant_pairs :
+  forall (point : Type) n (over : nat -> (point -> R) -> R) (kernel : point -> point -> R) (patch : point -> nat) total e i j,
+  (nearly_constant_pair total kernel patch e i j <-> exists a b, 0 <= a /\
+    (forall x y, patch x = i -> patch y = j -> a <= total * kernel x y <= b) /\
+    (forall s t, a <= s <= b -> a <= t <= b -> xlog2 s 1 - xlog2 t 1 <= e)) /\
+  information_of_pair n over kernel i j = over i (fun x => over j (fun y =>
+    1 / sum n (patch_area over) * xlog2 (kernel x y) (1 / sum n (patch_area over)))) /\
+  information_of_all_points n over kernel = sum n (fun i => sum n (fun j => information_of_pair n over kernel i j)).
+Proof. easy. Qed.
+
+Theorem division_loses_little_beyond_its_uneven_pairs :
+  forall (point : Type) n (over : nat -> (point -> R) -> R) integrable (kernel : point -> point -> R) (patch : point -> nat),
+  integrable_scene point n over integrable kernel -> (0 < n)%nat ->
+  (forall i f g, (i < n)%nat -> integrable f -> integrable g -> (forall x, patch x = i -> f x <= g x) -> over i f <= over i g) ->
+  forall e (uneven : nat -> nat -> bool), 0 <= e ->
+  (forall i j, (i < n)%nat -> (j < n)%nat -> uneven i j = false ->
+    nearly_constant_pair (sum n (patch_area over)) kernel patch e i j) ->
+  information_of_all_points n over kernel <=
+  mutual_information n (patch_weight n over) (patch_form_factor over kernel) + e +
+  sum n (fun i => sum n (fun j => if uneven i j then
+    information_of_pair n over kernel i j + exp (-1) / ln 2 * (patch_weight n over i * patch_weight n over j) else 0)).
+Proof. exact ContinuousLimit.division_loses_little_beyond_its_uneven_pairs. Qed.
+
+Theorem continuous_information_of_a_scene_is_least_upper_bound :
+  forall (point division : Type) (patches : division -> nat) (over : division -> nat -> (point -> R) -> R)
+    (integrable : (point -> R) -> Prop) (kernel : point -> point -> R) (patch : division -> point -> nat) continuous,
+  (forall d, (0 < patches d)%nat) ->
+  (forall d, integrable_scene point (patches d) (over d) integrable kernel) ->
+  (forall d i f g, (i < patches d)%nat -> integrable f -> integrable g -> (forall x, patch d x = i -> f x <= g x) ->
+    over d i f <= over d i g) ->
+  (forall d, information_of_all_points (patches d) (over d) kernel = continuous) ->
+  (forall delta, 0 < delta -> exists d e (uneven : nat -> nat -> bool), 0 <= e /\
+    (forall i j, (i < patches d)%nat -> (j < patches d)%nat -> uneven i j = false ->
+      nearly_constant_pair (sum (patches d) (patch_area (over d))) kernel (patch d) e i j) /\
+    e + sum (patches d) (fun i => sum (patches d) (fun j => if uneven i j then
+      information_of_pair (patches d) (over d) kernel i j +
+      exp (-1) / ln 2 * (patch_weight (patches d) (over d) i * patch_weight (patches d) (over d) j) else 0)) <= delta) ->
+  is_lub (fun v => exists d, v = mutual_information (patches d) (patch_weight (patches d) (over d)) (patch_form_factor (over d) kernel))
+    continuous.
+Proof. exact ContinuousLimit.continuous_information_of_a_scene_is_least_upper_bound. Qed.
+
+Theorem discrete_information_of_a_scene_tends_to_continuous :
+  forall (point : Type) (patches : nat -> nat) (over : nat -> nat -> (point -> R) -> R) (integrable : (point -> R) -> Prop)
+    (kernel : point -> point -> R) (patch : nat -> point -> nat) continuous (e : nat -> R) (uneven : nat -> nat -> nat -> bool),
+  (forall d, (0 < patches d)%nat) ->
+  (forall d, integrable_scene point (patches d) (over d) integrable kernel) ->
+  (forall d i f g, (i < patches d)%nat -> integrable f -> integrable g -> (forall x, patch d x = i -> f x <= g x) ->
+    over d i f <= over d i g) ->
+  (forall d, information_of_all_points (patches d) (over d) kernel = continuous) ->
+  (forall d, 0 <= e d) ->
+  (forall d i j, (i < patches d)%nat -> (j < patches d)%nat -> uneven d i j = false ->
+    nearly_constant_pair (sum (patches d) (patch_area (over d))) kernel (patch d) (e d) i j) ->
+  Un_cv (fun d => e d + sum (patches d) (fun i => sum (patches d) (fun j => if uneven d i j then
+    information_of_pair (patches d) (over d) kernel i j +
+    exp (-1) / ln 2 * (patch_weight (patches d) (over d) i * patch_weight (patches d) (over d) j) else 0))) 0 ->
+  Un_cv (fun d => mutual_information (patches d) (patch_weight (patches d) (over d)) (patch_form_factor (over d) kernel))
+    continuous.
+Proof. exact ContinuousLimit.discrete_information_of_a_scene_tends_to_continuous. Qed.
+
+(* An integral that does not keep order; and a scene that fulfils all hypotheses. *)
+Theorem without_order_a_division_may_have_more :
+  let over := fun (_ : nat) (f : bool -> R) => 2 * f true - f false in
+  let kernel := fun x y : bool => (if x then 1 else 1 / 2) * (if y then 1 else 1 / 2) in
+  integrals bool 1 over (fun _ => True) /\ (forall x y, 0 <= kernel x y) /\ 0 < patch_area over 0 /\
+  information_of_all_points 1 over kernel < mutual_information 1 (patch_weight 1 over) (patch_form_factor over kernel).
+Proof. exact ContinuousLimit.without_order_a_division_may_have_more. Qed.
+
+Theorem two_points_fulfil_hypotheses :
+  let over := fun (i : nat) (f : bool -> R) => if Nat.eqb i 0 then f true else f false in
+  let patch := fun x : bool => if x then 0%nat else 1%nat in
+  let kernel := fun x y : bool => if Bool.eqb x y then 0 else 1 in
+  integrable_scene bool 2 over (fun _ => True) kernel /\
+  (forall i f g, (i < 2)%nat -> (forall x, patch x = i -> f x <= g x) -> over i f <= over i g) /\
+  (forall i j, (i < 2)%nat -> (j < 2)%nat -> nearly_constant_pair (sum 2 (patch_area over)) kernel patch 0 i j) /\
+  information_of_all_points 2 over kernel = 1 /\
+  mutual_information 2 (patch_weight 2 over) (patch_form_factor over kernel) = 1.
+Proof. exact ContinuousLimit.two_points_fulfil_hypotheses. Qed.
+
+Theorem division_of_an_unevenly_seen_patch_lies_below :
+  forall (point : Type) n (over : nat -> (point -> R) -> R) integrable (kernel : point -> point -> R) (patch : point -> nat),
+  integrable_scene point n over integrable kernel -> (0 < n)%nat ->
+  (forall i f g, (i < n)%nat -> integrable f -> integrable g -> (forall x, patch x = i -> f x <= g x) -> over i f <= over i g) ->
+  forall coarse parent w P k k' l a b,
+  refines coarse n parent w P (patch_weight n over) (patch_form_factor over kernel) ->
+  (k < n)%nat -> (k' < n)%nat -> (l < n)%nat -> parent k = parent k' -> a < b ->
+  (forall x y, patch x = k -> patch y = l -> sum n (patch_area over) * kernel x y <= a) ->
+  (forall x y, patch x = k' -> patch y = l -> b <= sum n (patch_area over) * kernel x y) ->
+  mutual_information coarse w P < information_of_all_points n over kernel.
+Proof. exact ContinuousLimit.division_of_an_unevenly_seen_patch_lies_below. Qed.
+
+(* Planar patches: the points x + k s, k = 0 to 4, lie in the plane of x, and only 0 is the same form factor to y for all. *)
+Theorem form_factor_of_a_planar_patch_is_not_constant :
+  forall x1 x2 x3 n1 n2 n3 y1 y2 y3 m1 m2 m3 s1 s2 s3 c,
+  s1 * n1 + s2 * n2 + s3 * n3 = 0 -> 0 < s1 ^ 2 + s2 ^ 2 + s3 ^ 2 ->
+  (forall k, k = 0 \/ k = 1 \/ k = 2 \/ k = 3 \/ k = 4 ->
+     let x1 := x1 + k * s1 in let x2 := x2 + k * s2 in let x3 := x3 + k * s3 in
+     ((y1 - x1) * n1 + (y2 - x2) * n2 + (y3 - x3) * n3) * ((x1 - y1) * m1 + (x2 - y2) * m2 + (x3 - y3) * m3)
+     / (PI * ((y1 - x1) ^ 2 + (y2 - x2) ^ 2 + (y3 - x3) ^ 2) ^ 2) = c) ->
+  c = 0.
+Proof. exact PlanarKernel.form_factor_of_a_planar_patch_is_not_constant. Qed.
 
 (* "Always lower" than the continuous one is too much: a constant kernel, as inside a sphere, loses nothing. *)
 Theorem constant_kernel_loses_nothing : forall n p, division n p ->

@@ -1,7 +1,8 @@
 //! One claim of the paper, as it stands in `data/paper/`.
 
-use super::{Computation, Inputs, Verdict};
+use super::{Computation, Inputs, OneSided, Theorem, Verdict};
 use crate::numeric::Interval;
+use std::collections::BTreeMap;
 
 /// The task that a claim sets.
 #[derive(Debug, Clone, PartialEq)]
@@ -16,6 +17,8 @@ pub enum Task {
         control: Control,
         /// The verdict on record: any other is an error of the suite.
         recorded: Verdict,
+        /// The only side to which the computation can decide; none for both.
+        can_only: Option<OneSided>,
     },
     /// Nothing to compute: a theorem of `proofs/` decides it.
     Proved {
@@ -23,6 +26,15 @@ pub enum Task {
         is_refuted: bool,
         /// A note for the reader.
         note: String,
+    },
+    /// Nothing of its own: the claim is that all of these hold.
+    AllOf {
+        /// The ids of the claims.
+        members: Vec<String>,
+        /// Their names in a sentence.
+        note: String,
+        /// The verdict on record.
+        recorded: Verdict,
     },
     /// Nothing yet, for this reason.
     NotChecked {
@@ -47,7 +59,7 @@ pub struct Claim {
     /// The labels of the axes of the figure's curve, with units, if its computation returns one.
     pub curve_axes: Option<[String; 2]>,
     /// Theorems of `proofs/Statements.v` that prove the claim as it stands, or its contrary.
-    pub proof: Vec<String>,
+    pub proof: Vec<Theorem>,
     /// The task.
     pub task: Task,
 }
@@ -115,7 +127,9 @@ pub(super) struct Entry {
     complete: bool,
     computation: Option<Computation>,
     verdict: Option<Verdict>,
+    can_only: Option<OneSided>,
     not_checked: Option<String>,
+    all_of: Option<Vec<String>>,
     curve: Option<[String; 2]>,
     #[serde(default)]
     proof: Vec<String>,
@@ -138,10 +152,10 @@ const fn yes() -> bool {
     true
 }
 
-impl TryFrom<Entry> for Claim {
-    type Error = String;
-
-    fn try_from(entry: Entry) -> Result<Self, String> {
+impl Entry {
+    /// The claim of this entry, whose theorems are among these.
+    pub(super) fn claim(self, theorems: &BTreeMap<String, Theorem>) -> Result<Claim, String> {
+        let entry = self;
         let id = entry.id;
         let number = |text: Option<String>| {
             let printed = text.map(|text| {
@@ -151,8 +165,13 @@ impl TryFrom<Entry> for Claim {
             printed.transpose()
         };
         let printed = number(entry.printed)?;
-        let task = match (entry.computation, entry.verdict, entry.not_checked) {
-            (Some(computation), Some(recorded), None) => {
+        let task = match (
+            entry.computation,
+            entry.verdict,
+            entry.not_checked,
+            entry.all_of,
+        ) {
+            (Some(computation), Some(recorded), None, None) => {
                 let control = Control {
                     inputs: entry.control.inputs,
                     printed: number(entry.control.printed)?,
@@ -162,10 +181,16 @@ impl TryFrom<Entry> for Claim {
                     input: entry.input,
                     control,
                     recorded,
+                    can_only: entry.can_only,
                 }
             }
-            (None, None, Some(reason)) => Task::NotChecked { reason },
-            (None, Some(verdict @ (Verdict::Confirmed | Verdict::Refuted)), None)
+            (None, None, Some(reason), None) => Task::NotChecked { reason },
+            (None, Some(recorded), None, Some(members)) => Task::AllOf {
+                note: format!("holds where all of these do: {}", members.join(", ")),
+                members,
+                recorded,
+            },
+            (None, Some(verdict @ (Verdict::Confirmed | Verdict::Refuted)), None, None)
                 if !entry.proof.is_empty() =>
             {
                 Task::Proved {
@@ -175,20 +200,25 @@ impl TryFrom<Entry> for Claim {
             }
             _ => {
                 return Err(format!(
-                    "claim {id}: needs computation and verdict, or proof and verdict, or \
-                     not_checked"
+                    "claim {id}: needs computation and verdict, or proof and verdict, or all_of \
+                     and verdict, or not_checked"
                 ));
             }
         };
+        let proof = entry.proof.iter().map(|name| {
+            let theorem = theorems.get(name).cloned();
+            theorem.ok_or_else(|| format!("claim {id}: {name} is not in data/proved_theorems.toml"))
+        });
+        let proof = proof.collect::<Result<_, _>>()?;
         let (place, quantity, complete) = (entry.place, entry.quantity, entry.complete);
-        Ok(Self {
+        Ok(Claim {
             id,
             place,
             quantity,
             printed,
             complete,
             curve_axes: entry.curve,
-            proof: entry.proof,
+            proof,
             task,
         })
     }

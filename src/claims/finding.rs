@@ -1,5 +1,6 @@
 //! The finding of a computation: a number, whether the statement holds, and the evidence.
 
+use super::reach::OneSided;
 use crate::numeric::{Grade, Interval, Scalar};
 
 /// The number behind a finding.
@@ -42,6 +43,8 @@ pub struct Finding {
     pub holds: Option<bool>,
     /// The grade of the evidence.
     pub grade: Grade,
+    /// The only side to which the computation can decide; none for both.
+    pub one_sided: Option<OneSided>,
     /// A note for the reader, empty if there is none.
     pub note: String,
     /// The figure's curve, if the claim has one: abscissa and ordinate.
@@ -79,6 +82,27 @@ impl Finding {
         Self::new(quantity, holds).within(enclosure)
     }
 
+    /// A statement that an enclosed number can confirm and not refute, as a counterexample does, or
+    /// an inequality of which one case is computed.
+    #[must_use]
+    pub fn confirmed_if(holds: bool, enclosure: Interval) -> Self {
+        let finding = Self::decided(holds, false, enclosure);
+        Self {
+            one_sided: Some(OneSided::Confirm),
+            ..finding
+        }
+    }
+
+    /// A statement that an enclosed number can refute and not confirm, as an equality of numbers.
+    #[must_use]
+    pub fn refuted_if(fails: bool, enclosure: Interval) -> Self {
+        let finding = Self::decided(false, fails, enclosure);
+        Self {
+            one_sided: Some(OneSided::Refute),
+            ..finding
+        }
+    }
+
     fn within(mut self, enclosure: Interval) -> Self {
         self.grade = Grade::Enclosure;
         self.enclosure = Some(enclosure);
@@ -100,6 +124,7 @@ impl Finding {
             enclosure: None,
             holds,
             grade: Grade::Estimate,
+            one_sided: None,
             note: String::new(),
             curve: Vec::new(),
         }

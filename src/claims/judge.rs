@@ -1,8 +1,9 @@
 //! The judgement of claims: compute, let theorems raise the evidence, apply the rule.
 
 use super::claim::{Claim, Task};
+use super::registry::registry;
 use super::rule::Agreement;
-use super::{Case, ClaimError, Context, Finding, Inputs, Verdict};
+use super::{Case, ClaimError, Context, Finding, Inputs, OneSided, Verdict};
 use crate::numeric::Grade;
 use rayon::prelude::*;
 
@@ -11,8 +12,12 @@ use rayon::prelude::*;
 pub struct Judgement {
     /// The claim.
     pub claim: Claim,
-    /// The finding; `None` if the claim is not computed.
+    /// The finding of the computation alone; `None` if the claim is not computed.
     pub finding: Option<Finding>,
+    /// Does a theorem prove the claim as it stands, or its contrary?
+    pub is_proved: bool,
+    /// The claims of which this one says that all hold; empty for others.
+    pub members: Vec<Self>,
     /// The verdict by the rule.
     pub verdict: Verdict,
 }
@@ -22,7 +27,7 @@ impl Judgement {
     #[must_use]
     pub const fn recorded(&self) -> Verdict {
         match &self.claim.task {
-            Task::Compute { recorded, .. } => *recorded,
+            Task::Compute { recorded, .. } | Task::AllOf { recorded, .. } => *recorded,
             Task::Proved { is_refuted, .. } => Verdict::of_proof(*is_refuted),
             Task::NotChecked { .. } => Verdict::NotChecked,
         }
@@ -31,11 +36,31 @@ impl Judgement {
     /// The grade of the evidence, if there is any.
     #[must_use]
     pub fn evidence(&self) -> Option<Grade> {
-        match (&self.finding, &self.claim.task) {
-            (Some(finding), _) => Some(finding.grade),
-            (None, Task::Proved { .. }) => Some(Grade::Proof),
-            (None, _) => None,
+        if self.is_proved {
+            return Some(Grade::Proof);
         }
+        let weakest = self.members.iter().map(Self::evidence).min();
+        let own = self.finding.as_ref().map(|finding| finding.grade);
+        own.or(weakest.flatten())
+    }
+
+    /// The verdict of the computation alone, without the theorems that the claim names; `None` if
+    /// nothing is computed.
+    #[must_use]
+    pub fn by_computation(&self) -> Option<Verdict> {
+        let finding = self.finding.as_ref();
+        finding.map(|finding| Verdict::of(&self.claim, finding))
+    }
+
+    /// The only side to which the computation can decide; `None` for both, and if nothing is
+    /// computed.
+    #[must_use]
+    pub fn one_sided(&self) -> Option<OneSided> {
+        let finding = self.finding.as_ref()?;
+        let refutes = finding.grade >= Grade::Enclosure && self.claim.complete;
+        finding
+            .one_sided
+            .or((!refutes).then_some(OneSided::Confirm))
     }
 
     /// The finding's note, or the reason why there is none.
@@ -45,20 +70,50 @@ impl Judgement {
             (Some(finding), _) => &finding.note,
             (None, Task::NotChecked { reason }) => reason,
             (None, Task::Proved { note, .. }) => note,
+            (None, Task::AllOf { note, .. }) => note,
             (None, Task::Compute { .. }) => "",
         }
     }
 }
 
-/// Computes a claim and judges it.
+/// Computes a claim, or those that it consists of, and judges it.
 ///
 /// # Errors
-/// [`ClaimError`] if the computation fails.
+/// [`ClaimError`] if a computation fails.
 pub fn judge(claim: &Claim, context: &Context) -> Result<Judgement, ClaimError> {
-    judge_with(claim.clone(), &Inputs::default(), Theorems::Count, context)
+    match &claim.task {
+        Task::AllOf { members, .. } => {
+            let members = members.iter().map(|id| judge(&named(id)?, context));
+            let members = members.collect::<Result<Vec<_>, ClaimError>>()?;
+            Ok(of_members(claim, members))
+        }
+        _ => judge_with(claim.clone(), &Inputs::default(), Theorems::Count, context),
+    }
 }
 
-/// Judges a claim with its control's changes; a sound computation gives another verdict.
+/// The claim of a name.
+fn named(id: &str) -> Result<Claim, ClaimError> {
+    let found = registry()?.into_iter().find(|claim| claim.id == id);
+    found.ok_or_else(|| ClaimError::UnknownClaim {
+        id: id.to_owned(),
+        nearest: None,
+    })
+}
+
+/// A claim that says that all these hold.
+fn of_members(claim: &Claim, members: Vec<Judgement>) -> Judgement {
+    let verdicts: Vec<Verdict> = members.iter().map(|member| member.verdict).collect();
+    Judgement {
+        claim: claim.clone(),
+        finding: None,
+        is_proved: false,
+        verdict: Verdict::of_all(&verdicts),
+        members,
+    }
+}
+
+/// Judges a claim with its control's changes, of which the theorems say nothing; a sound
+/// computation gives another verdict than [`Judgement::by_computation`] does for the claim.
 ///
 /// # Errors
 /// [`ClaimError`] if the computation fails.
@@ -95,6 +150,22 @@ pub fn judge_all(
         })
         .collect::<Result<Vec<_>, ClaimError>>()?;
     let mut judged = judged.concat();
+    for (index, claim) in claims.iter().enumerate() {
+        let Task::AllOf { members, .. } = &claim.task else {
+            continue;
+        };
+        let member = |id: &String| {
+            let found = judged.iter().find(|(_, other)| other.claim.id == *id);
+            found.map_or_else(
+                || judge(&named(id)?, context),
+                |(_, other)| Ok(other.clone()),
+            )
+        };
+        let members = members.iter().map(member);
+        let members = members.collect::<Result<Vec<_>, ClaimError>>()?;
+        progress();
+        judged.push((index, of_members(claim, members)));
+    }
     judged.sort_by_key(|(index, _)| *index);
     Ok(judged.into_iter().map(|(_, judgement)| judgement).collect())
 }
@@ -109,6 +180,8 @@ fn tasks(claims: &[Claim], context: &Context) -> Vec<Vec<usize>> {
                 computation, input, ..
             } => computation.shared_grid(&Case::new(input.clone(), context)),
             Task::Proved { .. } | Task::NotChecked { .. } => None,
+            // after those it consists of
+            Task::AllOf { .. } => continue,
         };
         match tasks
             .iter_mut()
@@ -136,9 +209,9 @@ fn judge_with(
     theorems: Theorems,
     context: &Context,
 ) -> Result<Judgement, ClaimError> {
-    let (finding, verdict) = match &claim.task {
-        Task::Proved { is_refuted, .. } => (None, Verdict::of_proof(*is_refuted)),
-        Task::NotChecked { .. } => (None, Verdict::NotChecked),
+    let (finding, is_proved, verdict) = match &claim.task {
+        Task::Proved { is_refuted, .. } => (None, true, Verdict::of_proof(*is_refuted)),
+        Task::NotChecked { .. } | Task::AllOf { .. } => (None, false, Verdict::NotChecked),
         Task::Compute {
             computation,
             input,
@@ -146,18 +219,22 @@ fn judge_with(
             ..
         } => {
             let case = Case::new(input.changed_by(changes), context);
-            let mut finding = computation.compute(&case)?;
-            if theorems == Theorems::Count && is_proved(&claim, *recorded, &finding) {
-                finding.grade = Grade::Proof;
+            let finding = computation.compute(&case)?;
+            let is_proved = theorems == Theorems::Count && is_proved(&claim, *recorded, &finding);
+            let mut raised = finding.clone();
+            if is_proved {
+                raised.grade = Grade::Proof;
             }
-            let verdict = Verdict::of(&claim, &finding);
-            (Some(finding), verdict)
+            let verdict = Verdict::of(&claim, &raised);
+            (Some(finding), is_proved, verdict)
         }
     };
     Ok(Judgement {
         claim,
         finding,
+        is_proved,
         verdict,
+        members: Vec::new(),
     })
 }
 

@@ -21,8 +21,12 @@
 //!
 //! The evidence is a [`Grade`](crate::numeric::Grade). A theorem raises a finding that agrees with
 //! it to *proof* before the rule is applied; it never hides a computation that does not agree. A
+//! [`Theorem`] stands beside its claim with hypotheses and conclusion: that the two say the same is
+//! checked by reading, not by a machine. A
 //! control changes the configuration, the formula or the printed number so that the verdict must
-//! turn; the theorems say nothing of it.
+//! turn; the theorems say nothing of it, so it is compared with the verdict of the computation
+//! alone. What a computation cannot decide, whatever it finds, its claim's data say
+//! ([`OneSided`]).
 //!
 //! **Not here**: printing.
 
@@ -34,9 +38,11 @@ mod error;
 mod finding;
 mod inputs;
 mod judge;
+mod reach;
 mod registry;
 mod rule;
 mod sections;
+mod theorem;
 mod verdict;
 
 pub use case::Case;
@@ -47,7 +53,9 @@ pub use error::ClaimError;
 pub use finding::{Finding, Quantity};
 pub use inputs::Inputs;
 pub use judge::{Judgement, judge, judge_all, judge_control};
+pub use reach::OneSided;
 pub use registry::registry;
 #[cfg(feature = "report")]
 pub(crate) use sections::figure_5::samples_for;
+pub use theorem::Theorem;
 pub use verdict::Verdict;

@@ -1,7 +1,8 @@
 //! All claims in paper order, as the data have them.
 
 use super::ClaimError;
-use super::claim::{Claim, Entry};
+use super::claim::{Claim, Entry, Task};
+use super::theorem::theorems;
 
 const FILES: [(&str, &str); 6] = [
     (
@@ -40,16 +41,36 @@ struct File {
 /// # Errors
 /// [`ClaimError::InvalidData`] if a file of claims is not in order.
 pub fn registry() -> Result<Vec<Claim>, ClaimError> {
+    let theorems = theorems().map_err(|reason| ClaimError::InvalidData {
+        file: "proved_theorems.toml",
+        reason,
+    })?;
     let mut claims: Vec<Claim> = Vec::new();
     for (file, text) in FILES {
         let invalid = |reason: String| ClaimError::InvalidData { file, reason };
         let entries: File = toml::from_str(text).map_err(|error| invalid(error.to_string()))?;
         for entry in entries.claim {
-            let claim = Claim::try_from(entry).map_err(invalid)?;
+            let claim = entry.claim(&theorems).map_err(invalid)?;
             if claims.iter().any(|other| other.id == claim.id) {
                 return Err(invalid(format!("claim {} stands there twice", claim.id)));
             }
             claims.push(claim);
+        }
+    }
+    for claim in &claims {
+        let Task::AllOf { members, .. } = &claim.task else {
+            continue;
+        };
+        let is_single = |id: &String| {
+            let found = claims.iter().find(|other| other.id == *id);
+            found.is_some_and(|other| !matches!(other.task, Task::AllOf { .. }))
+        };
+        if let Some(id) = members.iter().find(|id| !is_single(id)) {
+            let reason = format!("claim {}: {id} is no claim of its own", claim.id);
+            return Err(ClaimError::InvalidData {
+                file: "all_of",
+                reason,
+            });
         }
     }
     Ok(claims)

@@ -52,6 +52,20 @@ impl Verdict {
         }
     }
 
+    /// The verdict on a statement that says several things, from the verdicts on each: refuted with
+    /// one of them, and no better settled than the least settled.
+    #[must_use]
+    pub fn of_all(verdicts: &[Self]) -> Self {
+        let by_rank = [
+            Self::Refuted,
+            Self::NotChecked,
+            Self::Undecided,
+            Self::Supported,
+        ];
+        let worst = by_rank.into_iter().find(|rank| verdicts.contains(rank));
+        worst.unwrap_or(Self::Confirmed)
+    }
+
     /// The verdict where a theorem alone decides.
     pub(super) const fn of_proof(is_refuted: bool) -> Self {
         if is_refuted {

@@ -18,7 +18,9 @@ use super::stationarity::stationarity;
 use crate::form_factor::RectanglePair;
 use crate::geometry::SplitAxis;
 use crate::information::{divergence, relative_entropy};
-use crate::numeric::{NumericError, Scalar, maximum, root};
+use crate::numeric::{
+    CertifiedMaximum, Interval, Maximand, NumericError, Scalar, certified_maximum, maximum, root,
+};
 use crate::scene::Scene;
 
 /// Two unit squares with a common edge, the first dark beyond a line parallel to it.
@@ -124,6 +126,15 @@ impl ContactShadow {
         }
     }
 
+    /// The best cut through the lit part, short of the line, enclosed to about `bits` bits, with
+    /// what is proved about it.
+    ///
+    /// # Errors
+    /// [`DiscretizeError::Numeric`] if the gain has no maximum there, or it cannot be isolated.
+    pub fn certified_lit_cut(&self, bits: u32) -> Result<CertifiedMaximum, DiscretizeError> {
+        Ok(certified_maximum(self, (0.0, self.line), bits)?)
+    }
+
     /// The line beyond which a cut through the lit part gains more than the line itself: the limit
     /// of appendix B.2 for perpendicular squares.
     ///
@@ -147,5 +158,61 @@ impl ContactShadow {
             .part(SplitAxis::U, &from, &to)?
             .exchange_area()?
             .value)
+    }
+}
+
+/// The gain of a cut through the lit part.
+impl Maximand for ContactShadow {
+    fn value<S: Scalar>(&self, x: &S) -> Option<S> {
+        self.gain(x).ok()
+    }
+
+    fn slope<S: Scalar>(&self, x: &S) -> Option<S> {
+        let pair = self.pair.lifted(x);
+        let (zero, one, line) = (x.zero(), x.constant(1.0), x.constant(self.line));
+        let part = |from: &S, to: &S| {
+            pair.part(SplitAxis::U, from, to)
+                .ok()?
+                .exchange_value()
+                .ok()
+        };
+        let rate = pair.strip_exchange(SplitAxis::U, x).ok()?;
+        let before = part(&zero, x)? / x;
+        let after = part(x, &line)? / &(one.clone() - x);
+        let nats = stationarity(&rate, &one, &before, &after);
+        Some(nats / &x.constant(2.0).ln())
+    }
+
+    /// The gain is a sum of `w x ln x`, `x = G/(w G_d)` for the part before the cut and the one
+    /// after it. Both fluxes are monotone in the cut; next to the common edge a strip's form factor
+    /// is below 1/2.
+    fn bound_on(&self, domain: &Interval<f64>) -> Option<f64> {
+        let point = |x: f64| Interval::point(x);
+        let (from, to) = (point(*domain.lower()), point(*domain.upper()));
+        let pair = self.pair.lifted(&from);
+        let line = point(self.line);
+        let part = |from: &Interval<f64>, to: &Interval<f64>| {
+            if from.lower() < to.upper() {
+                pair.part(SplitAxis::U, from, to)
+                    .ok()?
+                    .exchange_value()
+                    .ok()
+            } else {
+                Some(point(0.0))
+            }
+        };
+        let (zero, one) = (point(0.0), point(1.0));
+        let whole = part(&zero, &line)?;
+        let near = part(&zero, &from)?.hull(&part(&zero, &to)?);
+        let beyond = part(&to, &line)?.hull(&part(&from, &line)?);
+        // the mean form factor of [0, t] falls with t
+        let mean = (part(&zero, &to)? / to).hull(&if *from.lower() > 0.0 {
+            part(&zero, &from)? / from
+        } else {
+            point(0.5)
+        });
+        let rest = one - *domain;
+        let nats = near * (mean / whole).ln() + rest * whole * (beyond / (rest * whole)).x_ln_x();
+        Some(*(nats / domain.constant(2.0).ln()).upper())
     }
 }

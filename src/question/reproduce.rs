@@ -2,8 +2,8 @@
 
 use super::QuestionError;
 use crate::claims::{
-    Claim, ClaimError, Context, DEFAULT_PRECISION, Judgement, Quantity, Verdict, judge_all,
-    registry,
+    Claim, ClaimError, Context, DEFAULT_PRECISION, Judgement, Quantity, Theorem, Verdict,
+    judge_all, registry,
 };
 use crate::exchange::Progress;
 use crate::numeric::{Grade, Interval};
@@ -76,9 +76,9 @@ pub struct JudgedClaim {
     pub lower: Option<String>,
     /// The upper end of the enclosure, with every certified digit.
     pub upper: Option<String>,
-    /// Theorems that prove the claim, or its contrary.
+    /// Theorems that prove the claim, or its contrary, each with hypotheses and conclusion.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub proof: Vec<String>,
+    pub proof: Vec<Theorem>,
     /// The grade of the evidence, if there is any.
     pub evidence: Option<Grade>,
     /// The verdict of this run.

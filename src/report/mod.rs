@@ -28,6 +28,7 @@ pub use answers::radiosity::radiosity_report;
 pub use answers::sampled::sample_report;
 pub use answers::split::split_report;
 pub use answers::studies::{study_figure, study_report};
+pub use answers::trusted::trusted_page;
 pub use error::ReportError;
 pub use render::document::{Format, Report, json_text};
 pub use render::figure::{Axis, Figure, Line};

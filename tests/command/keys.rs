@@ -43,6 +43,18 @@ fn reproduce_writes_every_claim_with_its_keys() {
             "{bound}"
         );
     }
+    // a theorem stands in full beside its claim
+    let theorem = &cut["proof"][0];
+    assert_keys(
+        theorem,
+        &["name", "says", "variables", "hypotheses", "conclusion"],
+    );
+    assert_eq!(theorem["name"], "parallel_cut_is_best_at_40_percent");
+    let table = stdout(&["reproduce", "fig2-parallel-cut"]);
+    assert!(
+        table.contains("theorem parallel_cut_is_best_at_40_percent"),
+        "{table}"
+    );
     // what is not enclosed has no bounds
     for claim in claims {
         let is_enclosed = claim["evidence"] == "enclosure";

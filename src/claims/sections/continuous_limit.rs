@@ -1,12 +1,14 @@
-//! §2 and Corollary 1: what discretizing loses against the continuous mutual information (4).
+//! §2 and Corollary 1: the continuous mutual information (4), and what discretizing loses against
+//! it.
 
 use crate::claims::{Case, ClaimError, Finding};
 use crate::discretize::{BoxGrid, UNIT_CUBE};
 use crate::exchange::{Congruence, ScenePairs};
 use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::information::{OpenScene, continuous_information, scene_information};
-use crate::numeric::{larger, smaller};
+use crate::numeric::{Interval, integral, larger, largest, smaller, tolerance, x_log2_x};
 use crate::scene::{Occlusion, Scene};
+use std::f64::consts::PI;
 
 /// Gaps between the mutual information of a scene's refinements, each of patches half as large, and
 /// the continuous one, with their error.
@@ -121,4 +123,78 @@ pub(crate) fn continuous_is_least_upper_bound(case: &Case<'_>) -> Result<Finding
     };
     let holds = smallest > continuous.error && is_least;
     Ok(Finding::statement(holds, smallest, continuous.error).sampled())
+}
+
+/// `log2 A_T − H` against `∫ F log2(A_T F)` at points of a unit cube's floor, `H = −∫ F log2 F`, both
+/// by quadrature over the other faces; integrated over the floor they are H_p − H_s and (4). The
+/// control takes `total_factor` times A_T in the first.
+pub(crate) fn continuous_information_is_a_difference(
+    case: &Case<'_>,
+) -> Result<Finding, ClaimError> {
+    let total: f64 = 6.0;
+    let taken = case.number("total_factor")? * total;
+    let mut deviations = Vec::new();
+    for [x, y] in [[0.5, 0.5], [0.3, 0.4], [0.2, 0.75]] {
+        // the ceiling, and four walls at these distances, each from 0 to 1 across and in height
+        let ceiling = |u: f64, v: f64| 1.0 / (1.0 + (u - x).powi(2) + (v - y).powi(2)).powi(2);
+        let wall = |distance: f64, along: f64| {
+            move |u: f64, z: f64| {
+                distance * z / (distance * distance + (u - along).powi(2) + z * z).powi(2)
+            }
+        };
+        let walls = [(x, y), (1.0 - x, y), (y, x), (1.0 - y, x)].map(|(d, a)| wall(d, a));
+        let over = |f: &dyn Fn(f64) -> f64| -> Result<f64, ClaimError> {
+            let mut sum = double_integral(&|u, v| f(ceiling(u, v) / PI))?;
+            for wall in &walls {
+                sum += double_integral(&|u, z| f(wall(u, z) / PI))?;
+            }
+            Ok(sum)
+        };
+        let information = over(&|kernel| {
+            kernel
+                * if kernel > 0.0 {
+                    (total * kernel).log2()
+                } else {
+                    0.0
+                }
+        })?;
+        let entropy = -over(&x_log2_x)?;
+        deviations.push((information - (taken.log2() - entropy)).abs());
+    }
+    Ok(Finding::residual(largest(deviations), tolerance::CLOSURE).sampled())
+}
+
+/// The integral over the unit square.
+fn double_integral(f: &dyn Fn(f64, f64) -> f64) -> Result<f64, ClaimError> {
+    let inner = |u: f64| integral(|v| f(u, v), (0.0, 1.0), 1e-14).map_or(f64::NAN, |i| i.value);
+    Ok(integral(inner, (0.0, 1.0), 1e-13)?.value)
+}
+
+/// Regular grids of the cube from one cell a side up to `most`: each has more mutual information
+/// than the one before it, and the continuous one, which no division exceeds, is above them all. The
+/// number is that of the steps that rise; with `backwards` they are counted downwards.
+pub(crate) fn finer_regular_grids_know_more(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let most = case.count("most")?;
+    // one grid more, whose information the continuous one has at least
+    let mut levels = (1..=most + 1)
+        .map(enclosed_regular_grid)
+        .collect::<Result<Vec<_>, _>>()?;
+    if case.switch("backwards")? {
+        levels.reverse();
+    }
+    let rise = levels.windows(2).filter(|pair| pair[0] < pair[1]).count();
+    let fall = levels.windows(2).filter(|pair| pair[0] > pair[1]).count();
+    let count = Interval::precise(f64::from(most), case.bits());
+    let note = format!(
+        "the continuous one is at least that of {} cells a side",
+        most + 1
+    );
+    let rises = Finding::decided(rise + 1 == levels.len(), fall > 0, count);
+    Ok(rises.noting(note))
+}
+
+/// The mutual information of the cube's regular grid, between doubles.
+pub(crate) fn enclosed_regular_grid(cells: u32) -> Result<Interval<f64>, ClaimError> {
+    let grid = BoxGrid::regular_like(UNIT_CUBE, cells, &Interval::point(1.0))?;
+    Ok(grid.mutual_information()?)
 }

@@ -1,5 +1,6 @@
 //! §3.1 to §3.3: Theorem 1, the increase of a pair, and visibility.
 
+use super::enclosed::exchange_row;
 use super::section_2::cube;
 use crate::chain::random::seeded::RandomChains;
 use crate::chain::{ReversibleChain, visibility_chain};
@@ -9,7 +10,8 @@ use crate::form_factor::RectanglePair;
 use crate::geometry::{Rectangle, SplitAxis};
 use crate::information::{divergence, mutual_information, subdivision_bound};
 use crate::numeric::{
-    compensated_sum, larger, largest, real, smaller, tolerance, x_log2_ratio, x_log2_x,
+    Interval, Scalar, compensated_sum, larger, largest, real, smaller, tolerance, x_log2_ratio,
+    x_log2_x,
 };
 use crate::scene::Scene;
 
@@ -189,6 +191,35 @@ fn bounds_sum_to(
         (compensated_sum(bounds) / total - 1.0).abs()
     });
     Ok(Finding::residual(largest(deviations), tolerance::CLOSURE))
+}
+
+/// The most that a face of a box of cells can gain by a regular division into `parts`, over
+/// `2 w_i log2 m`, from the form factors of the first patch.
+///
+/// ```text
+///   gain of a pair ≤ 2 w P_ij min( log2 m, −log2 P_ij ),   as a part's own P ≤ 1
+/// ```
+pub(crate) fn printed_total_is_a_maximum(case: &Case<'_>) -> Result<Finding, ClaimError> {
+    let scene = cube(case)?;
+    let like = Interval::precise(1.0, case.bits());
+    let parts = like.constant(f64::from(case.count("parts")?)).ln();
+    let area = like.constant(scene.rectangle(0)?.area());
+    let mut reached = like.zero();
+    for [exchange, _] in exchange_row(&scene, 0, &like)? {
+        if exchange.is_zero() {
+            continue;
+        }
+        let probability = exchange / &area;
+        let own = -probability.ln();
+        let most = if own < parts { own } else { parts.clone() };
+        reached = reached + &(probability * &most);
+    }
+    let ratio = reached / &parts;
+    let note = format!(
+        "as an upper bound it holds; where some m P_ij > 1, as for {} parts, it is out of reach",
+        case.count("parts")?
+    );
+    Ok(Finding::refuted_if(ratio < like, ratio).noting(note))
 }
 
 pub(crate) fn largest_weight_has_largest_potential(case: &Case<'_>) -> Result<Finding, ClaimError> {

@@ -1,126 +1,14 @@
 //! §3.4 and §3.5: the chains of radiosity and importance, on cubes whose patches reflect, emit and
 //! matter unevenly.
 
+use super::lit::{Carrier, Lit};
 use crate::chain::{brightness_chain, continuous_chain};
 use crate::claims::{Case, ClaimError, Finding};
-use crate::exchange::ExchangeAreas;
+use crate::form_factor::RectanglePair;
 use crate::information::{entropy_rate, mutual_information, positional_entropy};
 use crate::numeric::{Scalar, compensated_sum, larger, largest, tolerance};
-use crate::scene::{Material, Scene};
+use crate::transport::RadiositySystem;
 use crate::transport::walks::{Steering, Walks};
-use crate::transport::{Importance, RadiositySystem};
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
-
-/// The quantity whose chain is built.
-#[derive(Debug, Clone, Copy)]
-enum Carrier {
-    Radiosity,
-    Importance,
-}
-
-/// A lit cube, and the chain's formulas as they are printed, with the numerator B_j.
-struct Lit {
-    scene: Scene,
-    exchange: ExchangeAreas,
-    materials: Vec<Material>,
-    /// E, or V.
-    sources: Vec<f64>,
-    /// B, or I.
-    solution: Vec<f64>,
-    importance: Option<Importance>,
-}
-
-impl Lit {
-    /// Solves the case; with `flaw`, the solution of every second patch is wrong by that share.
-    fn new(case: &Case<'_>) -> Result<Self, ClaimError> {
-        let carrier = match case.switch("importance")? {
-            true => Carrier::Importance,
-            false => Carrier::Radiosity,
-        };
-        Self::of(carrier, case)
-    }
-
-    fn of(carrier: Carrier, case: &Case<'_>) -> Result<Self, ClaimError> {
-        let scene = super::section_2::cube(case)?;
-        let exchange = scene.exchange_areas()?;
-        let mut random = ChaCha8Rng::seed_from_u64(case.count("seed")?.into());
-        let mut materials = Vec::new();
-        for _ in 0..exchange.rows() {
-            let [reflectance, emittance]: [f64; 2] = random.random();
-            let material = Material::try_new(0.05 + 0.9 * reflectance, emittance);
-            materials.push(material.map_err(|error| ClaimError::Input {
-                name: "seed",
-                reason: error.to_string(),
-            })?);
-        }
-        let sources: Vec<f64> = materials.iter().map(Material::emittance).collect();
-        let room = RadiositySystem::of(&exchange, &materials)?;
-        let importance = match carrier {
-            Carrier::Radiosity => None,
-            Carrier::Importance => Some(room.importance(&sources)?),
-        };
-        let mut solution = match &importance {
-            Some(importance) => importance.values.clone(),
-            None => room.radiosity(&sources)?.values,
-        };
-        for value in solution.iter_mut().step_by(2) {
-            *value *= 1.0 + case.number("flaw")?;
-        }
-        Ok(Self {
-            scene,
-            exchange,
-            materials,
-            sources,
-            solution,
-            importance,
-        })
-    }
-
-    const fn patches(&self) -> usize {
-        self.exchange.rows()
-    }
-
-    fn reflectance(&self, i: usize) -> f64 {
-        self.materials[i].reflectance()
-    }
-
-    fn form_factor(&self, i: usize, j: usize) -> f64 {
-        self.exchange.get(i, j).exchange.value / self.exchange.areas()[i]
-    }
-
-    /// `B − E`, or `I − V`.
-    fn gathered(&self, i: usize) -> f64 {
-        self.solution[i] - self.sources[i]
-    }
-
-    /// `R_i F_ij B_j/(B_i − E_i)`, or `R_j F_ij I_j/(I_i − V_i)`.
-    fn transition(&self, i: usize, j: usize) -> f64 {
-        let reflecting = if self.importance.is_some() { j } else { i };
-        self.reflectance(reflecting) * self.form_factor(i, j) * self.solution[j] / self.gathered(i)
-    }
-
-    /// `A_i B_i (B_i − E_i)/R_i`, or `A_i R_i I_i (I_i − V_i)`.
-    fn weight(&self, i: usize) -> f64 {
-        let product = self.exchange.areas()[i] * self.solution[i] * self.gathered(i);
-        if self.importance.is_some() {
-            product * self.reflectance(i)
-        } else {
-            product / self.reflectance(i)
-        }
-    }
-
-    /// B, or R I.
-    fn brightness(&self) -> Vec<f64> {
-        let values = self.solution.iter().zip(&self.materials);
-        values
-            .map(|(value, material)| match self.importance {
-                Some(_) => material.reflectance() * value,
-                None => *value,
-            })
-            .collect()
-    }
-}
 
 pub(crate) fn light_rows_sum_to_one(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let lit = Lit::new(case)?;
@@ -159,15 +47,37 @@ pub(crate) fn light_weights_sum_to_normalisation(case: &Case<'_>) -> Result<Find
     ))
 }
 
+/// `w_i P_ij` against `w_j P_ji`, each direction on its own: the weights as printed, the
+/// probabilities as shares of what a patch receives, `A_i F_ij` from the frame of i. They agree only
+/// where the weights are what the patches receive.
 pub(crate) fn light_is_reciprocal(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let lit = Lit::new(case)?;
+    let brightness = lit.brightness();
+    let rectangles = (0..lit.patches())
+        .map(|i| lit.scene.rectangle(i))
+        .collect::<Result<Vec<_>, _>>()?;
+    let carried = |i: usize, j: usize| -> Result<f64, ClaimError> {
+        if i == j {
+            return Ok(0.0);
+        }
+        let pair = RectanglePair::try_new(&rectangles[i], &rectangles[j])?;
+        Ok(pair.exchange_area()?.value * brightness[j])
+    };
+    let flow = |i: usize| -> Result<Vec<f64>, ClaimError> {
+        let row = (0..lit.patches()).map(|j| carried(i, j));
+        let row = row.collect::<Result<Vec<_>, _>>()?;
+        let received = compensated_sum(row.iter().copied());
+        let weight = lit.weight(i);
+        Ok(row.iter().map(|part| weight * part / received).collect())
+    };
+    let flows = (0..lit.patches())
+        .map(flow)
+        .collect::<Result<Vec<_>, _>>()?;
     let mut worst: f64 = 0.0;
-    for i in 0..lit.patches() {
-        for j in 0..i {
-            let there = lit.weight(i) * lit.transition(i, j);
-            let back = lit.weight(j) * lit.transition(j, i);
-            if there > 0.0 {
-                worst = larger(worst, (back / there - 1.0).abs());
+    for (i, row) in flows.iter().enumerate() {
+        for (there, back) in row.iter().zip(&flows).take(i) {
+            if *there > 0.0 {
+                worst = larger(worst, (back[i] / there - 1.0).abs());
             }
         }
     }
@@ -206,29 +116,24 @@ pub(crate) fn divided_light_adds_up(case: &Case<'_>) -> Result<Finding, ClaimErr
     Ok(Finding::residual(worst, tolerance::CLOSURE))
 }
 
-/// `E = k (1 − R)`, or `V = k (1/R − 1)`: the largest difference of `P_ij` from `F_ij`.
+/// `E(x) = k (1 − R(x))`, or `V(x) = k (1/R(x) − 1)`, with a reflectance that varies inside the
+/// patches: the largest difference of `P_ij`, by quadrature, from `F_ij`. The brightness is what the
+/// integral equation makes of k, from which every point of a closed scene receives k.
 pub(crate) fn even_light_is_visibility(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let lit = Lit::new(case)?;
-    let room = RadiositySystem::of(&lit.exchange, &lit.materials)?;
-    let level = case.number("level")?;
-    let even = lit.materials.iter().enumerate().map(|(i, material)| {
-        let absorbed = level * (1.0 - material.reflectance());
-        let brighter = if i == 0 {
-            1.0 + case.number("flaw")?
+    let (level, flaw) = (case.number("level")?, case.number("flaw")?);
+    let brightness = |patch: usize, at: glam::DVec3| {
+        let reflectance = lit.reflectance(patch) * (1.0 - 0.5 * at.x * at.y);
+        let brighter = if patch == 0 { 1.0 + flaw } else { 1.0 };
+        if lit.importance.is_some() {
+            let direct = brighter * level * (1.0 / reflectance - 1.0);
+            reflectance * (direct + level)
         } else {
-            1.0
-        };
-        Ok::<_, ClaimError>(brighter * absorbed)
-    });
-    let even = even.collect::<Result<Vec<_>, _>>()?;
-    let brightness = if lit.importance.is_some() {
-        let direct = even.iter().zip(&lit.materials);
-        let direct: Vec<f64> = direct.map(|(e, m)| e / m.reflectance()).collect();
-        room.importance(&direct)?.reflected.values
-    } else {
-        room.radiosity(&even)?.values
+            brighter * level * (1.0 - reflectance) + reflectance * level
+        }
     };
-    let chain = brightness_chain(&lit.exchange, &brightness)?;
+    // an even brightness is exact in any division
+    let chain = continuous_chain(&lit.scene, brightness, 1e-3)?.chain;
     let mut worst: f64 = 0.0;
     for i in 0..lit.patches() {
         for j in 0..lit.patches() {
@@ -325,17 +230,6 @@ pub(crate) fn null_variance_shooting(case: &Case<'_>) -> Result<Finding, ClaimEr
         allowed = larger(allowed, walk_rounding(&walks));
     }
     Ok(Finding::residual(worst, allowed).sampled())
-}
-
-/// `Σ_j B_i B_j A_i F_ij` against `A_i B_i (B_i − E_i)/R_i`.
-pub(crate) fn potentials_sum_to_generalised_area(case: &Case<'_>) -> Result<Finding, ClaimError> {
-    let lit = Lit::new(case)?;
-    let off = (0..lit.patches()).map(|i| {
-        let potentials = (0..lit.patches())
-            .map(|j| lit.solution[i] * lit.solution[j] * lit.exchange.get(i, j).exchange.value);
-        (compensated_sum(potentials) / lit.weight(i) - 1.0).abs()
-    });
-    Ok(Finding::residual(largest(off), tolerance::CLOSURE))
 }
 
 /// `I = H_p − H_s` of the radiosity and of the importance chain.

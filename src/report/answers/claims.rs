@@ -1,6 +1,6 @@
 //! The verdict table: what the paper says, what was computed, and what it comes to.
 
-use crate::claims::Verdict;
+use crate::claims::{Theorem, Verdict};
 use crate::numeric::Grade;
 use crate::question::{CurveAnswer, CurvePoint, JudgedClaim, ReproduceAnswer};
 use crate::report::{
@@ -9,7 +9,8 @@ use crate::report::{
 };
 
 /// The answer to [`Reproduce`](crate::question::Reproduce): the verdict table of the claims, in
-/// their order, with a note for each that is neither confirmed nor supported, and a count.
+/// their order, with a note for each that is neither confirmed nor supported, and a count. Of one
+/// claim alone the theorems that prove it are written out.
 ///
 /// # Errors
 /// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
@@ -32,6 +33,10 @@ pub fn reproduction_report(answer: &ReproduceAnswer) -> Result<Report, ReportErr
 
 fn notes(claims: &[JudgedClaim]) -> Vec<(String, String)> {
     let mut notes: Vec<(String, String)> = Vec::new();
+    // of one claim alone there is room to say what is proved
+    if let [claim] = claims {
+        notes.extend(claim.proof.iter().map(theorem_in_full));
+    }
     let settled = |c: &&JudgedClaim| matches!(c.verdict, Verdict::Confirmed | Verdict::Supported);
     for claim in claims.iter().filter(|claim| !settled(claim)) {
         let name = words(claim.verdict);
@@ -56,6 +61,16 @@ fn notes(claims: &[JudgedClaim]) -> Vec<(String, String)> {
     let counts: Vec<String> = counts.collect();
     notes.push((format!("{} claims", claims.len()), counts.join(", ")));
     notes
+}
+
+/// A theorem in words, and as Coq states it.
+fn theorem_in_full(theorem: &Theorem) -> (String, String) {
+    let mut text = theorem.says.clone();
+    for given in &theorem.hypotheses {
+        text += &format!("; given {given}");
+    }
+    text += &format!("; then {}", theorem.conclusion);
+    (format!("theorem {}", theorem.name), text)
 }
 
 fn words(verdict: Verdict) -> String {

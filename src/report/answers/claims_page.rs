@@ -1,6 +1,6 @@
 //! The page of all claims, and the short table of the front page.
 
-use crate::claims::{Judgement, Quantity, Verdict};
+use crate::claims::{Judgement, Quantity, Theorem, Verdict};
 use crate::numeric::Grade;
 use crate::question::ReproduceAnswer;
 use crate::report::render::page::{PageError, Texts};
@@ -23,7 +23,33 @@ pub fn claims_page(judgements: &[Judgement]) -> Result<String, PageError> {
     texts.text("grades", grades.concat());
     let table = reproduction_report(&ReproduceAnswer::from(judgements))?;
     texts.text("claims", table.render(Format::Markdown)?);
+    texts.text("theorems", proved(judgements));
     texts.filled(TEMPLATE)
+}
+
+/// The theorems behind the claims in Markdown, in the order in which claims first name them.
+fn proved(judgements: &[Judgement]) -> String {
+    let mut named: Vec<(&Theorem, Vec<&str>)> = Vec::new();
+    for claim in judgements.iter().map(|judgement| &judgement.claim) {
+        for theorem in &claim.proof {
+            match named.iter_mut().find(|(own, _)| own.name == theorem.name) {
+                Some((_, claims)) => claims.push(&claim.id),
+                None => named.push((theorem, vec![&claim.id])),
+            }
+        }
+    }
+    let entries = named.iter().map(|(theorem, claims)| {
+        let mut entry = format!("### {}\n\n{}.\n\n", theorem.name, theorem.says);
+        entry += &format!("* for `{}`\n", claims.join("`, `"));
+        let lines = [("for all", &theorem.variables)].into_iter();
+        let lines = lines.chain(theorem.hypotheses.iter().map(|given| ("given", given)));
+        let lines = lines.chain([("then", &theorem.conclusion)]);
+        for (word, text) in lines.filter(|(_, text)| !text.is_empty()) {
+            entry += &format!("* {word} `{text}`\n");
+        }
+        entry + "\n"
+    });
+    entries.collect::<String>().trim_end().to_owned()
 }
 
 /// The claims of the front page: the best cuts of figs. 2 and 3, a pair of cuts of §4.2, a theorem.
@@ -50,7 +76,11 @@ pub fn first_verdicts(judgements: &[Judgement]) -> Result<String, ReportError> {
         let finding = judgement.finding.as_ref();
         let computed = finding.map(|finding| match finding.quantity {
             Quantity::Value { value, error } if printed.is_some() => certain_digits(value, error),
-            _ => finding.grade.name().to_owned(),
+            _ => judgement
+                .evidence()
+                .unwrap_or(finding.grade)
+                .name()
+                .to_owned(),
         });
         vec![
             claim.id.clone(),

@@ -6,23 +6,35 @@
 //!
 //! **Not here**: proofs, which the page cites.
 
-use crate::claims::{ClaimError, Judgement, Printed, samples_for};
+use crate::claims::{ClaimError, Judgement, Printed};
 use crate::discretize::{
     BestGrid, BoxGrid, ContactShadow, GradientCut, GradientLimit, JudgedCut, Profile, UNIT_CUBE,
 };
-use crate::numeric::{Bounded, Interval, Scalar, larger, largest};
+use crate::numeric::{Bounded, Interval, Scalar, larger, largest, smaller};
 use crate::report::render::page::{PageError, Texts};
 use crate::study::Row;
 use crate::study::cuts::profiles::{PROFILES, ProfileRow, profiles};
 use crate::study::gain::stability::gain_stability;
-
-/// The claims about constant radiosity: the gain, and its maximum.
-const CONSTANT: [&str; 2] = [
-    "s5-gain-for-constant-radiosity",
-    "s5-maximum-for-constant-radiosity",
-];
+use crate::study::lines::figure_5::SAMPLES;
 
 const TEMPLATE: &str = include_str!("../templates/findings.md");
+
+/// Claims of which the page says one verdict.
+const TOGETHER: [&[&str]; 4] = [
+    &["fig5-optimal", "fig5-bad"],
+    &["eq6-sum-is-a-maximum", "eq7-total-is-a-maximum"],
+    &[
+        "s42-highest-information-cut-2",
+        "s42-highest-information-cut-3",
+        "s42-highest-information-cut-4",
+        "s42-objective",
+    ],
+    &[
+        "s3-most-precise-has-highest-information",
+        "s1-optimum-is-highest-information",
+        "s1-optimum-has-least-error",
+    ],
+];
 
 /// Bits of the enclosures: far more than the digits shown.
 const BITS: u32 = 128;
@@ -84,14 +96,17 @@ fn verdicts(claims: &Claims<'_>, texts: &mut Texts) -> Result<(), PageError> {
         ("below_verdict", "s2-discrete-below-continuous"),
         ("transitions_verdict", "s34-discrete-transitions"),
         ("objective_verdict", "s42-objective"),
-        ("constant_verdict", CONSTANT[0]),
+        ("weights_verdict", "s34-weights-without-total"),
         ("unstable_verdict", "s5-unstable-logarithms"),
         ("figure_5_verdict", "fig5-regular"),
+        ("figure_5_others", "fig5-optimal"),
+        ("maximum_verdict", "eq6-sum-is-a-maximum"),
+        ("precise_verdict", "s3-most-precise-has-highest-information"),
+        ("potential_verdict", "s5-step-2-highest-potential"),
     ] {
         texts.text(name, claims.verdict(id)?);
     }
-    let figures = ["fig5-regular", "fig5-optimal", "fig5-bad"];
-    for ids in [figures.as_slice(), &CONSTANT] {
+    for ids in TOGETHER {
         for pair in ids.windows(2) {
             let [first, second] = [claims.verdict(pair[0])?, claims.verdict(pair[1])?];
             PageError::unless(first == second, "claims named together have one verdict")?;
@@ -138,12 +153,14 @@ fn cuts(texts: &mut Texts) -> Result<(), PageError> {
 
 /// §5: the missing factor, and the digits that forms of the gain keep.
 fn gains(claims: &Claims<'_>, texts: &mut Texts) -> Result<(), PageError> {
-    let [gain, maximum] = CONSTANT.map(|id| claims.enclosure(id));
-    let (gain, maximum) = (gain?, maximum?);
-    let are_equal = gain.intersection(maximum).is_some();
-    PageError::unless(are_equal, "gain and maximum lack one factor")?;
-    texts.enclosed("constant_ratio", gain, 0)?;
-    let digits = claims.enclosure("s5-unstable-logarithms")?.to_f64();
+    let ratio = claims.enclosure("s34-weights-without-total")?;
+    texts.enclosed("constant_ratio", ratio, 0)?;
+    let reached = claims.enclosure("eq6-sum-is-a-maximum")?;
+    texts.enclosed("reached", reached, 3)?;
+    let excess = claims.enclosure("s3-most-precise-has-highest-information")?;
+    let percent = (excess.clone() - &excess.constant(1.0)) * &excess.constant(100.0);
+    texts.enclosed("precise_excess", &percent, 1)?;
+    let digits = claims.enclosure("s5-printed-gain-is-unstable")?.to_f64();
     let left = if digits > 0.0 {
         format!("{digits:.0}")
     } else {
@@ -163,51 +180,33 @@ fn gains(claims: &Claims<'_>, texts: &mut Texts) -> Result<(), PageError> {
     Ok(())
 }
 
-/// Fig. 5: regular grids about the printed value, and the reading as plug-in estimates.
+/// Fig. 5: the regular grids about the printed value, and the reading as plug-in estimates.
 fn figure_5(claims: &Claims<'_>, texts: &mut Texts) -> Result<(), PageError> {
-    let printed = claims.printed("fig5-regular")?;
-    let (lower, upper) = printed.interval();
-    let mut around: [Option<(u32, f64)>; 2] = [None, None];
-    for cells in 1..=12 {
+    for (name, cells) in [("below", 7), ("above", 8)] {
         let grid = BoxGrid::regular(UNIT_CUBE, cells)?;
-        let information = grid.information()?.mutual_information.value;
-        let is_printed = (lower..=upper).contains(&information);
-        PageError::unless(!is_printed, "no regular grid has the printed value")?;
-        if information < lower {
-            around[0] = Some((cells, information));
-        } else if around[1].is_none() {
-            around[1] = Some((cells, information));
-        }
+        let information = grid.information()?.mutual_information;
+        texts.number(name, Bounded::bound(information.value, SUMMED), 4)?;
     }
-    for (name, place, found) in [
-        ("cells_below", "below", around[0]),
-        ("cells_above", "above", around[1]),
-    ] {
-        let (cells, information) = found.ok_or_else(|| PageError::without("a grid", place))?;
-        texts.text(name, cells.to_string());
-        texts.number(place, Bounded::bound(information, SUMMED), 4)?;
-    }
-    let regular = BoxGrid::regular(UNIT_CUBE, 6)?;
-    let samples = samples_for(&regular, printed.value)?;
-    let samples = samples.ok_or_else(|| PageError::without("a number of lines", "fig5-regular"))?;
-    texts.text("samples", thousands(samples));
     let best = BestGrid::find(UNIT_CUBE, 6)?.grid;
     let quarters = BoxGrid::try_new(UNIT_CUBE, &[0.25, 0.375, 0.5, 0.625, 0.75])?;
-    let mut deviation: f64 = 0.0;
-    for (name, grid) in [("best", best), ("bad", quarters)] {
-        let expected =
-            grid.information()?.mutual_information.value + grid.expected_bias(samples)?;
-        texts.number(name, Bounded::estimate(expected, SUMMED), 4)?;
-        deviation = larger(deviation, grid.expected_deviation(samples)?);
-    }
-    texts.number("deviation", Bounded::estimate(deviation, SUMMED), 4)?;
-    for (name, id) in [
-        ("printed_regular", "fig5-regular"),
-        ("printed_best", "fig5-optimal"),
-        ("printed_bad", "fig5-bad"),
+    let regular = BoxGrid::regular(UNIT_CUBE, 6)?;
+    let (mut least, mut most): (f64, f64) = (f64::INFINITY, 0.0);
+    for (names, id, grid) in [
+        (["regular", "printed_regular"], "fig5-regular", regular),
+        (["best", "printed_best"], "fig5-optimal", best),
+        (["bad", "printed_bad"], "fig5-bad", quarters),
     ] {
-        texts.text(name, claims.printed(id)?.text.clone());
+        let information = grid.information()?.mutual_information.value;
+        let expected = information + grid.expected_bias(SAMPLES)?;
+        texts.number(names[0], Bounded::estimate(expected, SUMMED), 4)?;
+        let printed = claims.printed(id)?;
+        texts.text(names[1], printed.text.clone());
+        let below = (expected - printed.value) / grid.expected_deviation(SAMPLES)?;
+        (least, most) = (smaller(least, below), larger(most, below));
     }
+    let is_one = (0.8..1.2).contains(&least) && (0.8..1.2).contains(&most);
+    PageError::unless(is_one, "the printed values lie one standard deviation low")?;
+    texts.text("samples", thousands(SAMPLES));
     Ok(())
 }
 

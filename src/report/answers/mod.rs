@@ -2,8 +2,8 @@
 //!
 //! `measure` and `sampled` answer `infoscene measure`, `check`, `form_factors`, `grid`, `points` and
 //! `radiosity` the questions of these names, `cuts` the question `cut`, `claims` the question
-//! `reproduce`; `refinement` and `studies` answer `study`. `claims_page` and `findings` are the
-//! generated pages of `data/report`. Formats are in `render`, computing is in the rooms before this
+//! `reproduce`; `refinement` and `studies` answer `study`. `claims_page`, `findings` and `trusted` are
+//! the generated pages of `data/report`. Formats are in `render`, computing is in the rooms before this
 //! one.
 
 pub(crate) mod check;
@@ -21,3 +21,4 @@ pub(crate) mod radiosity;
 pub(crate) mod sampled;
 pub(crate) mod split;
 pub(crate) mod studies;
+pub(crate) mod trusted;

@@ -41,6 +41,7 @@ const fn escape(c: char) -> Option<&'static str> {
         'ᵐ' => "$^m$",
         'ˣ' => "$^x$",
         '°' => r"$^\circ$",
+        'ρ' => r"$\rho$",
         'σ' => r"$\sigma$",
         '∞' => r"$\infty$",
         '½' => r"$\frac12$",

@@ -16,6 +16,9 @@ static CONTEXT: LazyLock<Context> = LazyLock::new(Context::default);
 /// Every claim, judged once for all tests.
 static JUDGEMENTS: LazyLock<Vec<Judgement>> = LazyLock::new(judgements);
 
+/// Every claim, judged a second time.
+static AGAIN: LazyLock<Vec<Judgement>> = LazyLock::new(judgements);
+
 fn judgements() -> Vec<Judgement> {
     judge_all(&registry().unwrap(), &CONTEXT, || ()).unwrap()
 }

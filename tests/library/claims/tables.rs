@@ -1,11 +1,12 @@
 //! The committed tables are what this build computes. To bring them up to date:
 //! `INFOSCENE_REFRESH=1 cargo test --test library claims`.
 
-use super::{JUDGEMENTS, judgements};
+use super::{AGAIN, JUDGEMENTS};
 use infoscene::exchange::Unheard;
 use infoscene::question::{Curve, ReproduceAnswer};
 use infoscene::report::{
     Format, claims_page, curve_figure, findings_page, first_verdicts, reproduction_report,
+    trusted_page,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -55,6 +56,10 @@ fn the_page_of_claims_is_current_and_complete() {
             "{}",
             judgement.claim.id
         );
+        for theorem in &judgement.claim.proof {
+            let heading = format!("\n### {}\n\n{}.\n", theorem.name, theorem.says);
+            assert!(page.contains(&heading), "{}", theorem.name);
+        }
     }
     assert_current("data/report/claims.md", &page);
 }
@@ -76,16 +81,36 @@ fn the_page_of_findings_is_current() {
     assert_current("data/report/findings.md", &page);
 }
 
+/// The page of what is trusted names the axioms that the proofs' page allows.
+#[test]
+fn the_page_of_what_is_trusted_is_current() {
+    let page = trusted_page(&JUDGEMENTS).unwrap();
+    let proofs = fs::read_to_string(file("proofs/README.md")).unwrap();
+    let rows = proofs
+        .lines()
+        .filter(|line| line.starts_with("| R |") || line.starts_with("| C |"));
+    let axioms: Vec<&str> = rows
+        .filter_map(|row| row.split(" | ").nth(1))
+        .flat_map(|cell| cell.split('`').skip(1).step_by(2))
+        .collect();
+    assert_eq!(axioms.len(), 4, "{axioms:?}");
+    for axiom in axioms {
+        assert!(page.contains(&format!("`{axiom}`")), "{axiom}");
+    }
+    assert_current("data/report/trusted.md", &page);
+}
+
 /// A page without the judgements it speaks of is refused.
 #[test]
-fn findings_need_their_claims() {
+fn pages_need_their_claims() {
     assert!(findings_page(&[]).is_err());
+    assert!(trusted_page(&[]).is_err());
 }
 
 /// Two runs write the same bytes in every format.
 #[test]
 fn two_runs_write_the_same_bytes() {
-    let answers = [&JUDGEMENTS, &judgements()].map(|j| ReproduceAnswer::from(j.as_slice()));
+    let answers = [&JUDGEMENTS, &AGAIN].map(|j| ReproduceAnswer::from(j.as_slice()));
     let [first, second] = answers.map(|answer| reproduction_report(&answer).unwrap());
     for format in [
         Format::Table,

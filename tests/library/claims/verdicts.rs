@@ -1,9 +1,9 @@
 //! Every verdict is computed, is the recorded one, and turns when its input is perturbed.
 
-use super::{CONTEXT, JUDGEMENTS};
+use super::{AGAIN, CONTEXT, JUDGEMENTS};
 use infoscene::claims::{
-    Case, Claim, Computation, Context, Finding, Inputs, Printed, Task, Verdict, judge_control,
-    registry,
+    Case, Claim, Computation, Context, Control, Finding, Inputs, Judgement, Printed, Task, Verdict,
+    judge_control, registry,
 };
 use infoscene::numeric::{Grade, Interval};
 
@@ -27,19 +27,127 @@ fn every_verdict_is_the_recorded_one() {
     }
 }
 
+/// Whether a control turned a verdict: both by computation, as theorems say nothing of controls.
+fn is_turned(plain: &Judgement, control: &Judgement) -> bool {
+    plain.by_computation() != control.by_computation()
+}
+
 /// The control of each claim breaks its premise, or takes another printed number.
 #[test]
 fn every_verdict_turns_under_its_control() {
+    let mut idle = Vec::new();
     for plain in JUDGEMENTS.iter() {
         if let Task::Compute { .. } = plain.claim.task {
             let control = judge_control(&plain.claim, &CONTEXT).unwrap();
-            assert_ne!(
-                plain.verdict, control.verdict,
-                "{}: {:?}",
-                plain.claim.id, control.finding
-            );
+            assert!(!control.is_proved, "{}", plain.claim.id);
+            if !is_turned(plain, &control) {
+                idle.push(format!("{}: {:?}", plain.claim.id, control.finding));
+            }
         }
     }
+    assert!(idle.is_empty(), "idle controls:\n{}", idle.join("\n"));
+}
+
+/// A control that changes nothing is a second run, which turns nothing, whatever theorems a claim
+/// names.
+#[test]
+fn a_control_that_changes_nothing_turns_no_verdict() {
+    for (plain, idle) in JUDGEMENTS.iter().zip(AGAIN.iter()) {
+        assert!(!is_turned(plain, idle), "{}", plain.claim.id);
+        let Task::Compute { input, .. } = &plain.claim.task else {
+            continue;
+        };
+        assert_eq!(*input, input.changed_by(&Inputs::default()));
+    }
+    // the first claim with a theorem, by the very road of the other controls
+    let mut claim = JUDGEMENTS
+        .iter()
+        .find(|j| j.is_proved)
+        .unwrap()
+        .claim
+        .clone();
+    if let Task::Compute { control, .. } = &mut claim.task {
+        *control = Control::default();
+    }
+    let idle = judge_control(&claim, &CONTEXT).unwrap();
+    assert!(
+        !idle.is_proved && idle.verdict == Verdict::Supported,
+        "{idle:?}"
+    );
+}
+
+/// Fig. 5: no regular grid of any number of cells has the printed value. From 448 cells on the chain
+/// rule decides, so that thinning up to a thousand leaves none out.
+#[test]
+#[ignore = "eighty grids of intervals: cargo test --release --test library no_regular_grid -- --ignored"]
+fn no_regular_grid_of_any_size_has_the_printed_value() {
+    let mut claim = JUDGEMENTS
+        .iter()
+        .find(|j| j.claim.id == "fig5-regular")
+        .unwrap()
+        .claim
+        .clone();
+    if let Task::Compute { control, .. } = &mut claim.task {
+        *control = Control {
+            inputs: serde_json::from_str(r#"{"thinned_up_to": 1000}"#).unwrap(),
+            printed: None,
+        };
+    }
+    let judgement = judge_control(&claim, &CONTEXT).unwrap();
+    assert_eq!(judgement.verdict, Verdict::Refuted, "{judgement:?}");
+}
+
+/// A claim says in its data if its computation can decide to one side only.
+#[test]
+fn one_sided_computations_are_where_the_data_say() {
+    let mut wrong = Vec::new();
+    for judgement in JUDGEMENTS.iter() {
+        let Task::Compute { can_only, .. } = &judgement.claim.task else {
+            continue;
+        };
+        let found = judgement.one_sided();
+        if found != *can_only {
+            wrong.push(format!("{}: {found:?}", judgement.claim.id));
+        }
+    }
+    assert!(wrong.is_empty(), "can_only should be\n{}", wrong.join("\n"));
+}
+
+/// A statement of several parts stands and falls with them.
+#[test]
+fn a_conjunction_is_settled_as_its_least_settled_part() {
+    use Verdict::{Confirmed, NotChecked, Refuted, Supported, Undecided};
+    for (parts, whole) in [
+        (vec![Confirmed, Confirmed], Confirmed),
+        (vec![Confirmed, Supported], Supported),
+        (vec![Supported, Undecided], Undecided),
+        (vec![Undecided, NotChecked], NotChecked),
+        (vec![NotChecked, Confirmed, Refuted], Refuted),
+    ] {
+        assert_eq!(Verdict::of_all(&parts), whole, "{parts:?}");
+    }
+    let conjunctions = JUDGEMENTS.iter().filter(|j| !j.members.is_empty());
+    for judgement in conjunctions {
+        let parts: Vec<Verdict> = judgement.members.iter().map(|part| part.verdict).collect();
+        assert!(parts.len() > 1, "{}", judgement.claim.id);
+        assert_eq!(judgement.verdict, Verdict::of_all(&parts));
+    }
+}
+
+/// Nothing is left unchecked but what needs meshes that are refined.
+#[test]
+fn only_refinement_is_not_checked() {
+    let open = JUDGEMENTS
+        .iter()
+        .filter(|j| j.verdict == Verdict::NotChecked);
+    let open: Vec<&str> = open.map(|judgement| judgement.claim.id.as_str()).collect();
+    let expected = [
+        "s5-cheap-gradient",
+        "s5-full-gain-is-the-better-oracle",
+        "s6-oracle-is-useful",
+        "s6-minimises-error",
+    ];
+    assert_eq!(open, expected);
 }
 
 /// A printed number two units of its last decimal off is refuted, or undecided where the paper
@@ -110,7 +218,7 @@ fn every_computation_has_a_claim() {
             Task::Compute {
                 computation: used, ..
             } => used == computation,
-            Task::Proved { .. } | Task::NotChecked { .. } => false,
+            Task::Proved { .. } | Task::NotChecked { .. } | Task::AllOf { .. } => false,
         };
         let name = computation.name();
         assert!(computed().iter().any(uses), "{name} has no claim");
