@@ -1,4 +1,4 @@
-//! Unoccluded form factors: the fraction of the power leaving one patch that reaches another.
+//! Form factors: the fraction of the power leaving one patch that reaches another.
 //!
 //! ```text
 //!   A_i F_ij = ∫∫ cos θ_x cos θ_y / (π r²) dy dx        (direct exchange area, symmetric in i, j)
@@ -19,9 +19,10 @@
 //! | points past others | arcs about what is visible | `occlusion/point` |
 //!
 //! `clipped_pair` removes the part of each polygon behind the other's plane and measures the rest;
-//! `chooser` chooses the route. [`LogMeans`] are the integrals of the logarithms of distance and
-//! cosines over the exchange of a pair. [`crate::reference`] is an independent slow computation by
-//! which all routes are judged, [`sampling`] another.
+//! `chooser` chooses the route. `occlusion` takes away what other polygons hide. [`LogMeans`] are
+//! the integrals of the logarithms of distance and cosines over the exchange of a pair.
+//! [`crate::reference`] is an independent slow computation by which all routes are judged,
+//! [`sampling`] another.
 //!
 //! # Any two polygons
 //!
@@ -68,7 +69,8 @@
 //! | triangles with a common corner | 3.7 |
 //! | angles of 180° less 1e-6 to 1e-3, in double-double | 195 |
 //!
-//! **Not covered**: occlusion: every value is the unoccluded one.
+//! **Not covered**: what stands in the way, unless it is named ([`Polygon::exchange_area_past`],
+//! [`point_form_factor_past`]): all else is the unoccluded value.
 //!
 //! References: Howell, *A Catalog of Radiation Heat Transfer Configuration Factors*, C-11 to C-15;
 //! Cohen and Wallace, *Radiosity and Realistic Image Synthesis*, 1993, ch. 4.

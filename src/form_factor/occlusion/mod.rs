@@ -1,8 +1,57 @@
-//! Form factors of polygons past others that stand in the way.
+//! Form factors of polygons past others that stand in the way, with bounds.
 //!
-//! **Not covered**: everything yet but the bounds 0 and the unoccluded value.
+//! ```text
+//!   A_P F = (1/2π) Σ_g ∫_g dy · W(R_g(y)),     W(R) = Σ ∮_∂R ln|x − y| dx
+//! ```
+//!
+//! over the edges g of Q *and of the screens*, the polygons in the way. R_g(y) is the set of points
+//! x of P that see y as a boundary of what they see of Q:
+//!
+//! ```text
+//!   y on an edge of Q        P without the shadows of the screens, as cast from y
+//!   y on an edge of a screen P ∩ (Q mirrored through y), without the shadows of screens below y
+//!                            and the mirrored shadows of those above
+//! ```
+//!
+//! Both are Stokes' theorem: once for the part of Q that x sees, once over P. A rule over P needs N²
+//! nodes, this one N, and nothing is singular where a screen touches P, stands on it, pierces it or
+//! lies close above it. As W is known in closed form for a polygon R, what is left is an integral
+//! along g of a function that is analytic between the places where the shape of R changes.
+//!
+//! | step | file |
+//! |---|---|
+//! | the pair in the frame of P, clipped, cut into convex faces, edges and corners shared | `setting` |
+//! | stretches of edges, and the faces through them, between which x looks past | `outer` |
+//! | planes of sight through y(t) and an edge, linear in t | `sight` |
+//! | the boundary of R at one t, and the range of t in which it has this shape | `arrangement`, `validity` |
+//! | its corners as rational functions of t, Gauss rules with a-priori bounds | `corner`, `rule` |
+//! | what displaced corners can change | `slack` |
+//! | from a point, in closed form | `point` |
+//!
+//! **Two forms.** Over the edges of Q the part of P in shadow gives what is hidden, which is taken
+//! from the unoccluded value; where too many digits cancel, the lit part gives what is seen, and the
+//! better of the two is the answer.
+//!
+//! **Bounds.** The error is the sum of the truncation of each rule, of what lies between shapes that
+//! change at almost one place, of rounding, and of the rounding of corners. Shapes are decided by
+//! signs of polynomials of degree 2 away from their zeros, and a boundary that does not close is
+//! none; where nothing can be told, `|W| ≤ 2 √(π A_P) |v|` is added. A range in which two events
+//! nearly coincide is not looked into; there W is taken as beside it, and the product of its rate
+//! of change and the squared width is added.
+//!
+//! **Accuracy** within 1e-14 of two independent integrals for 54 pairs of 20 kinds, but for values
+//! below 1e-5 of the unoccluded one, where 1e-16 of that is left
+//! (`pairs_past_others_are_right_to_twelve_digits`); bounds meet 1e-12 in most cases of one or two screens.
+//! The answer says so where they do not.
+//!
+//! **Not covered**: screens that let light through; curved ones.
+//!
+//! Reference: Nishita and Nakamae, "Continuous tone representation of three-dimensional objects
+//! taking account of shadows and interreflection", *SIGGRAPH* 1985, for the contour of what a
+//! point sees.
 
 mod arrangement;
+mod corner;
 mod occluders;
 mod outer;
 mod point;
@@ -11,6 +60,7 @@ mod setting;
 mod share;
 mod sight;
 mod slack;
+mod validity;
 
 pub use occluders::Occluders;
 
@@ -28,10 +78,41 @@ use slack::slack;
 use std::f64::consts::TAU;
 
 impl Polygon {
-    /// The exchange area of the parts of two polygons that see each other past others.
+    /// The exchange area of two polygons past others, which block from both sides.
+    ///
+    /// **Arguments** `tolerance`: relative, 0 or more.
+    /// **Returns** the value, in squared units of length, from 0 to the unoccluded one, with a bound
+    /// on its error, which may exceed the tolerance. It is the same for either order of the pair.
+    /// **Accuracy** see the module's text.
     ///
     /// # Errors
     /// As [`exchange_area`](Self::exchange_area).
+    ///
+    /// # Examples
+    /// ```
+    /// use glam::DVec3;
+    /// use infoscene::form_factor::{Occluders, Polygon};
+    /// use infoscene::geometry::{GeometryError, Patch};
+    /// let square = |z: f64, mut corners: Vec<[f64; 2]>, is_up: bool| {
+    ///     if !is_up {
+    ///         corners.reverse();
+    ///     }
+    ///     let corners = corners.iter().map(|[x, y]| DVec3::new(*x, *y, z)).collect();
+    ///     Ok::<_, GeometryError>(Polygon::new(&Patch::try_new(corners)?))
+    /// };
+    /// let whole = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    /// let (floor, ceiling) = (square(0.0, whole.clone(), true)?, square(1.0, whole, false)?);
+    /// // a plate from one wall to the middle hides half of what the two exchange
+    /// let half = vec![[0.5, -9.0], [9.0, -9.0], [9.0, 9.0], [0.5, 9.0]];
+    /// let plate = square(0.5, half, true)?;
+    /// let polygons = [&plate];
+    /// let occluders = Occluders { polygons: &polygons, touching: 0.0 };
+    /// let past = floor.exchange_area_past(&ceiling, &occluders, 1e-12)?.exchange;
+    /// let bare = floor.exchange_area(&ceiling, 1e-12)?.exchange;
+    /// assert!((past.value - 0.5 * bare.value).abs() <= past.error + 0.5 * bare.error);
+    /// assert!(past.error <= 1e-12 * past.value);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn exchange_area_past(
         &self,
         other: &Self,

@@ -20,21 +20,12 @@
 //! On an edge in P's plane the sides on lines through y have `(v·X1) ln|X1| − (v·X0) ln|X0|`.
 
 use super::arrangement::{Arrangement, Segment};
+use super::corner::Corner;
 use super::share::Share;
 use super::sight::Sight;
 use crate::numeric::functions::elementary::{angle, ln};
 use crate::numeric::{GaussLegendre, real};
 use glam::DVec2;
-
-/// A corner of the boundary as a function of t, about the middle of a panel: X, or X/h.
-#[derive(Debug, Clone, Copy)]
-struct Corner {
-    numerator: [DVec2; 3],
-    denominator: [f64; 3],
-    is_per_height: bool,
-    /// What rounding may displace it by, in the same unit.
-    noise: f64,
-}
 
 /// A side of the boundary: its corners, and whether its line goes through y.
 #[derive(Debug, Clone, Copy)]
@@ -75,7 +66,7 @@ impl<'a> Panel<'a> {
                     .position(|known| *known == pair)
                     .unwrap_or_else(|| {
                         named.push(pair);
-                        panel.corners.push(panel.corner(pair));
+                        panel.corners.push(Corner::at_crossing(sight, pair, middle));
                         named.len() - 1
                     })
             });
@@ -99,97 +90,16 @@ impl<'a> Panel<'a> {
         let (open, length) = runs.fold((DVec2::ZERO, 0.0), |(sum, length), run| {
             (sum + run, length + run.length())
         });
-        open.length() <= CLOSED * length
+        let reach = places
+            .iter()
+            .map(|place| place.length())
+            .fold(0.0, f64::max);
+        open.length() <= CLOSED * length + 64.0 * f64::EPSILON * reach
     }
 
     /// Whether a line goes through y all along.
     fn is_through(&self, line: usize) -> bool {
         self.sight.is_level && self.sight.traces[line].edge.is_none()
-    }
-
-    /// The corner where two lines cross.
-    fn corner(&self, [one, other]: [usize; 2]) -> Corner {
-        let t = self.middle;
-        let y = self.sight.point(t);
-        let v = self.sight.along;
-        if let Some(place) = self.sight.common(one, other) {
-            let from = (place - y).truncate();
-            let is_on_floor = place.z == 0.0;
-            return Corner {
-                numerator: [from, -v.truncate(), DVec2::ZERO],
-                denominator: if is_on_floor {
-                    [1.0, 0.0, 0.0]
-                } else {
-                    [y.z - place.z, v.z, 0.0]
-                },
-                is_per_height: !is_on_floor,
-                noise: 2.0 * f64::EPSILON * (from.length() + place.length())
-                    / if is_on_floor {
-                        1.0
-                    } else {
-                        (y.z - place.z).abs()
-                    },
-            };
-        }
-        let (first, second) = (self.planar(one), self.planar(other));
-        match (first, second) {
-            (Planar::Edge(a, g), Planar::Edge(b, k)) => {
-                let at = |i: usize| solved(a, b, [g[i], k[i]]);
-                let size = (a.length() + g[0].abs()) * (b.length() + k[0].abs());
-                crossing(
-                    [at(0), at(1), DVec2::ZERO],
-                    [a.perp_dot(b), 0.0, 0.0],
-                    size,
-                    false,
-                )
-            }
-            (Planar::Cone(a, c), Planar::Edge(b, g)) | (Planar::Edge(b, g), Planar::Cone(a, c)) => {
-                let h = [y.z, v.z];
-                let hc = [h[0] * c[0], h[0] * c[1] + h[1] * c[0], h[1] * c[1]];
-                // X (a × b) = h c ⊥b − γ ⊥a  with ⊥(x, y) = (y, −x)
-                let turned = |v: DVec2| DVec2::new(v.y, -v.x);
-                let numerator = [
-                    hc[0] * turned(b) - g[0] * turned(a[0]),
-                    hc[1] * turned(b) - g[1] * turned(a[0]) - g[0] * turned(a[1]),
-                    hc[2] * turned(b) - g[1] * turned(a[1]),
-                ];
-                let denominator = [a[0].perp_dot(b), a[1].perp_dot(b), 0.0];
-                let size = (a[0].length() + hc[0].abs()) * (b.length() + g[0].abs());
-                crossing(numerator, denominator, size, false)
-            }
-            (Planar::Cone(..), Planar::Cone(..)) if self.sight.is_level => {
-                crossing([DVec2::ZERO; 3], [1.0, 0.0, 0.0], 0.0, false)
-            }
-            (Planar::Cone(a, c), Planar::Cone(b, k)) => {
-                let turned = |v: DVec2| DVec2::new(v.y, -v.x);
-                let part = |i: usize, j: usize| c[i] * turned(b[j]) - k[j] * turned(a[i]);
-                let numerator = [part(0, 0), part(0, 1) + part(1, 0), part(1, 1)];
-                let denominator = [
-                    a[0].perp_dot(b[0]),
-                    a[0].perp_dot(b[1]) + a[1].perp_dot(b[0]),
-                    a[1].perp_dot(b[1]),
-                ];
-                let size = (a[0].length() + c[0].abs()) * (b[0].length() + k[0].abs());
-                crossing(numerator, denominator, size, true)
-            }
-        }
-    }
-
-    /// A line about the middle of the panel.
-    fn planar(&self, line: usize) -> Planar {
-        let trace = &self.sight.traces[line];
-        match trace.edge {
-            Some((alpha, [gamma, slope])) => {
-                Planar::Edge(alpha, [gamma + self.middle * slope, slope])
-            }
-            None => {
-                let normal = [
-                    trace.normal[0] + self.middle * trace.normal[1],
-                    trace.normal[1],
-                ];
-                Planar::Cone(normal.map(|n| n.truncate()), normal.map(|n| n.z))
-            }
-        }
     }
 
     fn height(&self, t: f64) -> f64 {
@@ -289,6 +199,11 @@ impl<'a> Panel<'a> {
     }
 
     /// The integral over the panel; none if no rule is certain enough.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "small"
+    )]
     pub(super) fn integral(&self, wanted: f64) -> Option<Share> {
         if self.sides.is_empty() {
             return Some(Share::default());
@@ -388,31 +303,6 @@ const RATIOS: [f64; 7] = [1.3, 1.7, 2.4, 3.5, 5.0, 8.0, 14.0];
 /// Most points of a rule.
 const MOST: f64 = 24.0;
 
-enum Planar {
-    Edge(DVec2, [f64; 2]),
-    Cone([DVec2; 2], [f64; 2]),
-}
-
-fn solved(a: DVec2, b: DVec2, [g, k]: [f64; 2]) -> DVec2 {
-    DVec2::new(g * b.y - k * a.y, k * a.x - g * b.x)
-}
-
-/// A crossing of lines whose coefficients have this size together.
-fn crossing(
-    numerator: [DVec2; 3],
-    denominator: [f64; 3],
-    size: f64,
-    is_per_height: bool,
-) -> Corner {
-    let place = numerator[0] / denominator[0];
-    Corner {
-        numerator,
-        denominator,
-        is_per_height,
-        noise: 5.0 * f64::EPSILON * (1.0 + place.length()) * size / denominator[0].abs(),
-    }
-}
-
 /// The least distance of y from a side that is `height` below it.
 fn distance([from, to]: [DVec2; 2], height: f64) -> f64 {
     let run = to - from;
@@ -437,33 +327,4 @@ fn log_bound([nearest, farthest]: [f64; 2], moved: f64, unit: f64) -> f64 {
         .abs()
         .max((farthest / unit).ln().abs());
     log - 0.5 * (1.0 - kappa).ln()
-}
-
-impl Corner {
-    fn per_denominator(&self) -> DVec2 {
-        self.numerator[0] / self.denominator[0]
-    }
-
-    /// The distance by which it moves for complex t up to `reach` from the middle.
-    fn displacement(&self, place: DVec2, reach: f64) -> f64 {
-        let ([_, n1, n2], [d0, d1, d2]) = (self.numerator, self.denominator);
-        let left = d0.abs() - reach * (d1.abs() + reach * d2.abs());
-        let moved = reach * ((n1 - place * d1).length() + reach * (n2 - place * d2).length());
-        if left > 0.0 {
-            moved / left
-        } else {
-            f64::INFINITY
-        }
-    }
-
-    /// X at a place relative to the middle.
-    fn at(&self, tau: f64, height: f64) -> DVec2 {
-        let ([n0, n1, n2], [d0, d1, d2]) = (self.numerator, self.denominator);
-        let place = (n0 + tau * (n1 + tau * n2)) / (d0 + tau * (d1 + tau * d2));
-        if self.is_per_height {
-            height * place
-        } else {
-            place
-        }
-    }
 }

@@ -45,7 +45,6 @@ impl fmt::Debug for Prepared {
     }
 }
 
-
 /// The outlines of patches and obstructions, and where they are.
 #[derive(Debug)]
 pub(crate) struct Surfaces {

@@ -84,7 +84,6 @@ fn furnished_rooms_are_closed_furnaces() {
 
 /// Two coincident fronts, whose foot is an edge of two ends.
 #[test]
-#[ignore = "rows are 4e-4 off beyond their bounds until walls on edges are right: cargo test --test library a_partition -- --ignored"]
 fn a_partition_on_the_line_between_two_patches_keeps_the_room_closed() {
     assert_closed_furnace("partition", &partition());
 }
