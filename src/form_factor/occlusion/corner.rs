@@ -12,6 +12,8 @@
 //! ```
 
 use super::sight::Sight;
+use crate::numeric::functions::elementary::logarithms;
+use crate::numeric::{LANES, Lanes};
 use glam::DVec2;
 
 /// A corner of the boundary as a function of t, about the middle of a panel: X, or X/h.
@@ -104,6 +106,27 @@ impl Corner {
         } else {
             f64::INFINITY
         }
+    }
+
+    /// X at places relative to the middle, and the logarithms of its distances from y.
+    #[inline(always)]
+    pub(super) fn lanes(&self, tau: &Lanes, height: &Lanes, inverse_square: f64) -> [Lanes; 3] {
+        let ([n0, n1, n2], [d0, d1, d2]) = (self.numerator, self.denominator);
+        let (mut x, mut y, mut square) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+        for l in 0..LANES {
+            let (t, h) = (tau[l], height[l]);
+            let scale = if self.is_per_height { h } else { 1.0 };
+            let scale = scale / (d0 + t * (d1 + t * d2));
+            x[l] = (n0.x + t * (n1.x + t * n2.x)) * scale;
+            y[l] = (n0.y + t * (n1.y + t * n2.y)) * scale;
+            let distance = x[l] * x[l] + y[l] * y[l] + h * h;
+            square[l] = distance * inverse_square + f64::MIN_POSITIVE;
+        }
+        let mut logs = logarithms(square);
+        for log in &mut logs {
+            *log *= 0.5;
+        }
+        [x, y, logs]
     }
 
     /// X at a place relative to the middle.

@@ -24,7 +24,7 @@
 //! | stretches of edges, and the faces through them, between which x looks past | `outer` |
 //! | planes of sight through y(t) and an edge, linear in t | `sight` |
 //! | the boundary of R at one t, and the range of t in which it has this shape | `arrangement`, `validity` |
-//! | its corners as rational functions of t, Gauss rules with a-priori bounds | `corner`, `rule` |
+//! | its corners as rational functions of t, Gauss rules with a-priori bounds | `corner`, `bound`, `rule` |
 //! | what displaced corners can change | `slack` |
 //! | from a point, in closed form | `point` |
 //!
@@ -51,6 +51,7 @@
 //! point sees.
 
 mod arrangement;
+mod bound;
 mod corner;
 mod occluders;
 mod outer;

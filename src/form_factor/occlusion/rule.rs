@@ -4,35 +4,21 @@
 //!   W(t) = Σ (v·u) (s1 ln|X1| − s0 ln|X0| + d θ)     over the sides of the boundary, X = x − y
 //! ```
 //!
-//! The corners X are rational functions of t, of degree at most 2. Where they stay within δ of
-//! their places at a panel's middle as t takes complex values up to R from it, and r is the least
-//! distance of a side from y,
-//!
-//! ```text
-//!   |∫ ½ ln q ds| ≤ max |ln r| + ½ |ln(1 − κ)|,     κ = 2 δ/r + (δ/r)² < 1,   q = X·X on the side
-//!   |W| ≤ M = Σ (|v·ΔX| + 2 |v| δ) (max |ln r| + ½ |ln(1 − κ)|)
-//! ```
-//!
-//! so that a rule with n points on a panel of half the length H errs by at most
-//! `(64/15) M H ρ^(−2n)/(1 − ρ^(−2))` with `ρ + 1/ρ = 2 R/H`. As ∮dX = 0, distances may be taken in
-//! any unit, and in units of h(t), too: then nothing is singular as y comes down to P.
+//! With a bound M on |W| for complex t up to R from a panel's middle ([`Outline`]),
+//! a rule with n points on a panel of half the length H errs by at most
+//! `(64/15) M H ρ^(−2n)/(1 − ρ^(−2))` with `ρ + 1/ρ = 2 R/H`.
 //!
 //! On an edge in P's plane the sides on lines through y have `(v·X1) ln|X1| − (v·X0) ln|X0|`.
 
 use super::arrangement::{Arrangement, Segment};
+use super::bound::{BoundarySide, Outline, distance};
 use super::corner::Corner;
 use super::share::Share;
 use super::sight::Sight;
-use crate::numeric::functions::elementary::{angle, ln};
-use crate::numeric::{GaussLegendre, real};
+use crate::numeric::functions::elementary::angles;
+use crate::numeric::{GaussLegendre, LANES, Lanes, across, real, vector_value};
 use glam::DVec2;
-
-/// A side of the boundary: its corners, and whether its line goes through y.
-#[derive(Debug, Clone, Copy)]
-struct BoundarySide {
-    corners: [usize; 2],
-    is_through: bool,
-}
+use smallvec::{SmallVec, smallvec};
 
 /// A boundary on a panel.
 #[derive(Debug)]
@@ -132,72 +118,6 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// A bound on |W| for complex t up to `reach` from the middle.
-    fn largest(&self, reach: f64) -> f64 {
-        let by_distance = self.largest_in(reach, false);
-        if self.sight.is_level {
-            return by_distance;
-        }
-        by_distance.min(self.largest_in(reach, true))
-    }
-
-    fn largest_in(&self, reach: f64, is_per_height: bool) -> f64 {
-        let (v, rise) = (
-            self.sight.along.truncate(),
-            self.sight.along.z.abs() * reach,
-        );
-        let height = self.height(self.middle).abs();
-        let least_height = height - rise;
-        if is_per_height && least_height <= 0.0 {
-            return f64::INFINITY;
-        }
-        let places = self.corners.iter().map(|corner| {
-            let place = corner.per_denominator();
-            let moved = corner.displacement(place, reach);
-            match (corner.is_per_height, is_per_height) {
-                (true, false) => (
-                    height * place,
-                    (height + rise) * moved + place.length() * rise,
-                ),
-                (false, true) => {
-                    let place = place / height;
-                    (place, (moved + place.length() * rise) / least_height)
-                }
-                _ => (place, moved),
-            }
-        });
-        let places: Vec<(DVec2, f64)> = places.collect();
-        let (level, tilt, unit) = if is_per_height {
-            (1.0, 0.0, self.unit / height)
-        } else {
-            (height, rise, self.unit)
-        };
-        let mut sum = 0.0;
-        for side in &self.sides {
-            let [(from, from_moved), (to, to_moved)] = side.corners.map(|corner| places[corner]);
-            if side.is_through {
-                for (end, moved) in [(from, from_moved), (to, to_moved)] {
-                    let distance = end.length();
-                    if distance > 0.0 {
-                        sum += (v.dot(end).abs() + v.length() * moved)
-                            * log_bound([distance; 2], moved, unit);
-                    }
-                }
-                continue;
-            }
-            let moved = from_moved.max(to_moved).hypot(tilt);
-            let nearest = distance([from, to], level);
-            let farthest = from.length().max(to.length()).hypot(level);
-            let along = v.dot(to - from).abs() + v.length() * (from_moved + to_moved);
-            sum += along * log_bound([nearest, farthest], moved, unit);
-        }
-        if is_per_height {
-            (height + rise) * sum
-        } else {
-            sum
-        }
-    }
-
     /// The integral over the panel; none if no rule is certain enough.
     #[expect(
         clippy::cast_possible_truncation,
@@ -209,8 +129,24 @@ impl<'a> Panel<'a> {
             return Some(Share::default());
         }
         let mut best: Option<(usize, f64)> = None;
+        let stretch = [self.height(self.middle).abs(), self.sight.along.z.abs()];
+        let v = self.sight.along.truncate();
+        let outlines = [false, true].map(|is_per_height| {
+            // on an edge in P's plane no height is a unit
+            let is_one = !(is_per_height && self.sight.is_level);
+            let outline = || Outline::new(&self.corners, &self.sides, v, stretch, self.unit);
+            is_one.then(|| {
+                if is_per_height {
+                    outline().per_height()
+                } else {
+                    outline()
+                }
+            })
+        });
         for ratio in RATIOS {
-            let largest = self.largest(ratio * self.half);
+            let bounds = outlines.iter().flatten();
+            let bounds = bounds.map(|outline| outline.largest(ratio * self.half));
+            let largest = bounds.fold(f64::INFINITY, f64::min);
             if !largest.is_finite() {
                 break;
             }
@@ -224,13 +160,7 @@ impl<'a> Panel<'a> {
             }
         }
         let (points, truncation) = best?;
-        let rule = GaussLegendre::with(points);
-        let [mut value, mut size] = [0.0; 2];
-        for (node, weight) in rule.nodes.iter().zip(&rule.weights) {
-            let [own, magnitude] = self.potential(self.half * node);
-            value += weight * own;
-            size += weight * magnitude;
-        }
+        let [value, size] = self.sums(GaussLegendre::with(points));
         Some(Share {
             value: self.half * value,
             truncation,
@@ -260,38 +190,89 @@ impl<'a> Panel<'a> {
         speed * sides.sum::<f64>()
     }
 
-    /// W at a place relative to the middle, and the sum of its terms' magnitudes.
-    fn potential(&self, tau: f64) -> [f64; 2] {
-        let height = self.height(self.middle + tau);
+    /// The rule's sums of W and of the magnitudes of its terms.
+    fn sums(&self, rule: &GaussLegendre) -> [f64; 2] {
+        let (corners, sides) = (self.corners.as_slice(), self.sides.as_slice());
+        let (start, rise) = (self.height(self.middle), self.sight.along.z);
         let v = self.sight.along.truncate();
-        let places: Vec<DVec2> = self.corners.iter().map(|c| c.at(tau, height)).collect();
         let inverse = 1.0 / (self.unit * self.unit);
-        let log = |place: DVec2| {
-            0.5 * ln((place.length_squared() + height * height) * inverse + f64::MIN_POSITIVE)
-        };
-        let [mut sum, mut size] = [0.0; 2];
-        for side in &self.sides {
-            let [from, to] = side.corners.map(|corner| places[corner]);
-            let run = to - from;
-            let length = run.length();
-            if length <= 0.0 {
-                continue;
+        let (half, lanes) = (self.half, rule.lanes.as_slice());
+        let mut places: SmallVec<[[Lanes; 3]; 16]> = smallvec![[[0.0; LANES]; 3]; corners.len()];
+        let places = places.as_mut_slice();
+        let sums = vector_value!([[0.0; LANES]; 2], {
+            let mut sums = [[0.0; LANES]; 2];
+            for [nodes, weights] in lanes {
+                let (mut tau, mut height) = ([0.0; LANES], [0.0; LANES]);
+                for l in 0..LANES {
+                    tau[l] = half * nodes[l];
+                    height[l] = start + rise * tau[l];
+                }
+                for (place, corner) in places.iter_mut().zip(corners) {
+                    *place = corner.lanes(&tau, &height, inverse);
+                }
+                for side in sides {
+                    let ends = side.corners.map(|corner| places[corner]);
+                    let terms = potential(ends, &height, [v.x, v.y], side.is_through);
+                    for l in 0..LANES {
+                        sums[0][l] += weights[l] * terms[0][l];
+                        sums[1][l] += weights[l] * terms[1][l];
+                    }
+                }
             }
-            let u = run / length;
-            let (s0, s1) = (from.dot(u), to.dot(u));
-            let (start, end) = (s0 * log(from), s1 * log(to));
-            let turn = if side.is_through {
-                0.0
-            } else {
-                let beside = from.perp_dot(u).hypot(height);
-                beside * angle(beside * length, from.dot(to) + height * height)
-            };
-            let along = v.dot(u);
-            sum += along * (end - start + turn);
-            size += along.abs() * (end.abs() + start.abs() + turn + length);
-        }
-        [sum, size]
+            sums
+        });
+        sums.map(across)
     }
+}
+
+/// The terms of W of one side, and their magnitudes, from its ends `[x, y, ln r]`.
+#[inline(always)]
+#[expect(
+    clippy::needless_range_loop,
+    reason = "vector code is made of loops over lanes"
+)]
+fn potential(
+    [from, to]: [[Lanes; 3]; 2],
+    height: &Lanes,
+    v: [f64; 2],
+    is_through: bool,
+) -> [Lanes; 2] {
+    let (mut beside, mut length) = ([0.0; LANES], [0.0; LANES]);
+    let mut direction = [[0.0; LANES]; 2];
+    let mut points = [[0.0; 2]; LANES];
+    for l in 0..LANES {
+        let (a, b) = ([from[0][l], from[1][l]], [to[0][l], to[1][l]]);
+        let run = [b[0] - a[0], b[1] - a[1]];
+        length[l] = (run[0] * run[0] + run[1] * run[1]).sqrt();
+        // nothing is integrated over a side without length
+        let inverse = if length[l] > 0.0 {
+            1.0 / length[l]
+        } else {
+            0.0
+        };
+        direction[0][l] = run[0] * inverse;
+        direction[1][l] = run[1] * inverse;
+        let aside = a[0] * direction[1][l] - a[1] * direction[0][l];
+        beside[l] = (aside * aside + height[l] * height[l]).sqrt();
+        let along = a[0] * b[0] + a[1] * b[1] + height[l] * height[l];
+        points[l] = [beside[l] * length[l], along];
+    }
+    let turns = angles(points);
+    let (mut sum, mut size) = ([0.0; LANES], [0.0; LANES]);
+    for l in 0..LANES {
+        let u = [direction[0][l], direction[1][l]];
+        let start = (from[0][l] * u[0] + from[1][l] * u[1]) * from[2][l];
+        let end = (to[0][l] * u[0] + to[1][l] * u[1]) * to[2][l];
+        let turn = if is_through {
+            0.0
+        } else {
+            beside[l] * turns[l]
+        };
+        let along = v[0] * u[0] + v[1] * u[1];
+        sum[l] = along * (end - start + turn);
+        size[l] = along.abs() * (end.abs() + start.abs() + turn + length[l]);
+    }
+    [sum, size]
 }
 
 /// The gap that rounding may leave in a boundary, of its length.
@@ -302,29 +283,3 @@ const RATIOS: [f64; 7] = [1.3, 1.7, 2.4, 3.5, 5.0, 8.0, 14.0];
 
 /// Most points of a rule.
 const MOST: f64 = 24.0;
-
-/// The least distance of y from a side that is `height` below it.
-fn distance([from, to]: [DVec2; 2], height: f64) -> f64 {
-    let run = to - from;
-    let square = run.length_squared();
-    let share = if square > 0.0 {
-        (-from.dot(run) / square).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
-    (from + share * run).length().hypot(height)
-}
-
-/// A bound on |ln(r/unit)| between two distances that may be displaced.
-fn log_bound([nearest, farthest]: [f64; 2], moved: f64, unit: f64) -> f64 {
-    let share = moved / nearest;
-    let kappa = share * (2.0 + share);
-    if kappa.is_nan() || kappa >= 0.95 {
-        return f64::INFINITY;
-    }
-    let log = (nearest / unit)
-        .ln()
-        .abs()
-        .max((farthest / unit).ln().abs());
-    log - 0.5 * (1.0 - kappa).ln()
-}
