@@ -195,14 +195,19 @@ fn stretch(outer: &Outer, piece: &Piece, accuracy: f64) -> Share {
     let length = outer.sight.along.length();
     let mut sum = Share::default();
     let arrangements = arrangements(outer, piece, &mut sum);
+    let mut count = 0;
     for found in &arrangements {
         let mut panels = vec![found.range];
         while let Some([from, to]) = panels.pop() {
+            count += 1;
+            if count > MOST_PANELS || to - from < SHORTEST {
+                sum.add(outer.sight.unsettled(to - from));
+                continue;
+            }
             let panel = Panel::new(&outer.sight, found, [from, to]);
             let wanted = accuracy * length * (to - from).max(1e-3);
             match panel.integral(wanted) {
                 Some(share) => sum.add(share),
-                None if to - from < SHORTEST => sum.add(outer.sight.unsettled(to - from)),
                 None => {
                     let middle = 0.5 * (from + to);
                     panels.extend([[middle, to], [from, middle]]);
@@ -297,6 +302,9 @@ enum Open {
 
 /// The most ranges of a stretch that are halved because nothing can be told there.
 const MOST_UNTOLD: usize = 500;
+
+/// The most panels of a stretch; what is left then stays unsettled.
+const MOST_PANELS: usize = 1000;
 
 /// The width of a gap between two boundaries, of the stretch.
 const BRIDGED: f64 = 1e-10;
