@@ -55,7 +55,5 @@ pub use inputs::Inputs;
 pub use judge::{Judgement, judge, judge_all, judge_control};
 pub use reach::OneSided;
 pub use registry::registry;
-#[cfg(feature = "report")]
-pub(crate) use sections::figure_5::samples_for;
 pub use theorem::Theorem;
 pub use verdict::Verdict;

@@ -11,7 +11,7 @@
 //!
 //! Nothing is fitted: for N = 200,000, a round number, all three printed values lie one standard
 //! deviation of a run below the expected ones, as they would if all three grids were given the same
-//! lines. Which N gives a printed value on average is told by [`samples_for`]; one run has a
+//! lines. Which N gives a printed value on average is told by the study of figure 5; one run has a
 //! standard deviation of which the rounding of the print is a hundredth, so that it says N to some
 //! 6 %.
 //!
@@ -20,37 +20,8 @@
 
 use crate::claims::finding::Finding;
 use crate::claims::{Case, ClaimError};
-use crate::discretize::{BoxGrid, DiscretizeError, UNIT_CUBE};
+use crate::discretize::{BoxGrid, UNIT_CUBE};
 use crate::numeric::{Interval, Scalar};
-
-/// The most lines that a fit considers.
-const MOST_SAMPLES: u64 = 1 << 50;
-
-/// The number of lines with which the plug-in estimate of a grid is this on average: the least with
-/// which it is no larger. `None` below the exact value, or for more than 10^15 lines.
-///
-/// # Errors
-/// [`DiscretizeError::FormFactor`] if a pair is refused.
-pub(crate) fn samples_for(grid: &BoxGrid, expected: f64) -> Result<Option<u64>, DiscretizeError> {
-    let wanted = expected - grid.information()?.mutual_information.value;
-    let (mut low, mut high) = (0, 1);
-    // the bias falls with every line
-    while grid.expected_bias(high)? > wanted {
-        if high >= MOST_SAMPLES {
-            return Ok(None);
-        }
-        (low, high) = (high, 2 * high);
-    }
-    while high - low > 1 {
-        let middle = low + (high - low) / 2;
-        if grid.expected_bias(middle)? > wanted {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    Ok(Some(high))
-}
 
 /// The reading of a grid with the number of lines that the claim's data name, in words.
 pub(crate) fn reading(case: &Case<'_>, lines: &[f64]) -> Result<String, ClaimError> {

@@ -120,6 +120,10 @@ impl Polygon {
         occluders: &Occluders,
         tolerance: f64,
     ) -> Result<Answer, FormFactorError> {
+        if occluders.polygons.is_empty() {
+            return self.exchange_area(other, tolerance);
+        }
+        let tolerance = tolerance.max(FINEST);
         // a pair has one value, whichever way it is asked for
         let corners = |polygon: &Self| polygon.shape.corners.clone();
         let key = |corner: &DVec3| corner.to_array().map(f64::to_bits);
@@ -131,12 +135,22 @@ impl Polygon {
             return other.exchange_area_past(self, occluders, tolerance);
         }
         let whole = self.exchange_area(other, 0.25 * tolerance)?;
-        if occluders.polygons.is_empty() || whole.exchange.value <= 0.0 {
+        if whole.exchange.value <= 0.0 {
             return Ok(whole);
         }
         let setting = Setting::of([self, other], occluders);
         let square = setting.unit * setting.unit;
         let ExchangeArea { value, error } = whole.exchange;
+        if setting.first.is_empty() || setting.second.is_empty() {
+            // too small for what counts as touching: nothing is known but the limits
+            return Ok(Answer {
+                exchange: ExchangeArea {
+                    value: 0.5 * value,
+                    error: 0.5 * value + error,
+                },
+                route: Route::Occluded,
+            });
+        }
         let hidden = exchange(&setting, Wanted::Hidden, 0.1 * tolerance * value / square);
         let mut best = ExchangeArea {
             value: value - hidden.value * square,
@@ -155,12 +169,21 @@ impl Polygon {
         let value = best.value.clamp(0.0, value);
         best.error += (value - best.value).abs();
         best.value = value;
+        if !(best.value.is_finite() && best.error.is_finite()) {
+            // sizes whose squares leave the range
+            return Err(FormFactorError::OutOfRange {
+                value: whole.exchange.value,
+            });
+        }
         Ok(Answer {
             exchange: best,
             route: Route::Occluded,
         })
     }
 }
+
+/// No finer relative tolerance is worked for.
+const FINEST: f64 = 4.0 * f64::EPSILON;
 
 /// The exchange area of what is wanted.
 fn exchange(setting: &Setting, wanted: Wanted, accuracy: f64) -> ExchangeArea {
@@ -186,7 +209,7 @@ fn exchange(setting: &Setting, wanted: Wanted, accuracy: f64) -> ExchangeArea {
     }
     ExchangeArea {
         value: sum.value / TAU,
-        error: (sum.truncation + sum.rounding) / TAU + slack(setting, &stretches),
+        error: (sum.truncation + sum.rounding) / TAU + slack(setting, &stretches) + setting.lost,
     }
 }
 

@@ -227,10 +227,6 @@ impl<'a> Panel<'a> {
 
 /// The terms of W of one side, and their magnitudes, from its ends `[x, y, ln r]`.
 #[inline(always)]
-#[expect(
-    clippy::needless_range_loop,
-    reason = "vector code is made of loops over lanes"
-)]
 fn potential(
     [from, to]: [[Lanes; 3]; 2],
     height: &Lanes,

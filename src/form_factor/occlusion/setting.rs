@@ -70,6 +70,8 @@ pub(super) struct Setting {
     pub touching: f64,
     /// A bound on the displacement of corners.
     pub displaced: f64,
+    /// A bound on what faces hide that are too thin to be kept.
+    pub lost: f64,
     /// The most that ∫ dx/r can be over P, from any point: `2 √(π A_P)`.
     pub most: f64,
     /// The unit of length.
@@ -127,11 +129,16 @@ impl Setting {
     fn faces(&mut self, corners: &[DVec3], normal: DVec3, planes: &[Plane]) -> Vec<Face> {
         let mut pieces: Vec<Vec<DVec3>> = convex_pieces(corners, normal);
         for plane in planes {
-            let whole: Vec<Vec<DVec3>> = std::mem::take(&mut pieces);
-            pieces = whole
-                .into_iter()
-                .filter_map(|piece| plane.front_of(piece, self.touching))
-                .collect();
+            for piece in std::mem::take(&mut pieces) {
+                let moved = plane.nearest(&piece, self.touching);
+                match plane.front_of(&piece, self.touching) {
+                    Some(front) => {
+                        self.displaced = self.displaced.max(moved);
+                        pieces.push(front);
+                    }
+                    None => self.lost += 2.0 * moved * perimeter(&piece),
+                }
+            }
         }
         let pieces = pieces.into_iter();
         pieces
@@ -146,6 +153,7 @@ impl Setting {
             names.pop();
         }
         if names.len() < 3 {
+            self.lost += 2.0 * self.displaced * perimeter(corners);
             return None;
         }
         let n = names.len();
@@ -235,8 +243,18 @@ struct Plane {
 }
 
 impl Plane {
+    /// The largest height over the plane that counts as none.
+    fn nearest(&self, piece: &[DVec3], touching: f64) -> f64 {
+        let heights = piece
+            .iter()
+            .map(|c| (self.normal.dot(*c) - self.offset).abs());
+        heights
+            .filter(|height| *height <= touching)
+            .fold(0.0, f64::max)
+    }
+
     /// The part of a convex polygon in front of the plane; none if it does not rise above it.
-    fn front_of(&self, piece: Vec<DVec3>, touching: f64) -> Option<Vec<DVec3>> {
+    fn front_of(&self, piece: &[DVec3], touching: f64) -> Option<Vec<DVec3>> {
         let height = |corner: &DVec3| {
             let height = self.normal.dot(*corner) - self.offset;
             if height.abs() <= touching {
@@ -303,4 +321,13 @@ impl Frame {
     fn turned(&self, vector: Vector<DoubleDouble>) -> DVec3 {
         DVec3::from_array(self.axes.map(|axis| vector.dot(axis).to_f64()))
     }
+}
+
+fn perimeter(corners: &[DVec3]) -> f64 {
+    let next = corners.iter().cycle().skip(1);
+    corners
+        .iter()
+        .zip(next)
+        .map(|(from, to)| from.distance(*to))
+        .sum()
 }

@@ -5,8 +5,8 @@
 //! that the differences between grids are known better than the values. Lines start from points of
 //! the faces; in a cube the chords of global lines are the same.
 
-use crate::claims::{ClaimError, Printed, registry, samples_for};
-use crate::discretize::{BestGrid, BoxGrid, UNIT_CUBE};
+use crate::claims::{ClaimError, Printed, registry};
+use crate::discretize::{BestGrid, BoxGrid, DiscretizeError, UNIT_CUBE};
 use crate::information::expected_bias;
 use crate::numeric::{compensated_sum, real};
 use crate::scene::GridLines;
@@ -188,4 +188,33 @@ fn mean_and_deviation(values: &[f64]) -> [f64; 2] {
     let mean = values.iter().sum::<f64>() / count;
     let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
     [mean, (squares / (count - 1.0)).sqrt()]
+}
+
+/// The most lines that a fit considers.
+const MOST_SAMPLES: u64 = 1 << 50;
+
+/// The number of lines with which the plug-in estimate of a grid is this on average: the least with
+/// which it is no larger. `None` below the exact value, or for more than 10^15 lines.
+///
+/// # Errors
+/// [`DiscretizeError::FormFactor`] if a pair is refused.
+fn samples_for(grid: &BoxGrid, expected: f64) -> Result<Option<u64>, DiscretizeError> {
+    let wanted = expected - grid.information()?.mutual_information.value;
+    let (mut low, mut high) = (0, 1);
+    // the bias falls with every line
+    while grid.expected_bias(high)? > wanted {
+        if high >= MOST_SAMPLES {
+            return Ok(None);
+        }
+        (low, high) = (high, 2 * high);
+    }
+    while high - low > 1 {
+        let middle = low + (high - low) / 2;
+        if grid.expected_bias(middle)? > wanted {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Ok(Some(high))
 }

@@ -271,3 +271,46 @@ fn a_wall_in_the_middle_leaves_two_halves() {
     );
     assert!(past.error <= 1e-12);
 }
+
+/// Where all counts as touching, nothing but the limits is known; sizes whose squares leave the
+/// range are refused.
+#[test]
+fn nothing_is_made_up_where_nothing_is_known() {
+    let case = OccludedFamily::ALL[0].case(0);
+    let [first, second] = [&case.pair[0], &case.pair[1]].map(Polygon::new);
+    let blocker = Polygon::new(&case.blockers[0]);
+    let polygons = [&blocker];
+    let past = |touching: f64| {
+        let occluders = Occluders {
+            polygons: &polygons,
+            touching,
+        };
+        first
+            .exchange_area_past(&second, &occluders, 0.0)
+            .unwrap()
+            .exchange
+    };
+    let (sharp, blind) = (past(0.0), past(1e3));
+    assert!(agree(sharp, blind, 0.0), "{sharp:?} {blind:?}");
+    assert!(blind.error > 1e3 * sharp.error, "{sharp:?} {blind:?}");
+    for scale in [1e-100, 1e100] {
+        let scaled = |patch: &Patch| {
+            let corners = patch.corners().iter().map(|corner| *corner * scale);
+            Polygon::new(&Patch::try_new(corners.collect()).unwrap())
+        };
+        let blocker = scaled(&case.blockers[0]);
+        let polygons = [&blocker];
+        let occluders = Occluders {
+            polygons: &polygons,
+            touching: 0.0,
+        };
+        let [first, second] = [&case.pair[0], &case.pair[1]].map(scaled);
+        if let Ok(answer) = first.exchange_area_past(&second, &occluders, 1e-12) {
+            let ExchangeArea { value, error } = answer.exchange;
+            assert!(
+                value >= 0.0 && value.is_finite() && error.is_finite(),
+                "{scale}: {answer:?}"
+            );
+        }
+    }
+}
