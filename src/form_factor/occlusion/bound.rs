@@ -72,7 +72,7 @@ impl<'a> Outline<'a> {
         outline
     }
 
-    /// The same in units of the height.
+    /// The outline in units of the height.
     pub(super) fn per_height(mut self) -> Self {
         self.is_per_height = true;
         self.measure();
@@ -173,7 +173,7 @@ pub(super) fn distance([from, to]: [DVec2; 2], height: f64) -> f64 {
     ((from + share * run).length_squared() + height * height).sqrt()
 }
 
-/// What a displacement, as a share of the distance, adds to the logarithm of a distance.
+/// The growth of the logarithm of a distance by a displacement, a share of that distance.
 fn widened(share: f64) -> f64 {
     let kappa = share * (2.0 + share);
     if kappa < MOST_WIDENED {

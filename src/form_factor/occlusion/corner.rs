@@ -22,7 +22,7 @@ pub(super) struct Corner {
     numerator: [DVec2; 3],
     denominator: [f64; 3],
     pub is_per_height: bool,
-    /// What rounding may displace it by, in the same unit.
+    /// A bound on its displacement by rounding, in the same unit.
     pub noise: f64,
 }
 

@@ -18,9 +18,9 @@ use std::f64::consts::{PI, TAU};
 /// The set whose exchange is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Wanted {
-    /// What is hidden, of all that would be seen.
+    /// The part that is hidden, of all that would be seen.
     Hidden,
-    /// What is seen.
+    /// The part that is seen.
     Seen,
 }
 

@@ -66,7 +66,7 @@ pub(crate) struct Sight<'a> {
     cones: Vec<Cone>,
     /// The side of the plane on which the point is: greater in front, equal on it.
     side: Ordering,
-    /// What an edge-on view leaves out, and what corners off their plane change.
+    /// The share that an edge-on view leaves out, and that corners off their plane change.
     error: f64,
     cap: Cap,
     /// The distance of the farthest corner.

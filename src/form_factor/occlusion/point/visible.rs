@@ -77,7 +77,7 @@ fn covers(cone: &Cone, other: &Cone) -> bool {
     cone.sides.iter().all(inside)
 }
 
-/// What spans leave of a part of a side.
+/// The rest of a part of a side that spans leave.
 ///
 /// The length is a 1-Lipschitz function of each end that bounds a gap, or that meets another within
 /// the errors of both; a gap that is no wider than these is none.
