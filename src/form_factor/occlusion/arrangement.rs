@@ -1,22 +1,16 @@
 //! The boundary of a region that is seen from a point of a stretch, and how far it keeps its shape.
 //!
-//! ```text
-//!   line ℓ runs with its positive side on the left; half-plane k begins or ends on it at
-//!   s_k = (γ_k − α_k·p)/(α_k·w)         p: a point of ℓ, w: its direction
-//!   k begins or ends by the sign of     (n_ℓ × n_k)_z,
-//!   s_k < s_m depends on the sign of    det(n_ℓ, n_k, n_m)
-//! ```
-//!
 //! On each line, a stretch is a boundary if just one of its sides belongs to the region; lines on
-//! which sides of two shadows coincide are settled by that, too. Every comparison rests on the sign
-//! of a polynomial of degree 2 in the place t along the stretch. The boundary is found at one t, and
-//! whatever was compared narrows the range of t for which the boundary has the same corners and
-//! sides: between the nearest zeros of the polynomials on either side.
+//! which sides of two shadows coincide are settled by that, too. The boundary is found at one t, by
+//! comparing places on lines; each comparison that the outcome rests on is the sign of a polynomial
+//! of degree 2 in t, and narrows the range of t for which the boundary has the same corners and
+//! sides to what is between its nearest zeros on either side. What lies outside of the region, in
+//! another shadow or past the end of its own side is compared with that alone.
 
+use super::chord::Chord;
 use super::outer::{Outer, Part, Piece};
-use super::sight::{HalfPlane, Region, Sight};
-use super::validity::{NONE, Validity};
-use glam::DVec2;
+use super::sight::{Placed, Region};
+use super::validity::{NONE, Place, Validity};
 use smallvec::SmallVec;
 
 /// A side of the boundary: a piece of a line between its crossings with two others, the region on
@@ -35,212 +29,304 @@ pub(super) struct Arrangement {
     pub range: [f64; 2],
 }
 
-/// A line at the t in question.
-#[derive(Debug, Clone, Copy)]
-struct Placed {
-    alpha: DVec2,
-    gamma: f64,
-    origin: DVec2,
-    direction: DVec2,
-    /// Whether it is a line at all, and not at infinity.
-    is_line: bool,
-}
-
-/// A place on a line: a number, and the line that crosses there.
-type Place = (f64, usize);
-
-/// The boundary at t; none if something cannot be told there.
-pub(super) fn arrange(
-    outer: &Outer,
-    piece: &Piece,
-    range: [f64; 2],
-    t: f64,
-) -> Option<Arrangement> {
-    let sight = &outer.sight;
-    let placed: Vec<Placed> = (0..sight.traces.len())
-        .map(|line| place(sight, line, t))
-        .collect();
-    let mut validity = Validity {
-        sight,
-        t,
-        range,
-        is_certain: true,
-    };
-    let regions = outer.shadows.iter().chain([&piece.region]);
-    let sides = regions.flat_map(Region::sides);
-    let mut lines: Vec<usize> = sides.map(|half| half.line).collect();
-    lines.sort_unstable();
-    lines.dedup();
-    let mut segments = Vec::new();
-    for line in lines {
-        if !placed[line].is_line {
-            continue;
-        }
-        let within = interval(&piece.region, line, &placed, &mut validity);
-        if let Some(within) = within {
-            on_line(
-                outer,
-                piece,
-                line,
-                within,
-                &placed,
-                &mut validity,
-                &mut segments,
-            );
-        }
-        if !validity.is_certain {
-            return None;
-        }
-    }
-    // a side without end is none of a part of P
-    let is_bounded = |segment: &Segment| segment.from != NONE && segment.to != NONE;
-    segments.iter().all(is_bounded).then_some(Arrangement {
-        segments,
-        range: validity.range,
-    })
-}
-
-fn place(sight: &Sight, line: usize, t: f64) -> Placed {
-    let (alpha, gamma) = sight.line_at(line, t);
-    let length = alpha.length();
-    let normal = sight.traces[line].normal[0] + t * sight.traces[line].normal[1];
-    let is_line = sight.traces[line].edge.is_some() || length > 1e-14 * normal.length();
-    let direction = DVec2::new(alpha.y, -alpha.x) / length;
-    Placed {
-        alpha,
-        gamma,
-        origin: alpha * (gamma / (length * length)),
-        direction,
-        is_line,
-    }
-}
-
-/// The part of a line in a region, but for what the line itself bounds.
-fn interval(
-    region: &Region,
-    line: usize,
-    placed: &[Placed],
-    validity: &mut Validity,
-) -> Option<[Place; 2]> {
-    let mut halves: SmallVec<[HalfPlane; 8]> = SmallVec::new();
-    for cone in &region.cones {
-        if validity.sight.is_level {
-            halves.extend(cone.sides.iter().copied());
-        } else {
-            halves.extend(validity.crossed(cone, line)?);
-        }
-    }
-    halves.extend(region.halves.iter().copied());
-    let own = placed[line];
-    let mut ends = [(f64::NEG_INFINITY, NONE), (f64::INFINITY, NONE)];
-    let mut others: SmallVec<[(usize, usize); 8]> = SmallVec::new();
-    for half in halves.iter().filter(|half| half.line != line) {
-        let other = placed[half.line];
-        if !other.is_line {
-            // a plane of sight that is level: all of P is on one side of it
-            if half.sign * validity.level_height(half.line) < 0.0 {
-                return None;
-            }
-            continue;
-        }
-        let slope = half.sign * other.alpha.dot(own.direction);
-        let height = half.sign * (other.alpha.dot(own.origin) - other.gamma);
-        if !validity.turns(line, half.line) {
-            if height < 0.0 {
-                return None;
-            }
-            continue;
-        }
-        let at = -height / slope;
-        let end = usize::from(slope < 0.0);
-        others.push((end, half.line));
-        let known = ends[end].0;
-        if if end == 0 { at > known } else { at < known } {
-            ends[end] = (at, half.line);
-        }
-    }
-    for (end, other) in others {
-        validity.ordered(line, ends[end].1, other);
-    }
-    validity.ordered(line, ends[0].1, ends[1].1);
-    (ends[0].0 < ends[1].0).then_some(ends)
-}
-
-/// Finds the segments on a line.
-fn on_line(
-    outer: &Outer,
-    piece: &Piece,
-    line: usize,
-    within: [Place; 2],
-    placed: &[Placed],
-    validity: &mut Validity,
-    segments: &mut Vec<Segment>,
-) {
-    let own = piece.region.side_of(line);
-    let [low, high] = within;
-    let mut places = vec![low, high];
-    // the range of each shadow, and the sides of the line on which it is
-    let mut covers: Vec<([f64; 2], Option<f64>)> = Vec::new();
-    for shadow in &outer.shadows {
-        let Some([from, to]) = interval(shadow, line, placed, validity) else {
-            continue;
+impl Arrangement {
+    /// Whether each corner at which a side ends is one at which a side begins.
+    pub(super) fn is_closed_by_name(&self) -> bool {
+        let name = |line: usize, other: usize| [line.min(other), line.max(other)];
+        let named = |which: fn(&Segment) -> usize| {
+            let names = self.segments.iter().map(|s| name(s.line, which(s)));
+            let mut names: SmallVec<[[usize; 2]; 16]> = names.collect();
+            names.sort_unstable();
+            names
         };
-        validity.ordered(line, from.1, high.1);
-        validity.ordered(line, low.1, to.1);
-        if from.0 >= high.0 || to.0 <= low.0 {
-            continue;
-        }
-        covers.push(([from.0, to.0], shadow.side_of(line)));
-        places.extend(
-            [from, to]
-                .into_iter()
-                .filter(|at| at.0 > low.0 && at.0 < high.0),
-        );
-        for end in [from, to] {
-            validity.ordered(line, low.1, end.1);
-            validity.ordered(line, end.1, high.1);
-        }
+        named(|segment| segment.from) == named(|segment| segment.to)
     }
-    places.sort_by(|one, other| one.0.total_cmp(&other.0));
-    for pair in places.windows(2) {
-        validity.ordered(line, pair[0].1, pair[1].1);
-    }
-    let belongs = |at: f64, side: f64| {
-        if own.is_some_and(|own| own * side < 0.0) {
-            return false;
-        }
-        let mut covers = covers.iter();
-        let is_covered = covers.any(|([from, to], only)| {
-            *from < at && at < *to && only.is_none_or(|only| only * side > 0.0)
+}
+
+/// The lines around a piece and the shadows on it.
+#[derive(Debug)]
+pub(super) struct Roster<'a> {
+    outer: &'a Outer<'a>,
+    piece: &'a Piece,
+    members: Vec<Member>,
+}
+
+/// A line, and what it bounds.
+#[derive(Debug)]
+struct Member {
+    line: usize,
+    /// The side of it on which the piece's region is.
+    own: Option<f64>,
+    /// The side of it on which each shadow is that it bounds.
+    shadows: Vec<Option<f64>>,
+    /// What is known of its chords: those of the shadows, and of the piece's region.
+    chords: Vec<Option<Chord>>,
+}
+
+/// A part of a line, and the side of it that is in shadow there; none for both.
+type Cover = ([Place; 2], Option<f64>);
+
+impl<'a> Roster<'a> {
+    pub(super) fn of(outer: &'a Outer<'a>, piece: &'a Piece) -> Self {
+        let regions = outer.shadows.iter().chain([&piece.region]);
+        let sides = regions.flat_map(Region::sides);
+        let mut lines: Vec<usize> = sides.map(|half| half.line).collect();
+        lines.sort_unstable();
+        lines.dedup();
+        let members = lines.into_iter().map(|line| Member {
+            line,
+            own: piece.region.side_of(line),
+            shadows: outer.shadows.iter().map(|s| s.side_of(line)).collect(),
+            chords: vec![None; outer.shadows.len() + 1],
         });
-        is_covered == (piece.part == Part::InShadow)
-    };
-    let mut open: Option<(f64, Place)> = None;
-    for pair in places.windows(2) {
-        let at = 0.5 * (pair[0].0 + pair[1].0);
-        let state = if pair[1].0 > pair[0].0 {
-            let sides = [belongs(at, 1.0), belongs(at, -1.0)];
-            f64::from(u8::from(sides[0])) - f64::from(u8::from(sides[1]))
-        } else {
-            continue;
-        };
-        if open.is_some_and(|(known, _)| known * state <= 0.0) {
-            close(line, open.take(), pair[0], segments);
-        }
-        if open.is_none() && state != 0.0 {
-            open = Some((state, pair[0]));
+        Self {
+            outer,
+            piece,
+            members: members.collect(),
         }
     }
-    close(line, open, high, segments);
+
+    /// The boundary at t; none if something cannot be told there.
+    pub(super) fn arrange(&mut self, range: [f64; 2], t: f64) -> Option<Arrangement> {
+        let sight = &self.outer.sight;
+        let lines = 0..sight.traces.len();
+        let placed: Vec<Placed> = lines.map(|line| sight.placed(line, t)).collect();
+        let mut slice = Slice {
+            outer: self.outer,
+            piece: self.piece,
+            validity: Validity {
+                sight,
+                placed: &placed,
+                t,
+                range,
+                is_certain: true,
+            },
+            segments: Vec::new(),
+        };
+        for member in &mut self.members {
+            if placed[member.line].is_line {
+                slice.on_line(member);
+            }
+            if !slice.validity.is_certain {
+                return None;
+            }
+        }
+        let Slice {
+            segments, validity, ..
+        } = slice;
+        // a side without end is none of a part of P
+        let is_bounded = |segment: &Segment| segment.from != NONE && segment.to != NONE;
+        segments.iter().all(is_bounded).then_some(Arrangement {
+            segments,
+            range: validity.range,
+        })
+    }
 }
 
-fn close(line: usize, open: Option<(f64, Place)>, end: Place, segments: &mut Vec<Segment>) {
-    if let Some((state, start)) = open {
-        let (from, to) = if state > 0.0 {
-            (start.1, end.1)
+/// A piece at one t, and what is found of its boundary.
+struct Slice<'a> {
+    outer: &'a Outer<'a>,
+    piece: &'a Piece,
+    validity: Validity<'a>,
+    segments: Vec<Segment>,
+}
+
+impl Slice<'_> {
+    /// The chord of a line in a shadow, or after these in the region: its ends, if it has any, and
+    /// the range in which it is so.
+    fn chord(&mut self, member: &mut Member, name: usize) -> Option<([Place; 2], [f64; 2])> {
+        let t = self.validity.t;
+        let is_here = |chord: &Chord| chord.range[0] < t && t < chord.range[1];
+        let chord = if let Some(known) = member.chords[name].filter(is_here) {
+            known
         } else {
-            (end.1, start.1)
+            let shadows = &self.outer.shadows;
+            let region = shadows.get(name).unwrap_or(&self.piece.region);
+            let found = Chord::of(region, member.line, &self.validity);
+            self.validity.is_certain &= found.is_some();
+            member.chords[name] = found;
+            found?
         };
-        segments.push(Segment { line, from, to });
+        let Some([low, high]) = chord.ends else {
+            self.validity.within(chord.range);
+            return None;
+        };
+        let place = |other, end| self.validity.place(member.line, other, end);
+        Some(([place(low, 0), place(high, 1)], chord.range))
     }
+
+    /// Finds the segments on a line.
+    fn on_line(&mut self, member: &mut Member) {
+        let (line, count) = (member.line, member.shadows.len());
+        let Some((base, base_range)) = self.chord(member, count) else {
+            return;
+        };
+        let mut own: SmallVec<[Cover; 2]> = SmallVec::new();
+        let mut own_range = [0.0f64, 1.0f64];
+        for name in 0..count {
+            if let Some(side) = member.shadows[name]
+                && let Some((ends, range)) = self.chord(member, name)
+            {
+                own.push((ends, Some(side)));
+                own_range = [own_range[0].max(range[0]), own_range[1].min(range[1])];
+            }
+        }
+        // a line that bounds one shadow alone matters along the side of that
+        let only = match own.as_slice() {
+            [] if member.own.is_none() => return,
+            [(ends, _)] if member.own.is_none() => Some(*ends),
+            _ => None,
+        };
+        let mut window = base;
+        if let Some([low, high]) = only {
+            if low.at > window[0].at {
+                window[0] = low;
+            }
+            if high.at < window[1].at {
+                window[1] = high;
+            }
+            if window[0].at >= window[1].at {
+                self.validity.separates(line, window.map(|end| end.line));
+                return;
+            }
+        }
+        let mut covers: SmallVec<[Cover; 4]> = SmallVec::new();
+        for name in 0..count {
+            if member.shadows[name].is_some() {
+                continue;
+            }
+            let Some((ends, range)) = self.chord(member, name) else {
+                continue;
+            };
+            let [low, high] = ends;
+            if high.at <= window[0].at {
+                self.validity.separates(line, [window[0].line, high.line]);
+            } else if low.at >= window[1].at {
+                self.validity.separates(line, [low.line, window[1].line]);
+            } else if low.at <= window[0].at && high.at >= window[1].at {
+                // both sides are in this shadow all along
+                self.validity.within(range);
+                self.validity.follow(line, &[low, window[0]]);
+                self.validity.follow(line, &[window[1], high]);
+                if member.own.is_some() && self.piece.part == Part::InShadow {
+                    self.validity.within(base_range);
+                    self.validity.follow(line, &window);
+                    self.sweep(member, window, &[(window, None)]);
+                } else {
+                    self.validity.turns(line, window[0].line);
+                    self.validity.turns(line, window[1].line);
+                }
+                return;
+            } else {
+                self.validity.within(range);
+                covers.push((ends, None));
+            }
+        }
+        self.validity.within(base_range);
+        self.validity.within(own_range);
+        for end in [0, 1] {
+            if let Some(only) = only {
+                self.validity.ordered(line, base[end].line, only[end].line);
+            }
+        }
+        self.validity.follow(line, &window);
+        let mut covers = joined(line, window, covers, &mut self.validity);
+        for (ends, side) in own {
+            // what is in its own shadow alone is so from end to end
+            covers.push((if only.is_some() { window } else { ends }, side));
+        }
+        if only.is_none() {
+            for ([low, high], _) in &covers {
+                self.validity.follow(line, &[window[0], *high]);
+                self.validity.follow(line, &[*low, window[1]]);
+            }
+            self.validity.follow(line, &places(window, &covers));
+        }
+        self.sweep(member, window, &covers);
+    }
+
+    /// The segments in a window of a line, from what is in shadow beside it.
+    fn sweep(&mut self, member: &Member, window: [Place; 2], covers: &[Cover]) {
+        let belongs = |at: f64, side: f64| {
+            if member.own.is_some_and(|own| own * side < 0.0) {
+                return false;
+            }
+            let mut covers = covers.iter();
+            let is_covered = covers.any(|([from, to], only)| {
+                from.at < at && at < to.at && only.is_none_or(|only| only * side > 0.0)
+            });
+            is_covered == (self.piece.part == Part::InShadow)
+        };
+        let mut open: Option<(f64, Place)> = None;
+        let mut found: SmallVec<[Segment; 4]> = SmallVec::new();
+        for pair in places(window, covers).windows(2) {
+            if pair[1].at <= pair[0].at {
+                continue;
+            }
+            let at = 0.5 * (pair[0].at + pair[1].at);
+            let sides = [belongs(at, 1.0), belongs(at, -1.0)];
+            let state = f64::from(u8::from(sides[0])) - f64::from(u8::from(sides[1]));
+            if open.is_some_and(|(known, _)| known * state <= 0.0) {
+                found.extend(segment(member.line, open.take(), pair[0]));
+            }
+            if open.is_none() && state != 0.0 {
+                open = Some((state, pair[0]));
+            }
+        }
+        found.extend(segment(member.line, open, window[1]));
+        self.segments.extend(found);
+    }
+}
+
+/// The ends of a window and of what covers it, in order.
+fn places(window: [Place; 2], covers: &[Cover]) -> SmallVec<[Place; 8]> {
+    let [low, high] = window;
+    let inner = covers.iter().flat_map(|(ends, _)| *ends);
+    let inner = inner.filter(|place| place.at > low.at && place.at < high.at);
+    let mut places: SmallVec<[Place; 8]> = [low, high].into_iter().chain(inner).collect();
+    places.sort_by(|one, other| one.at.total_cmp(&other.at));
+    places
+}
+
+/// The union of chords that each cover a part of a window, both sides of the line.
+fn joined(
+    line: usize,
+    window: [Place; 2],
+    mut covers: SmallVec<[Cover; 4]>,
+    validity: &mut Validity,
+) -> SmallVec<[Cover; 4]> {
+    covers.sort_by(|one, other| one.0[0].at.total_cmp(&other.0[0].at));
+    let mut joined: SmallVec<[Cover; 4]> = SmallVec::new();
+    for (ends, _) in covers {
+        let [low, high] = ends;
+        validity.follow(line, &[window[0], low, window[1]]);
+        validity.follow(line, &[window[0], high, window[1]]);
+        match joined.last_mut() {
+            Some((last, _)) => {
+                validity.ordered(line, last[0].line, low.line);
+                validity.ordered(line, last[1].line, low.line);
+                if low.at > last[1].at {
+                    joined.push((ends, None));
+                    continue;
+                }
+                validity.ordered(line, last[1].line, high.line);
+                if high.at > last[1].at {
+                    last[1] = high;
+                }
+            }
+            None => joined.push((ends, None)),
+        }
+    }
+    joined
+}
+
+/// A segment that is open to the right or to the left, up to its end.
+fn segment(line: usize, open: Option<(f64, Place)>, end: Place) -> Option<Segment> {
+    let (state, start) = open?;
+    let (from, to) = if state > 0.0 {
+        (start.line, end.line)
+    } else {
+        (end.line, start.line)
+    };
+    Some(Segment { line, from, to })
 }

@@ -7,13 +7,14 @@
 //! ```text
 //!   |∫ ½ ln q ds| ≤ max |ln r| + ½ |ln(1 − κ)|,     κ = 2 δ/r + (δ/r)² < 1,   q = X·X on the side
 //!   |W| ≤ M = Σ (|v·ΔX| + 2 |v| δ) (max |ln r| + ½ |ln(1 − κ)|)
+//!   |ln(1 − κ)| ≤ κ (1 − κ/2)/(1 − κ)
 //! ```
-//!
 //!
 //! As ∮dX = 0, distances may be taken in any unit, and in units of h(t), too: then nothing is
 //! singular as y comes down to P.
 
-use super::corner::Corner;
+use super::corner::{Corner, Drift};
+use crate::numeric::{LANES, Lanes};
 use glam::DVec2;
 use smallvec::SmallVec;
 
@@ -26,143 +27,192 @@ pub(super) struct BoundarySide {
 
 /// A boundary as it is at the middle of a panel, with what does not depend on the reach.
 #[derive(Debug)]
-pub(super) struct Outline<'a> {
-    corners: &'a [Corner],
-    /// The corners' N/D, and their places in the unit at hand.
-    places: SmallVec<[[DVec2; 2]; 16]>,
-    sides: SmallVec<[Measured; 16]>,
-    named: &'a [BoundarySide],
-    v: DVec2,
+pub(super) struct Outline {
+    drifts: Vec<Drift>,
+    sides: Vec<Measured>,
+    speed: f64,
     height: f64,
     /// |v_z|.
     rise: f64,
-    unit: f64,
-    is_per_height: bool,
+    /// The unit of distances, a geometric mean of those of sides and corners from y.
+    pub unit: f64,
+    /// Whether the stretch lies in P's plane: then no height is a unit.
+    is_level: bool,
 }
 
-/// A side: `|v·ΔX|`, its least distance, and the largest |ln r|; for lines through y the same of
-/// both ends.
+/// A side at the middle of a panel.
 #[derive(Debug, Clone, Copy)]
-enum Measured {
-    Apart([f64; 3]),
-    Through([[f64; 3]; 2]),
+struct Measured {
+    side: BoundarySide,
+    /// `|v·ΔX|`; for a line through y `|v·X|` of both ends.
+    along: [f64; 2],
+    length: f64,
+    /// The least distance from y; of a line through y those of both ends.
+    nearest: [f64; 2],
+    farthest: f64,
+    /// The largest |ln r|; for a line through y that of each end.
+    log: [f64; 2],
 }
 
-impl<'a> Outline<'a> {
-    /// **Arguments** `stretch`: height at the middle, and |v_z|.
+impl Outline {
+    /// **Arguments** `places`: the corners' places at the middle; `height`: the height there, and
+    /// v_z.
     pub(super) fn new(
-        corners: &'a [Corner],
-        named: &'a [BoundarySide],
+        (corners, places): (&[Corner], &[DVec2]),
+        sides: &[BoundarySide],
         v: DVec2,
         [height, rise]: [f64; 2],
-        unit: f64,
+        is_level: bool,
     ) -> Self {
+        let height = height.abs();
+        let measured = sides.iter().map(|side| {
+            let [from, to] = side.corners.map(|corner| places[corner]);
+            let squares = [from.length_squared(), to.length_squared()];
+            let run = to - from;
+            let (along, nearest) = if side.is_through {
+                let ends = [from, to].map(|end| v.dot(end).abs());
+                (ends, squares.map(f64::sqrt))
+            } else {
+                let nearest = distance([from, to], height);
+                ([v.dot(run).abs(), 0.0], [nearest, 0.0])
+            };
+            Measured {
+                side: *side,
+                along,
+                length: run.length(),
+                nearest,
+                farthest: (squares[0].max(squares[1]) + height * height).sqrt(),
+                log: [0.0; 2],
+            }
+        });
         let mut outline = Self {
-            corners,
-            places: SmallVec::new(),
-            sides: SmallVec::new(),
-            named,
-            v,
+            drifts: corners.iter().map(Corner::drift).collect(),
+            sides: measured.collect(),
+            speed: v.length(),
             height,
-            rise,
-            unit,
-            is_per_height: false,
+            rise: rise.abs(),
+            unit: 1.0,
+            is_level,
         };
-        outline.measure();
+        outline.take_logarithms();
         outline
     }
 
-    /// The outline in units of the height.
-    pub(super) fn per_height(mut self) -> Self {
-        self.is_per_height = true;
-        self.measure();
-        self
-    }
-
-    fn measure(&mut self) {
-        let (height, is_per_height) = (self.height, self.is_per_height);
-        let places = self.corners.iter().map(|corner| {
-            let place = corner.per_denominator();
-            let here = match (corner.is_per_height, is_per_height) {
-                (true, false) => height * place,
-                (false, true) => place / height,
-                _ => place,
-            };
-            [place, here]
-        });
-        self.places = places.collect();
-        let (level, unit) = if is_per_height {
-            (1.0, self.unit / height)
-        } else {
-            (height, self.unit)
-        };
-        let log = |distance: f64| (distance / unit).ln().abs();
-        let sides = self.named.iter().map(|side| {
-            let [from, to] = side.corners.map(|corner| self.places[corner][1]);
-            if side.is_through {
-                return Measured::Through([from, to].map(|end| {
-                    let distance = end.length();
-                    [self.v.dot(end).abs(), distance, log(distance)]
-                }));
+    fn take_logarithms(&mut self) {
+        let (mut least, mut most) = (f64::INFINITY, 0.0f64);
+        for measured in &self.sides {
+            most = most.max(measured.farthest);
+            for distance in measured.nearest {
+                if distance > 0.0 {
+                    least = least.min(distance);
+                }
             }
-            let nearest = distance([from, to], level);
-            let square = from.length_squared().max(to.length_squared());
-            let farthest = (square + level * level).sqrt();
-            let along = self.v.dot(to - from).abs();
-            Measured::Apart([along, nearest, log(nearest).max(log(farthest))])
-        });
-        self.sides = sides.collect();
+        }
+        let mean = (least * most).sqrt();
+        if mean.is_finite() && mean > 0.0 {
+            self.unit = mean;
+        }
+        for measured in &mut self.sides {
+            let log = |distance: f64| (distance / self.unit).ln().abs();
+            measured.log = if measured.side.is_through {
+                measured.nearest.map(log)
+            } else {
+                let far = log(measured.farthest);
+                [log(measured.nearest[0]).max(far), 0.0]
+            };
+        }
     }
 
-    /// A bound on |W| for complex t up to `reach` from the middle.
-    pub(super) fn largest(&self, reach: f64) -> f64 {
-        let (height, rise, speed) = (self.height, self.rise * reach, self.v.length());
-        let least_height = height - rise;
-        if self.is_per_height && least_height <= 0.0 {
-            return f64::INFINITY;
+    /// Bounds on |W| for complex t up to each `reach` from the middle, from distances and from
+    /// distances per height.
+    #[inline(always)]
+    pub(super) fn largest(&self, reach: &Lanes) -> Lanes {
+        let (height, speed) = (self.height, self.speed);
+        let mut tilt = [0.0; LANES];
+        for l in 0..LANES {
+            tilt[l] = self.rise * reach[l];
         }
-        let moved = self
-            .corners
-            .iter()
-            .zip(&self.places)
-            .map(|(corner, [place, here])| {
-                let moved = corner.displacement(*place, reach);
-                match (corner.is_per_height, self.is_per_height) {
-                    (true, false) => (height + rise) * moved + place.length() * rise,
-                    (false, true) => (moved + here.length() * rise) / least_height,
-                    _ => moved,
+        let mut moved: SmallVec<[[Lanes; 2]; 12]> = SmallVec::new();
+        for drift in &self.drifts {
+            let mut own = drift.displacements(reach);
+            let mut other = own;
+            let place = drift.place / if drift.is_per_height { 1.0 } else { height };
+            for l in 0..LANES {
+                if drift.is_per_height {
+                    own[l] = (height + tilt[l]) * own[l] + place * tilt[l];
+                } else {
+                    other[l] = (other[l] + place * tilt[l]) / (height - tilt[l]);
                 }
-            });
-        let moved: SmallVec<[f64; 16]> = moved.collect();
-        let tilt = if self.is_per_height { 0.0 } else { rise };
-        let mut sum = 0.0;
-        for (side, measured) in self.named.iter().zip(&self.sides) {
-            let ends = side.corners.map(|corner| moved[corner]);
-            match measured {
-                Measured::Apart([along, nearest, log]) => {
-                    let most = ends[0].max(ends[1]);
-                    let most = (most * most + tilt * tilt).sqrt();
-                    sum += (along + speed * (ends[0] + ends[1])) * (log + widened(most / nearest));
-                }
-                Measured::Through(each) => {
-                    for ([along, distance, log], moved) in each.iter().zip(ends) {
-                        if *distance > 0.0 {
-                            sum += (along + speed * moved) * (log + widened(moved / distance));
+            }
+            moved.push([own, other]);
+        }
+        let (mut plain, mut per_height) = ([0.0; LANES], [0.0; LANES]);
+        for Measured {
+            side,
+            along,
+            nearest,
+            log,
+            ..
+        } in &self.sides
+        {
+            let [from, to] = side.corners.map(|corner| moved[corner]);
+            if side.is_through {
+                for (end, moved) in [from[0], to[0]].into_iter().enumerate() {
+                    for l in 0..LANES {
+                        if nearest[end] > 0.0 {
+                            plain[l] += (along[end] + speed * moved[l])
+                                * (log[end] + widened(moved[l] / nearest[end]));
                         }
                     }
                 }
+                continue;
+            }
+            let inverse = 1.0 / nearest[0];
+            for l in 0..LANES {
+                let most = from[0][l].max(to[0][l]);
+                let share = (most * most + tilt[l] * tilt[l]).sqrt() * inverse;
+                plain[l] +=
+                    (along[0] + speed * (from[0][l] + to[0][l])) * (log[0] + widened(share));
+                let share = from[1][l].max(to[1][l]) * height * inverse;
+                per_height[l] += (along[0] / height + speed * (from[1][l] + to[1][l]))
+                    * (log[0] + widened(share));
             }
         }
-        if self.is_per_height {
-            (height + rise) * sum
-        } else {
-            sum
+        for l in 0..LANES {
+            if !self.is_level && tilt[l] < height {
+                plain[l] = plain[l].min((height + tilt[l]) * per_height[l]);
+            }
         }
+        plain
+    }
+
+    /// What rounded corners change of W.
+    pub(super) fn noise(&self, corners: &[Corner]) -> f64 {
+        let noise = |corner: usize| {
+            let corner = &corners[corner];
+            let unit = if corner.is_per_height {
+                self.height
+            } else {
+                1.0
+            };
+            corner.noise * unit
+        };
+        let sides = self.sides.iter().map(|measured| {
+            let [from, to] = measured.side.corners;
+            let moved = noise(from) + noise(to);
+            let log = 1.0 + measured.log[0];
+            if measured.side.is_through {
+                moved * log.min(1e3)
+            } else {
+                moved * log.min(measured.length / measured.nearest[0])
+            }
+        });
+        self.speed * sides.sum::<f64>()
     }
 }
 
 /// The least distance of y from a side that is `height` below it.
-pub(super) fn distance([from, to]: [DVec2; 2], height: f64) -> f64 {
+fn distance([from, to]: [DVec2; 2], height: f64) -> f64 {
     let run = to - from;
     let square = run.length_squared();
     let share = if square > 0.0 {
@@ -173,11 +223,12 @@ pub(super) fn distance([from, to]: [DVec2; 2], height: f64) -> f64 {
     ((from + share * run).length_squared() + height * height).sqrt()
 }
 
-/// The growth of the logarithm of a distance by a displacement, a share of that distance.
+/// A bound on the growth of the logarithm of a distance by a displacement, a share of that distance.
+#[inline(always)]
 fn widened(share: f64) -> f64 {
     let kappa = share * (2.0 + share);
     if kappa < MOST_WIDENED {
-        -0.5 * (1.0 - kappa).ln()
+        0.5 * kappa * (1.0 - 0.5 * kappa) / (1.0 - kappa)
     } else {
         // what is not a number comes here, too
         f64::INFINITY

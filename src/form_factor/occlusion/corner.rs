@@ -92,19 +92,15 @@ impl Corner {
         }
     }
 
-    pub(super) fn per_denominator(&self) -> DVec2 {
-        self.numerator[0] / self.denominator[0]
-    }
-
-    /// The distance by which it moves for complex t up to `reach` from the middle.
-    pub(super) fn displacement(&self, place: DVec2, reach: f64) -> f64 {
-        let ([_, n1, n2], [d0, d1, d2]) = (self.numerator, self.denominator);
-        let left = d0.abs() - reach * (d1.abs() + reach * d2.abs());
-        let moved = reach * ((n1 - place * d1).length() + reach * (n2 - place * d2).length());
-        if left > 0.0 {
-            moved / left
-        } else {
-            f64::INFINITY
+    /// How it moves as t leaves the middle.
+    pub(super) fn drift(&self) -> Drift {
+        let ([n0, n1, n2], [d0, d1, d2]) = (self.numerator, self.denominator);
+        let place = n0 / d0;
+        Drift {
+            numerator: [(n1 - place * d1).length(), (n2 - place * d2).length()],
+            denominator: [d0.abs(), d1.abs(), d2.abs()],
+            place: place.length(),
+            is_per_height: self.is_per_height,
         }
     }
 
@@ -138,6 +134,34 @@ impl Corner {
         } else {
             place
         }
+    }
+}
+
+/// What bounds the displacement of a corner.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Drift {
+    numerator: [f64; 2],
+    denominator: [f64; 3],
+    /// |X|, or |X/h|.
+    pub place: f64,
+    pub is_per_height: bool,
+}
+
+impl Drift {
+    /// The distances by which it moves for complex t up to each `reach` from the middle.
+    #[inline(always)]
+    pub(super) fn displacements(&self, reach: &Lanes) -> Lanes {
+        let ([n1, n2], [d0, d1, d2]) = (self.numerator, self.denominator);
+        std::array::from_fn(|l| {
+            let reach = reach[l];
+            let left = d0 - reach * (d1 + reach * d2);
+            let moved = reach * (n1 + reach * n2);
+            if left > 0.0 {
+                moved / left
+            } else {
+                f64::INFINITY
+            }
+        })
     }
 }
 

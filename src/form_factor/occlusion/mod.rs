@@ -23,7 +23,7 @@
 //! | the pair in the frame of P, clipped, cut into convex faces, edges and corners shared | `setting` |
 //! | stretches of edges, and the faces through them, between which x looks past | `outer` |
 //! | planes of sight through y(t) and an edge, linear in t | `sight` |
-//! | the boundary of R at one t, and the range of t in which it has this shape | `arrangement`, `validity` |
+//! | the boundary of R at one t, and the range of t in which it has this shape | `chord`, `arrangement`, `validity` |
 //! | its corners as rational functions of t, Gauss rules with a-priori bounds | `corner`, `bound`, `rule` |
 //! | what displaced corners can change | `slack` |
 //! | from a point, in closed form | `point` |
@@ -52,6 +52,7 @@
 
 mod arrangement;
 mod bound;
+mod chord;
 mod corner;
 mod occluders;
 mod outer;
@@ -69,7 +70,7 @@ pub use point::point_form_factor_past;
 pub(crate) use point::{Sight, Viewpoint};
 
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
-use arrangement::{Arrangement, arrange};
+use arrangement::{Arrangement, Roster};
 use glam::DVec3;
 use outer::{Outer, Piece, Wanted, outers};
 use rule::Panel;
@@ -250,6 +251,7 @@ fn arrangements(outer: &Outer, piece: &Piece, sum: &mut Share) -> Vec<Arrangemen
     let mut done: Vec<Arrangement> = Vec::new();
     let mut open = vec![Open::Range([0.0, 1.0])];
     let mut untold = 0;
+    let mut roster = Roster::of(outer, piece);
     while let Some(next) = open.pop() {
         let [low, high] = match next {
             Open::Range(range) => range,
@@ -264,9 +266,10 @@ fn arrangements(outer: &Outer, piece: &Piece, sum: &mut Share) -> Vec<Arrangemen
         }
         let mut places = PLACES.iter().map(|place| low + place * width);
         let found = places.find_map(|place| {
-            let found = arrange(outer, piece, [low, high], place)?;
-            let panel = Panel::new(&outer.sight, &found, found.range);
-            panel.is_closed().then_some(found)
+            let found = roster.arrange([low, high], place)?;
+            let is_closed = found.is_closed_by_name()
+                || Panel::new(&outer.sight, &found, found.range).is_closed();
+            is_closed.then_some(found)
         });
         if let Some(found) = found {
             let [from, to] = found.range;

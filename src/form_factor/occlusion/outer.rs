@@ -41,8 +41,8 @@ pub(super) struct Piece {
 
 /// A stretch of an edge, with all that is seen from it.
 #[derive(Debug, Clone)]
-pub(super) struct Outer {
-    pub sight: Sight,
+pub(super) struct Outer<'a> {
+    pub sight: Sight<'a>,
     pub shadows: Vec<Region>,
     pub pieces: Vec<Piece>,
 }
@@ -77,7 +77,11 @@ struct Book<'a> {
 }
 
 /// All stretches of two faces past the screens.
-pub(super) fn outers(setting: &Setting, ends: [&Face; 2], wanted: Wanted) -> Vec<Outer> {
+pub(super) fn outers<'a>(
+    setting: &'a Setting,
+    ends: [&'a Face; 2],
+    wanted: Wanted,
+) -> Vec<Outer<'a>> {
     let mut found = Vec::new();
     for line in 0..setting.lines.len() {
         let book = Book::of(setting, ends, line);
@@ -204,7 +208,7 @@ impl<'a> Book<'a> {
             .collect()
     }
 
-    fn outer(&self, from: f64, to: f64, wanted: Wanted) -> Option<Outer> {
+    fn outer(&self, from: f64, to: f64, wanted: Wanted) -> Option<Outer<'a>> {
         let setting = self.setting;
         let point = |at: f64| {
             let mut point = self.origin + at * self.direction;

@@ -11,7 +11,7 @@
 //! On an edge in P's plane the sides on lines through y have `(v·X1) ln|X1| − (v·X0) ln|X0|`.
 
 use super::arrangement::{Arrangement, Segment};
-use super::bound::{BoundarySide, Outline, distance};
+use super::bound::{BoundarySide, Outline};
 use super::corner::Corner;
 use super::share::Share;
 use super::sight::Sight;
@@ -19,183 +19,108 @@ use crate::numeric::functions::elementary::angles;
 use crate::numeric::{GaussLegendre, LANES, Lanes, across, real, vector_value};
 use glam::DVec2;
 use smallvec::{SmallVec, smallvec};
+use std::sync::LazyLock;
 
 /// A boundary on a panel.
 #[derive(Debug)]
 pub(super) struct Panel<'a> {
-    sight: &'a Sight,
+    sight: &'a Sight<'a>,
     middle: f64,
     half: f64,
     corners: Vec<Corner>,
+    /// Their places at the middle.
+    places: Vec<DVec2>,
     sides: Vec<BoundarySide>,
-    /// The unit of distances.
-    unit: f64,
 }
 
 impl<'a> Panel<'a> {
-    pub(super) fn new(sight: &'a Sight, arrangement: &Arrangement, [from, to]: [f64; 2]) -> Self {
+    pub(super) fn new(
+        sight: &'a Sight<'a>,
+        arrangement: &Arrangement,
+        [from, to]: [f64; 2],
+    ) -> Self {
         let middle = 0.5 * (from + to);
+        let most = 2 * arrangement.segments.len();
         let mut panel = Self {
             sight,
             middle,
             half: 0.5 * (to - from),
-            corners: Vec::new(),
-            sides: Vec::new(),
-            unit: 1.0,
+            corners: Vec::with_capacity(most),
+            places: Vec::with_capacity(most),
+            sides: Vec::with_capacity(most),
         };
-        let mut named: Vec<[usize; 2]> = Vec::new();
+        let height = panel.height();
+        let mut named: SmallVec<[[usize; 2]; 16]> = SmallVec::new();
         for Segment { line, from, to } in &arrangement.segments {
             let corners = [*from, *to].map(|other| {
                 let pair = [*line.min(&other), *line.max(&other)];
-                named
-                    .iter()
-                    .position(|known| *known == pair)
-                    .unwrap_or_else(|| {
-                        named.push(pair);
-                        panel.corners.push(Corner::at_crossing(sight, pair, middle));
-                        named.len() - 1
-                    })
+                let known = named.iter().position(|known| *known == pair);
+                known.unwrap_or_else(|| {
+                    named.push(pair);
+                    let corner = Corner::at_crossing(sight, pair, middle);
+                    panel.places.push(corner.at(0.0, height));
+                    panel.corners.push(corner);
+                    named.len() - 1
+                })
             });
             panel.sides.push(BoundarySide {
                 corners,
-                is_through: panel.is_through(*line),
+                // an edge in P's plane is a line of its own
+                is_through: sight.is_level && sight.traces[*line].edge.is_none(),
             });
         }
-        panel.unit = panel.mean_distance();
         panel
     }
 
     /// Whether the sides go round.
     pub(super) fn is_closed(&self) -> bool {
-        let height = self.height(self.middle);
-        let places: Vec<DVec2> = self.corners.iter().map(|c| c.at(0.0, height)).collect();
         let runs = self.sides.iter().map(|side| {
-            let [from, to] = side.corners.map(|corner| places[corner]);
+            let [from, to] = side.corners.map(|corner| self.places[corner]);
             to - from
         });
         let (open, length) = runs.fold((DVec2::ZERO, 0.0), |(sum, length), run| {
             (sum + run, length + run.length())
         });
-        let reach = places
-            .iter()
-            .map(|place| place.length())
-            .fold(0.0, f64::max);
+        let places = self.places.iter();
+        let reach = places.map(|place| place.length()).fold(0.0, f64::max);
         open.length() <= CLOSED * length + 64.0 * f64::EPSILON * reach
     }
 
-    /// Whether a line goes through y all along.
-    fn is_through(&self, line: usize) -> bool {
-        self.sight.is_level && self.sight.traces[line].edge.is_none()
-    }
-
-    fn height(&self, t: f64) -> f64 {
-        self.sight.start.z + t * self.sight.along.z
-    }
-
-    /// A geometric mean of the distances of sides and corners from y.
-    fn mean_distance(&self) -> f64 {
-        let height = self.height(self.middle);
-        let places: Vec<DVec2> = self.corners.iter().map(|c| c.at(0.0, height)).collect();
-        let (mut least, mut most) = (f64::INFINITY, 0.0f64);
-        for side in &self.sides {
-            let ends = side.corners.map(|corner| places[corner]);
-            if !side.is_through {
-                least = least.min(distance(ends, height));
-            }
-            for end in ends {
-                let length = end.length().hypot(height);
-                most = most.max(length);
-                if length > 0.0 {
-                    least = least.min(length);
-                }
-            }
-        }
-        let mean = (least * most).sqrt();
-        if mean.is_finite() && mean > 0.0 {
-            mean
-        } else {
-            1.0
-        }
+    /// The height at the middle.
+    fn height(&self) -> f64 {
+        self.sight.start.z + self.middle * self.sight.along.z
     }
 
     /// The integral over the panel; none if no rule is certain enough.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "small"
-    )]
     pub(super) fn integral(&self, wanted: f64) -> Option<Share> {
         if self.sides.is_empty() {
             return Some(Share::default());
         }
-        let mut best: Option<(usize, f64)> = None;
-        let stretch = [self.height(self.middle).abs(), self.sight.along.z.abs()];
-        let v = self.sight.along.truncate();
-        let outlines = [false, true].map(|is_per_height| {
-            // on an edge in P's plane no height is a unit
-            let is_one = !(is_per_height && self.sight.is_level);
-            let outline = || Outline::new(&self.corners, &self.sides, v, stretch, self.unit);
-            is_one.then(|| {
-                if is_per_height {
-                    outline().per_height()
-                } else {
-                    outline()
-                }
-            })
-        });
-        for ratio in RATIOS {
-            let bounds = outlines.iter().flatten();
-            let bounds = bounds.map(|outline| outline.largest(ratio * self.half));
-            let largest = bounds.fold(f64::INFINITY, f64::min);
-            if !largest.is_finite() {
-                break;
-            }
-            let rho = ratio + (ratio * ratio - 1.0).sqrt();
-            let scale = 64.0 / 15.0 * largest * self.half / (1.0 - 1.0 / (rho * rho));
-            let points = ((scale / wanted).ln() / (2.0 * rho.ln())).ceil().max(1.0);
-            if points <= MOST && best.is_none_or(|(known, _)| points < real(known)) {
-                let points = points as usize;
-                let error = scale * (-2.0 * real(points) * rho.ln()).exp();
-                best = Some((points, error));
-            }
-        }
-        let (points, truncation) = best?;
-        let [value, size] = self.sums(GaussLegendre::with(points));
+        let outline = &Outline::new(
+            (&self.corners, &self.places),
+            &self.sides,
+            self.sight.along.truncate(),
+            [self.height(), self.sight.along.z],
+            self.sight.is_level,
+        );
+        let reach = RATIOS.map(|ratio| ratio * self.half);
+        let largest = vector_value!([f64::INFINITY; LANES], outline.largest(&reach));
+        let (blocks, truncation) = rule(largest, self.half, wanted)?;
+        let [value, size] = self.sums(GaussLegendre::with(blocks * LANES), outline.unit);
+        let noise = outline.noise(&self.corners);
         Some(Share {
             value: self.half * value,
             truncation,
-            rounding: self.half * (8.0 * f64::EPSILON * size + 2.0 * self.crossing_noise()),
+            rounding: self.half * (8.0 * f64::EPSILON * size + 2.0 * noise),
         })
     }
 
-    /// What rounded corners change of W.
-    fn crossing_noise(&self) -> f64 {
-        let height = self.height(self.middle).abs();
-        let speed = self.sight.along.truncate().length();
-        let places: Vec<DVec2> = self.corners.iter().map(|c| c.at(0.0, height)).collect();
-        let noise = |corner: usize| {
-            let corner = &self.corners[corner];
-            corner.noise * if corner.is_per_height { height } else { 1.0 }
-        };
-        let sides = self.sides.iter().map(|side| {
-            let ends = side.corners.map(|corner| places[corner]);
-            let moved: f64 = side.corners.iter().map(|corner| noise(*corner)).sum();
-            if side.is_through {
-                return moved * (1.0 + (ends[0].length() / self.unit).max(1e-300).ln().abs());
-            }
-            let nearest = distance(ends, height);
-            moved
-                * (ends[0].distance(ends[1]) / nearest).min(1.0 + (self.unit / nearest).ln().abs())
-        });
-        speed * sides.sum::<f64>()
-    }
-
     /// The rule's sums of W and of the magnitudes of its terms.
-    fn sums(&self, rule: &GaussLegendre) -> [f64; 2] {
+    fn sums(&self, rule: &GaussLegendre, unit: f64) -> [f64; 2] {
         let (corners, sides) = (self.corners.as_slice(), self.sides.as_slice());
-        let (start, rise) = (self.height(self.middle), self.sight.along.z);
+        let (start, rise) = (self.height(), self.sight.along.z);
         let v = self.sight.along.truncate();
-        let inverse = 1.0 / (self.unit * self.unit);
+        let inverse = 1.0 / (unit * unit);
         let (half, lanes) = (self.half, rule.lanes.as_slice());
         let mut places: SmallVec<[[Lanes; 3]; 16]> = smallvec![[[0.0; LANES]; 3]; corners.len()];
         let places = places.as_mut_slice();
@@ -274,8 +199,29 @@ fn potential(
 /// The gap that rounding may leave in a boundary, of its length.
 const CLOSED: f64 = 1e-9;
 
-/// Radii of discs, in halves of a panel.
-const RATIOS: [f64; 7] = [1.3, 1.7, 2.4, 3.5, 5.0, 8.0, 14.0];
+/// The fewest blocks of nodes that are certain enough, and the error that is left; none if they are
+/// many.
+///
+/// **Arguments** `largest`: bounds on the integrand in discs, by [`RATIOS`].
+fn rule(largest: Lanes, half: f64, wanted: f64) -> Option<(usize, f64)> {
+    static FACTORS: LazyLock<[Lanes; MOST]> = LazyLock::new(|| {
+        std::array::from_fn(|blocks| {
+            RATIOS.map(|ratio| {
+                let root = ratio + (ratio * ratio - 1.0).sqrt();
+                let nodes = real((blocks + 1) * LANES);
+                64.0 / 15.0 * root.powf(-2.0 * nodes) / (1.0 - 1.0 / (root * root))
+            })
+        })
+    });
+    FACTORS.iter().enumerate().find_map(|(blocks, factors)| {
+        let errors = largest.iter().zip(factors).map(|(m, factor)| m * factor);
+        let error = half * errors.fold(f64::INFINITY, f64::min);
+        (error <= wanted).then_some((blocks + 1, error))
+    })
+}
 
-/// Most points of a rule.
-const MOST: f64 = 24.0;
+/// Radii of discs, in halves of a panel.
+const RATIOS: Lanes = [1.15, 1.3, 1.7, 2.4, 3.5, 5.0, 8.0, 14.0];
+
+/// Most blocks of nodes of a rule.
+const MOST: usize = 3;

@@ -72,43 +72,72 @@ pub(super) struct Trace {
     space: Option<usize>,
     /// Whether the plane holds the stretch.
     is_fixed: bool,
+    /// The normal of the line in P's plane but for a positive factor, linear in t, and its size.
+    pub planar: [DVec2; 2],
+    pub planar_size: f64,
+    /// The size of the plane's normal.
+    pub size: f64,
+}
+
+impl Trace {
+    fn new(
+        normal: [DVec3; 2],
+        edge: Option<(DVec2, [f64; 2])>,
+        space: Option<usize>,
+        is_fixed: bool,
+    ) -> Self {
+        let planar = match edge {
+            Some((alpha, _)) => [alpha, DVec2::ZERO],
+            None => normal.map(DVec3::truncate),
+        };
+        Self {
+            normal,
+            edge,
+            space,
+            is_fixed,
+            planar,
+            planar_size: planar[0].length() + planar[1].length(),
+            size: normal[0].length() + normal[1].length(),
+        }
+    }
+}
+
+/// A line at one t: `α·X = γ`, its place nearest to y and its direction, the positive side on the
+/// left.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Placed {
+    pub alpha: DVec2,
+    pub gamma: f64,
+    pub origin: DVec2,
+    pub direction: DVec2,
+    /// Whether it is a line at all, and not at infinity.
+    pub is_line: bool,
 }
 
 /// A stretch y(t) and the lines of sight from it.
 #[derive(Debug, Clone)]
-pub(super) struct Sight {
+pub(super) struct Sight<'a> {
+    setting: &'a Setting,
     pub start: DVec3,
     pub along: DVec3,
     /// Whether the stretch lies in P's plane.
     pub is_level: bool,
     pub traces: Vec<Trace>,
-    touching: f64,
-    /// The most that ∫ dx/r can be over P.
-    most: f64,
     /// Where each line in space is among the traces, and whether it was turned round.
     known: Vec<Option<(usize, f64)>>,
-    corners: Vec<DVec3>,
     heights: Vec<[f64; 2]>,
-    spaces: Vec<([usize; 2], Vec<usize>)>,
 }
 
-impl Sight {
-    pub(super) fn new(setting: &Setting, start: DVec3, along: DVec3, is_level: bool) -> Self {
+impl<'a> Sight<'a> {
+    pub(super) fn new(setting: &'a Setting, start: DVec3, along: DVec3, is_level: bool) -> Self {
         Self {
+            setting,
             start,
             along,
             is_level,
             traces: Vec::new(),
-            touching: setting.touching,
-            most: setting.most,
             known: vec![None; setting.lines.len()],
-            corners: setting.corners.clone(),
             heights: Vec::new(),
-            spaces: setting
-                .lines
-                .iter()
-                .map(|l| (l.ends, l.through.clone()))
-                .collect(),
         }
     }
 
@@ -142,9 +171,8 @@ impl Sight {
         if let Some(known) = self.known[space] {
             return known;
         }
-        let [a, b] = self.spaces[space]
-            .0
-            .map(|corner| self.corners[corner] - self.start);
+        let ends = self.setting.lines[space].ends;
+        let [a, b] = ends.map(|corner| self.setting.corners[corner] - self.start);
         // a × (b − a): of short edges far away a × b would lose digits
         let normal = [a.cross(b - a), (b - a).cross(self.along)];
         let edge = (a.z + self.start.z == 0.0 && b.z + self.start.z == 0.0).then(|| {
@@ -154,21 +182,17 @@ impl Sight {
         });
         let middle = normal[0] + 0.5 * normal[1];
         let length = middle.length();
-        let is_fixed = middle.dot(self.along).abs() <= self.touching * length;
+        let is_fixed = middle.dot(self.along).abs() <= self.setting.touching * length;
         let through = edge.filter(|(alpha, [gamma, slope])| {
-            self.is_level && gamma.abs() + slope.abs() <= self.touching * alpha.length()
+            self.is_level && gamma.abs() + slope.abs() <= self.setting.touching * alpha.length()
         });
         let found = if let Some((alpha, _)) = through {
             self.fixed(alpha.normalize().extend(0.0))
         } else if is_fixed && !(self.is_level && edge.is_some()) {
             self.fixed(middle / length)
         } else {
-            self.traces.push(Trace {
-                normal,
-                edge,
-                space: Some(space),
-                is_fixed: false,
-            });
+            self.traces
+                .push(Trace::new(normal, edge, Some(space), false));
             (self.traces.len() - 1, 1.0)
         };
         self.known[space] = Some(found);
@@ -177,16 +201,12 @@ impl Sight {
 
     fn fixed(&mut self, normal: DVec3) -> (usize, f64) {
         for (line, trace) in self.traces.iter().enumerate() {
-            if trace.is_fixed && trace.normal[0].cross(normal).length() <= self.touching {
+            if trace.is_fixed && trace.normal[0].cross(normal).length() <= self.setting.touching {
                 return (line, trace.normal[0].dot(normal).signum());
             }
         }
-        self.traces.push(Trace {
-            normal: [normal, DVec3::ZERO],
-            edge: None,
-            space: None,
-            is_fixed: true,
-        });
+        self.traces
+            .push(Trace::new([normal, DVec3::ZERO], None, None, true));
         (self.traces.len() - 1, 1.0)
     }
 
@@ -196,31 +216,33 @@ impl Sight {
         for trace in &self.traces {
             let [from, slope] = trace.normal;
             let last = from + slope;
-            let none = self.touching * from.length().max(last.length());
-            self.heights.extend(self.corners.iter().map(|corner| {
-                let place = *corner - self.start;
-                let ends = [from.dot(place), last.dot(place - self.along)];
-                if ends[0].abs().max(ends[1].abs()) <= none {
-                    [0.0; 2]
-                } else {
-                    ends
-                }
-            }));
+            let none = self.setting.touching * from.length().max(last.length());
+            self.heights
+                .extend(self.setting.corners.iter().map(|corner| {
+                    let place = *corner - self.start;
+                    let ends = [from.dot(place), last.dot(place - self.along)];
+                    if ends[0].abs().max(ends[1].abs()) <= none {
+                        [0.0; 2]
+                    } else {
+                        ends
+                    }
+                }));
         }
     }
 
     /// The heights of a corner over the plane of sight of a line, at both ends of the stretch; 0
     /// if it lies in it all along.
     pub(super) fn ends_of_height(&self, line: usize, corner: usize) -> [f64; 2] {
-        self.heights[line * self.corners.len() + corner]
+        self.heights[line * self.setting.corners.len() + corner]
     }
 
     /// The corner of space that two lines have in common.
     pub(super) fn common(&self, one: usize, other: usize) -> Option<DVec3> {
-        let through = |line: usize| self.traces[line].space.map(|space| &self.spaces[space].1);
+        let lines = &self.setting.lines;
+        let through = |line: usize| self.traces[line].space.map(|space| &lines[space].through);
         let (one, other) = (through(one)?, through(other)?);
         let corner = one.iter().find(|corner| other.contains(corner))?;
-        Some(self.corners[*corner])
+        Some(self.setting.corners[*corner])
     }
 
     /// Whether a face is outside of one of a cone's sides, from all of the stretch.
@@ -230,7 +252,7 @@ impl Sight {
     pub(super) fn misses(&self, cone: &Cone, face: &Face, way: f64) -> bool {
         let corners = face
             .corners()
-            .map(|corner| self.corners[corner] - self.start);
+            .map(|corner| self.setting.corners[corner] - self.start);
         let corners: Vec<DVec3> = corners.collect();
         cone.sides.iter().any(|half| {
             let trace = &self.traces[half.line];
@@ -256,7 +278,7 @@ impl Sight {
     /// largest in a disc around y: at most `2 √(π A_P)`.
     pub(super) fn unsettled(&self, width: f64) -> Share {
         Share {
-            truncation: self.most * self.along.length() * width,
+            truncation: self.setting.most * self.along.length() * width,
             ..Share::default()
         }
     }
@@ -273,7 +295,7 @@ impl Sight {
             return Share::default();
         }
         let speed = self.along.length();
-        let reach = self.most;
+        let reach = self.setting.most;
         let lines = self.traces.iter().enumerate().map(|(line, trace)| {
             let (alpha, _) = self.line_at(line, from);
             let change = match trace.edge {
@@ -298,6 +320,33 @@ impl Sight {
                 truncation
             },
             ..unsettled
+        }
+    }
+
+    /// A line at t.
+    pub(super) fn placed(&self, line: usize, t: f64) -> Placed {
+        let (alpha, gamma) = self.line_at(line, t);
+        let length = alpha.length();
+        let trace = &self.traces[line];
+        let normal = trace.normal[0] + t * trace.normal[1];
+        Placed {
+            alpha,
+            gamma,
+            origin: alpha * (gamma / (length * length)),
+            direction: DVec2::new(alpha.y, -alpha.x) / length,
+            is_line: trace.edge.is_some() || length > 1e-14 * normal.length(),
+        }
+    }
+
+    /// The line's `(α, γ)` but for a positive factor, linear in t.
+    pub(super) fn form(&self, line: usize) -> [DVec3; 2] {
+        let trace = &self.traces[line];
+        match trace.edge {
+            Some((alpha, gamma)) if self.is_level => {
+                [alpha.extend(gamma[0]), DVec3::new(0.0, 0.0, gamma[1])]
+            }
+            None if self.is_level => trace.normal.map(|n| n.truncate().extend(0.0)),
+            _ => trace.normal,
         }
     }
 

@@ -9,13 +9,23 @@
 //! The range is cut at the zeros next to t. What is zero all along, up to rounding, is a tie, and
 //! either order will do; what cannot be told from zero at t alone makes the comparison uncertain.
 
-use super::sight::{Cone, HalfPlane, Sight};
-use glam::{DVec2, DVec3};
+use super::sight::{Cone, Placed, Sight};
+use glam::DVec2;
 use smallvec::SmallVec;
 
+/// A place on a line, and the line that crosses there.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Place {
+    pub at: f64,
+    pub line: usize,
+}
+
 /// What is compared, and where all comparisons hold.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Validity<'a> {
-    pub sight: &'a Sight,
+    pub sight: &'a Sight<'a>,
+    /// All lines at t.
+    pub placed: &'a [Placed],
     pub t: f64,
     pub range: [f64; 2],
     pub is_certain: bool,
@@ -25,35 +35,74 @@ pub(super) struct Validity<'a> {
 pub(super) const NONE: usize = usize::MAX;
 
 impl Validity<'_> {
-    /// The sides of a face between which the plane of sight of a line cuts it; none if it does not.
-    pub(super) fn crossed(&mut self, cone: &Cone, line: usize) -> Option<SmallVec<[HalfPlane; 2]>> {
-        let heights = cone.corners.iter().map(|corner| self.height(line, *corner));
-        let heights: SmallVec<[f64; 8]> = heights.collect();
-        let has = |sign: f64| heights.iter().any(|height| height * sign > 0.0);
-        let is_up = match [has(1.0), has(-1.0)] {
-            [true, true] => true,
-            [false, false] => return None,
-            // a corner in the plane counts as across from the others
-            [up, _] if heights.contains(&0.0) => !up,
-            _ => return None,
+    /// The sides of a cone that the plane of sight of a line cuts; none if it does not.
+    pub(super) fn crossing(&self, cone: &Cone, line: usize) -> Option<[usize; 2]> {
+        let mut signs: SmallVec<[f64; 8]> = SmallVec::new();
+        let (mut above, mut below) = (0, 0);
+        for corner in &cone.corners {
+            let height = self.height(line, *corner);
+            above += usize::from(height > 0.0);
+            below += usize::from(height < 0.0);
+            signs.push(height);
+        }
+        // a side in the plane counts as across from the others, a corner does not
+        let n = signs.len();
+        let is_up = match (above, below) {
+            (0, 0) => return None,
+            (_, 0) if above + 2 <= n => false,
+            (0, _) if below + 2 <= n => true,
+            (_, 0) | (0, _) => return None,
+            _ => true,
         };
-        let up = |height: f64| if height == 0.0 { is_up } else { height > 0.0 };
-        let next = heights.iter().cycle().skip(1);
-        let pairs = heights.iter().zip(next).zip(&cone.sides);
-        let turning = pairs.filter(|((one, other), _)| up(**one) != up(**other));
-        Some(turning.map(|(_, side)| *side).collect())
+        let up = |height: f64| height > 0.0 || (height == 0.0 && is_up);
+        let mut found = [n; 2];
+        let mut count = 0;
+        for side in 0..n {
+            let next = if side + 1 < n { side + 1 } else { 0 };
+            if up(signs[side]) != up(signs[next]) && count < 2 {
+                found[count] = side;
+                count += 1;
+            }
+        }
+        (count == 2).then_some(found)
     }
 
-    /// The height of a corner over the plane of sight of a line, whose sign is kept.
-    pub(super) fn height(&mut self, line: usize, corner: usize) -> f64 {
+    /// The height of a corner over the plane of sight of a line.
+    fn height(&self, line: usize, corner: usize) -> f64 {
+        let [start, end] = self.sight.ends_of_height(line, corner);
+        start + self.t * (end - start)
+    }
+
+    /// All corners of a cone keep to their side of the plane of sight of a line.
+    pub(super) fn keeps_missing(&mut self, cone: &Cone, line: usize) {
+        for corner in &cone.corners {
+            self.keeps_height(line, *corner);
+        }
+    }
+
+    /// The plane of sight of a line goes on to cut the same sides of a cone.
+    pub(super) fn keeps_crossing(&mut self, cone: &Cone, sides: [usize; 2], line: usize) {
+        let n = cone.corners.len();
+        for side in sides {
+            for corner in [side, (side + 1) % n] {
+                self.keeps_height(line, cone.corners[corner]);
+            }
+        }
+    }
+
+    /// A corner stays on its side of the plane of sight of a line.
+    fn keeps_height(&mut self, line: usize, corner: usize) {
         let [start, end] = self.sight.ends_of_height(line, corner);
         if start == 0.0 && end == 0.0 {
-            return 0.0;
+            return;
         }
         let noise = 16.0 * f64::EPSILON * start.abs().max(end.abs());
         let here = start + self.t * (end - start);
         if here.abs() <= noise {
             self.is_certain = false;
+        }
+        if start * end > 0.0 {
+            return;
         }
         let root = start / (start - end);
         if root > self.range[0] && root < self.t {
@@ -61,7 +110,6 @@ impl Validity<'_> {
         } else if root >= self.t && root < self.range[1] {
             self.range[1] = root;
         }
-        here
     }
 
     /// The height of P over a level plane of sight, or 0.
@@ -70,12 +118,66 @@ impl Validity<'_> {
         -(normal[0].z + self.t * normal[1].z)
     }
 
-    /// Whether two lines cross; they go on to do so where they do.
-    pub(super) fn turns(&mut self, line: usize, other: usize) -> bool {
-        let [one, two] = [line, other].map(|line| self.planar(line));
-        let quadratic = product(one, two);
-        let size = size(one) * size(two);
-        self.keeps_sign(quadratic, size)
+    /// Whether two lines have one direction all along.
+    pub(super) fn is_parallel(&self, line: usize, other: usize) -> bool {
+        let [one, two] = [line, other].map(|line| &self.sight.traces[line]);
+        let quadratic = product(one.planar, two.planar);
+        let noise = NOISE * one.planar_size * two.planar_size;
+        let outer = self.outer(quadratic);
+        outer.iter().all(|value| value.abs() <= noise)
+    }
+
+    /// Parallels stay on the same side of each other.
+    pub(super) fn stays_beside(&mut self, line: usize, other: usize) {
+        let [one, two] = [line, other].map(|line| self.sight.form(line));
+        let direction = self.placed[line].direction.perp();
+        let [one, two] = [one, two].map(|form| form.map(|n| [n.truncate().dot(direction), n.z]));
+        let mixed = |i: usize, j: usize| one[i][1] * two[j][0] - two[j][1] * one[i][0];
+        let quadratic = [mixed(0, 0), mixed(0, 1) + mixed(1, 0), mixed(1, 1)];
+        let [one, two] = [line, other].map(|line| &self.sight.traces[line]);
+        self.keeps_sign(quadratic, one.size * two.size);
+    }
+
+    /// Two lines go on to cross the way they do.
+    pub(super) fn turns(&mut self, line: usize, other: usize) {
+        if other == NONE {
+            return;
+        }
+        let [one, two] = [line, other].map(|line| &self.sight.traces[line]);
+        let quadratic = product(one.planar, two.planar);
+        self.keeps_sign(quadratic, one.planar_size * two.planar_size);
+    }
+
+    /// A beginning stays behind an end: nothing is between them.
+    pub(super) fn separates(&mut self, line: usize, ends: [usize; 2]) {
+        for end in ends {
+            self.turns(line, end);
+        }
+        self.ordered(line, ends[0], ends[1]);
+    }
+
+    /// The place where a line crosses another; for none far behind or far ahead.
+    pub(super) fn place(&self, line: usize, other: usize, end: usize) -> Place {
+        let at = if other == NONE {
+            [f64::NEG_INFINITY, f64::INFINITY][end]
+        } else {
+            let (own, other) = (&self.placed[line], &self.placed[other]);
+            (other.gamma - other.alpha.dot(own.origin)) / other.alpha.dot(own.direction)
+        };
+        Place { at, line: other }
+    }
+
+    /// What was found holds within this range only.
+    pub(super) fn within(&mut self, [from, to]: [f64; 2]) {
+        self.range[0] = self.range[0].max(from);
+        self.range[1] = self.range[1].min(to);
+    }
+
+    /// Places on a line keep their order.
+    pub(super) fn follow(&mut self, line: usize, places: &[Place]) {
+        for pair in places.windows(2) {
+            self.ordered(line, pair[0].line, pair[1].line);
+        }
     }
 
     /// The order of two places on a line is kept.
@@ -87,7 +189,9 @@ impl Validity<'_> {
             self.ordered_on_level(line, one, other);
             return;
         }
-        let [a, b, c] = [line, one, other].map(|line| self.sight.traces[line].normal);
+        let traces = [line, one, other].map(|line| &self.sight.traces[line]);
+        let size: f64 = traces.iter().map(|trace| trace.size).product();
+        let [a, b, c] = traces.map(|trace| trace.normal);
         let cross = [
             a[0].cross(b[0]),
             a[0].cross(b[1]) + a[1].cross(b[0]),
@@ -98,8 +202,7 @@ impl Validity<'_> {
             cross[1].dot(c[0]) + cross[0].dot(c[1]),
             cross[2].dot(c[0]) + cross[1].dot(c[1]),
         ];
-        let size = [a, b, c].map(|n| n[0].length() + n[1].length());
-        self.keeps_sign(quadratic, size[0] * size[1] * size[2]);
+        self.keeps_sign(quadratic, size);
     }
 
     /// The same in P's plane: planes of sight meet it in lines through y.
@@ -108,8 +211,8 @@ impl Validity<'_> {
         let mut edges = Vec::new();
         for line in [line, one, other] {
             match self.sight.traces[line].edge {
-                Some((_, gamma)) => edges.push((self.planar(line), gamma)),
-                None => cones.push(self.planar(line)),
+                Some((_, gamma)) => edges.push((self.sight.traces[line].planar, gamma)),
+                None => cones.push(self.sight.traces[line].planar),
             }
         }
         match (cones.as_slice(), edges.as_slice()) {
@@ -139,34 +242,21 @@ impl Validity<'_> {
         }
     }
 
-    /// The normal of a line in the plane, but for a positive factor.
-    fn planar(&self, line: usize) -> [DVec2; 2] {
-        let trace = &self.sight.traces[line];
-        match trace.edge {
-            Some((alpha, _)) => [alpha, DVec2::ZERO],
-            None => trace.normal.map(DVec3::truncate),
-        }
-    }
-
-    /// Narrows the range to where a quadratic has the sign that it has at t; whether it has one.
-    fn keeps_sign(&mut self, quadratic: [f64; 3], size: f64) -> bool {
+    /// Narrows the range to where a quadratic has the sign that it has at t, if it has one.
+    fn keeps_sign(&mut self, quadratic: [f64; 3], size: f64) {
         let [c, b, a] = quadratic;
-        let noise = 64.0 * f64::EPSILON * size;
-        let at = |t: f64| c + t * (b + t * a);
-        let [low, high] = self.range;
-        // Bernstein coefficients on the range
-        let inner = c + 0.5 * b * (low + high) + a * low * high;
-        let outer = [at(low), inner, at(high)];
+        let noise = NOISE * size;
+        let outer = self.outer(quadratic);
         if outer.iter().all(|value| value.abs() <= noise) {
-            return false;
+            return;
         }
-        let here = at(self.t);
+        let here = c + self.t * (b + self.t * a);
         if here.abs() <= noise {
             self.is_certain = false;
-            return true;
+            return;
         }
         if outer.iter().all(|value| value * here > 0.0) {
-            return true;
+            return;
         }
         for root in roots(quadratic).into_iter().flatten() {
             if root < self.t {
@@ -175,9 +265,22 @@ impl Validity<'_> {
                 self.range[1] = self.range[1].min(root);
             }
         }
-        true
+    }
+
+    /// The Bernstein coefficients of a quadratic on the range.
+    fn outer(&self, [c, b, a]: [f64; 3]) -> [f64; 3] {
+        let at = |t: f64| c + t * (b + t * a);
+        let [low, high] = self.range;
+        [
+            at(low),
+            c + 0.5 * b * (low + high) + a * low * high,
+            at(high),
+        ]
     }
 }
+
+/// What cannot be told from zero, of the size of the terms.
+const NOISE: f64 = 64.0 * f64::EPSILON;
 
 /// The roots of `c + b t + a t²`.
 fn roots([c, b, a]: [f64; 3]) -> [Option<f64>; 2] {
