@@ -7,11 +7,11 @@
 //! sides to what is between its nearest zeros on either side. What lies outside of the region, in
 //! another shadow or past the end of its own side is compared with that alone.
 
-use super::chord::Chord;
+use super::chord::chord;
 use super::outer::{Outer, Part, Piece};
 use super::sight::{Placed, Region};
 use super::validity::{NONE, Place, Validity};
-use smallvec::SmallVec;
+use smallvec::{SmallVec, smallvec};
 
 /// A side of the boundary: a piece of a line between its crossings with two others, the region on
 /// its left.
@@ -59,8 +59,17 @@ struct Member {
     own: Option<f64>,
     /// The side of it on which each shadow is that it bounds.
     shadows: Vec<Option<f64>>,
-    /// What is known of its chords: those of the shadows, and of the piece's region.
-    chords: Vec<Option<Chord>>,
+    /// What is known of its chords in the shadows, and in the piece's region.
+    chords: Vec<Known>,
+}
+
+/// What was found of a line and a region, with the ranges in which it is so.
+#[derive(Debug, Clone, Default)]
+struct Known {
+    /// Where the line misses the region.
+    missed: Option<[f64; 2]>,
+    /// Lines that the line crosses inside of the region, and where.
+    inside: SmallVec<[(usize, [f64; 2]); 4]>,
 }
 
 /// A part of a line, and the side of it that is in shadow there; none for both.
@@ -77,7 +86,7 @@ impl<'a> Roster<'a> {
             line,
             own: piece.region.side_of(line),
             shadows: outer.shadows.iter().map(|s| s.side_of(line)).collect(),
-            chords: vec![None; outer.shadows.len() + 1],
+            chords: vec![Known::default(); outer.shadows.len() + 1],
         });
         Self {
             outer,
@@ -131,54 +140,118 @@ struct Slice<'a> {
     segments: Vec<Segment>,
 }
 
-impl Slice<'_> {
-    /// The chord of a line in a shadow, or after these in the region: its ends, if it has any, and
-    /// the range in which it is so.
-    fn chord(&mut self, member: &mut Member, name: usize) -> Option<([Place; 2], [f64; 2])> {
-        let t = self.validity.t;
-        let is_here = |chord: &Chord| chord.range[0] < t && t < chord.range[1];
-        let chord = if let Some(known) = member.chords[name].filter(is_here) {
-            known
-        } else {
-            let shadows = &self.outer.shadows;
-            let region = shadows.get(name).unwrap_or(&self.piece.region);
-            let found = Chord::of(region, member.line, &self.validity);
-            self.validity.is_certain &= found.is_some();
-            member.chords[name] = found;
-            found?
-        };
-        let Some([low, high]) = chord.ends else {
-            self.validity.within(chord.range);
+impl<'a> Slice<'a> {
+    /// The region of a shadow, or after these of the piece.
+    fn region(&self, name: usize) -> &'a Region {
+        let shadows = &self.outer.shadows;
+        shadows.get(name).unwrap_or(&self.piece.region)
+    }
+
+    /// The ends of the chord of a line in such a region, if it has any.
+    fn chord(&mut self, member: &mut Member, name: usize) -> Option<[Place; 2]> {
+        let known = &mut member.chords[name].missed;
+        if let Some(range) = known.filter(|range| self.is_in(*range)) {
+            self.validity.within(range);
             return None;
-        };
-        let place = |other, end| self.validity.place(member.line, other, end);
-        Some(([place(low, 0), place(high, 1)], chord.range))
+        }
+        let region = self.region(name);
+        let found = self
+            .validity
+            .widest(|validity| chord(region, member.line, validity));
+        self.validity.is_certain &= found.is_some();
+        let (ends, range) = found?;
+        if ends.is_none() {
+            *known = Some(range);
+            self.validity.within(range);
+        }
+        ends
+    }
+
+    /// The crossing of a line and another stays in such a region.
+    fn stays(&mut self, member: &mut Member, other: usize, name: usize) {
+        let region = self.region(name);
+        let inside = &mut member.chords[name].inside;
+        let place = inside.iter().position(|(known, _)| *known == other);
+        if let Some(place) = place {
+            let (_, range) = inside[place];
+            if self.is_in(range) {
+                self.validity.within(range);
+                return;
+            }
+            inside.remove(place);
+        }
+        let line = member.line;
+        let found = self.validity.widest(|validity| {
+            validity.contains(line, other, region);
+        });
+        self.validity.is_certain &= found.is_some();
+        if let Some(((), range)) = found {
+            inside.push((other, range));
+            self.validity.within(range);
+        }
+    }
+
+    fn is_in(&self, range: [f64; 2]) -> bool {
+        range[0] < self.validity.t && self.validity.t < range[1]
+    }
+
+    /// The part of a window of a line in a region, from the ends of its chord there; none if that
+    /// is elsewhere.
+    fn clipped(
+        &mut self,
+        member: &mut Member,
+        window: [Place; 2],
+        [low, high]: [Place; 2],
+        name: usize,
+    ) -> Option<[Place; 2]> {
+        let line = member.line;
+        if high.at <= window[0].at {
+            self.validity.separates(line, [window[0].line, high.line]);
+            return None;
+        }
+        if low.at >= window[1].at {
+            self.validity.separates(line, [low.line, window[1].line]);
+            return None;
+        }
+        let ends = [
+            if low.at > window[0].at {
+                low
+            } else {
+                window[0]
+            },
+            if high.at < window[1].at {
+                high
+            } else {
+                window[1]
+            },
+        ];
+        for end in ends {
+            self.stays(member, end.line, name);
+            self.validity.follow(line, &[window[0], end, window[1]]);
+        }
+        Some(ends)
     }
 
     /// Finds the segments on a line.
     fn on_line(&mut self, member: &mut Member) {
         let (line, count) = (member.line, member.shadows.len());
-        let Some((base, base_range)) = self.chord(member, count) else {
+        let Some(base) = self.chord(member, count) else {
             return;
         };
-        let mut own: SmallVec<[Cover; 2]> = SmallVec::new();
-        let mut own_range = [0.0f64, 1.0f64];
+        let mut own: SmallVec<[([Place; 2], usize); 2]> = SmallVec::new();
         for name in 0..count {
-            if let Some(side) = member.shadows[name]
-                && let Some((ends, range)) = self.chord(member, name)
-            {
-                own.push((ends, Some(side)));
-                own_range = [own_range[0].max(range[0]), own_range[1].min(range[1])];
+            if member.shadows[name].is_some() {
+                own.extend(self.chord(member, name).map(|ends| (ends, name)));
             }
         }
         // a line that bounds one shadow alone matters along the side of that
         let only = match own.as_slice() {
             [] if member.own.is_none() => return,
-            [(ends, _)] if member.own.is_none() => Some(*ends),
+            [(ends, name)] if member.own.is_none() => Some((*ends, *name)),
             _ => None,
         };
         let mut window = base;
-        if let Some([low, high]) = only {
+        if let Some(([low, high], _)) = only {
             if low.at > window[0].at {
                 window[0] = low;
             }
@@ -195,51 +268,40 @@ impl Slice<'_> {
             if member.shadows[name].is_some() {
                 continue;
             }
-            let Some((ends, range)) = self.chord(member, name) else {
+            let Some(ends) = self.chord(member, name) else {
                 continue;
             };
-            let [low, high] = ends;
-            if high.at <= window[0].at {
-                self.validity.separates(line, [window[0].line, high.line]);
-            } else if low.at >= window[1].at {
-                self.validity.separates(line, [low.line, window[1].line]);
-            } else if low.at <= window[0].at && high.at >= window[1].at {
-                // both sides are in this shadow all along
-                self.validity.within(range);
-                self.validity.follow(line, &[low, window[0]]);
-                self.validity.follow(line, &[window[1], high]);
-                if member.own.is_some() && self.piece.part == Part::InShadow {
-                    self.validity.within(base_range);
-                    self.validity.follow(line, &window);
-                    self.sweep(member, window, &[(window, None)]);
-                } else {
-                    self.validity.turns(line, window[0].line);
-                    self.validity.turns(line, window[1].line);
+            match self.clipped(member, window, ends, name) {
+                Some([low, high]) if low.line == window[0].line && high.line == window[1].line => {
+                    // both sides are in this shadow all along
+                    covers = smallvec![(window, None)];
+                    if member.own.is_none() || self.piece.part == Part::Lit {
+                        return;
+                    }
+                    break;
                 }
-                return;
-            } else {
-                self.validity.within(range);
-                covers.push((ends, None));
+                Some(ends) => covers.push((ends, None)),
+                None => {}
             }
         }
-        self.validity.within(base_range);
-        self.validity.within(own_range);
-        for end in [0, 1] {
-            if let Some(only) = only {
-                self.validity.ordered(line, base[end].line, only[end].line);
+        for end in window {
+            self.stays(member, end.line, count);
+            if let Some((_, name)) = only {
+                self.stays(member, end.line, name);
             }
         }
         self.validity.follow(line, &window);
-        let mut covers = joined(line, window, covers, &mut self.validity);
-        for (ends, side) in own {
-            // what is in its own shadow alone is so from end to end
-            covers.push((if only.is_some() { window } else { ends }, side));
+        let mut covers = joined(line, covers, &mut self.validity);
+        for (ends, name) in own {
+            let ends = if only.is_some() {
+                // what is in its own shadow alone is so from end to end
+                Some(window)
+            } else {
+                self.clipped(member, window, ends, name)
+            };
+            covers.extend(ends.map(|ends| (ends, member.shadows[name])));
         }
         if only.is_none() {
-            for ([low, high], _) in &covers {
-                self.validity.follow(line, &[window[0], *high]);
-                self.validity.follow(line, &[*low, window[1]]);
-            }
             self.validity.follow(line, &places(window, &covers));
         }
         self.sweep(member, window, &covers);
@@ -288,34 +350,27 @@ fn places(window: [Place; 2], covers: &[Cover]) -> SmallVec<[Place; 8]> {
     places
 }
 
-/// The union of chords that each cover a part of a window, both sides of the line.
+/// The union of what covers parts of a line, both sides of it.
 fn joined(
     line: usize,
-    window: [Place; 2],
     mut covers: SmallVec<[Cover; 4]>,
     validity: &mut Validity,
 ) -> SmallVec<[Cover; 4]> {
     covers.sort_by(|one, other| one.0[0].at.total_cmp(&other.0[0].at));
     let mut joined: SmallVec<[Cover; 4]> = SmallVec::new();
-    for (ends, _) in covers {
-        let [low, high] = ends;
-        validity.follow(line, &[window[0], low, window[1]]);
-        validity.follow(line, &[window[0], high, window[1]]);
-        match joined.last_mut() {
-            Some((last, _)) => {
-                validity.ordered(line, last[0].line, low.line);
-                validity.ordered(line, last[1].line, low.line);
-                if low.at > last[1].at {
-                    joined.push((ends, None));
-                    continue;
-                }
+    for ([low, high], _) in covers {
+        if let Some((last, _)) = joined.last_mut() {
+            validity.ordered(line, last[0].line, low.line);
+            validity.ordered(line, last[1].line, low.line);
+            if low.at <= last[1].at {
                 validity.ordered(line, last[1].line, high.line);
                 if high.at > last[1].at {
                     last[1] = high;
                 }
+                continue;
             }
-            None => joined.push((ends, None)),
         }
+        joined.push(([low, high], None));
     }
     joined
 }

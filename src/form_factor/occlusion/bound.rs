@@ -16,7 +16,6 @@
 use super::corner::{Corner, Drift};
 use crate::numeric::{LANES, Lanes};
 use glam::DVec2;
-use smallvec::SmallVec;
 
 /// A side of the boundary: its corners, and whether its line goes through y.
 #[derive(Debug, Clone, Copy)]
@@ -132,7 +131,7 @@ impl Outline {
         for l in 0..LANES {
             tilt[l] = self.rise * reach[l];
         }
-        let mut moved: SmallVec<[[Lanes; 2]; 12]> = SmallVec::new();
+        let mut moved: Vec<[Lanes; 2]> = Vec::with_capacity(self.drifts.len());
         for drift in &self.drifts {
             let mut own = drift.displacements(reach);
             let mut other = own;
@@ -155,7 +154,7 @@ impl Outline {
             ..
         } in &self.sides
         {
-            let [from, to] = side.corners.map(|corner| moved[corner]);
+            let [from, to] = side.corners.map(|corner| &moved[corner]);
             if side.is_through {
                 for (end, moved) in [from[0], to[0]].into_iter().enumerate() {
                     for l in 0..LANES {

@@ -1,4 +1,4 @@
-//! The part of a line that lies in a region, and how long it ends where it does.
+//! The part of a line that lies in a region, at one t.
 //!
 //! ```text
 //!   line ℓ runs with its positive side on the left; half-plane k begins or ends on it at
@@ -9,43 +9,18 @@
 //! the plane tell.
 
 use super::sight::{HalfPlane, Region};
-use super::validity::{NONE, Validity};
+use super::validity::{NONE, Place, Validity};
 use smallvec::SmallVec;
 
-/// The part of a line in a region, but for what the line itself bounds.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Chord {
-    /// The lines at which it begins and ends; none if the line misses the region.
-    pub ends: Option<[usize; 2]>,
-    /// The t for which this is so.
-    pub range: [f64; 2],
-}
-
-impl Chord {
-    /// The chord of a line at the validity's t, and where it is the same; none if it cannot be
-    /// told.
-    pub(super) fn of(region: &Region, line: usize, validity: &Validity) -> Option<Self> {
-        // what changes sign somewhere else may be a tie on all of the range
-        [[0.0, 1.0], validity.range].into_iter().find_map(|range| {
-            let mut validity = Validity { range, ..*validity };
-            let ends = ends(region, line, &mut validity);
-            validity.is_certain.then_some(Self {
-                ends,
-                range: validity.range,
-            })
-        })
-    }
-}
-
-fn ends(region: &Region, line: usize, validity: &mut Validity) -> Option<[usize; 2]> {
+/// The ends of the part of a line in a region at the validity's t, but for what the line itself
+/// bounds; none if it misses the region, which is certified.
+pub(super) fn chord(region: &Region, line: usize, validity: &mut Validity) -> Option<[Place; 2]> {
     let mut halves: SmallVec<[HalfPlane; 8]> = SmallVec::new();
-    let mut crossed: SmallVec<[[usize; 2]; 2]> = SmallVec::new();
     for cone in &region.cones {
         if validity.sight.is_level {
             halves.extend(cone.sides.iter().copied());
         } else if let Some(sides) = validity.crossing(cone, line) {
             halves.extend(sides.map(|side| cone.sides[side]));
-            crossed.push(sides);
         } else {
             validity.keeps_missing(cone, line);
             return None;
@@ -53,8 +28,7 @@ fn ends(region: &Region, line: usize, validity: &mut Validity) -> Option<[usize;
     }
     halves.extend(region.halves.iter().copied());
     let own = validity.placed[line];
-    let mut ends = [(f64::NEG_INFINITY, NONE), (f64::INFINITY, NONE)];
-    let mut bounds: SmallVec<[(usize, usize); 8]> = SmallVec::new();
+    let mut ends = UNBOUNDED;
     for half in halves.iter().filter(|half| half.line != line) {
         let other = validity.placed[half.line];
         if !other.is_line {
@@ -76,27 +50,33 @@ fn ends(region: &Region, line: usize, validity: &mut Validity) -> Option<[usize;
         }
         let at = -height / slope;
         let end = usize::from(slope < 0.0);
-        bounds.push((end, half.line));
-        let known = ends[end].0;
+        let known = ends[end].at;
         if if end == 0 { at > known } else { at < known } {
-            ends[end] = (at, half.line);
+            ends[end] = Place {
+                at,
+                line: half.line,
+            };
         }
     }
-    let [low, high] = ends;
-    if low.0 >= high.0 {
-        // a beginning behind an end is enough
-        validity.separates(line, [low.1, high.1]);
-        return None;
+    if ends[0].at < ends[1].at {
+        return Some(ends);
     }
-    for (cone, sides) in region.cones.iter().zip(crossed) {
-        validity.keeps_crossing(cone, sides, line);
-    }
-    for (end, other) in bounds {
-        validity.turns(line, other);
-        validity.ordered(line, ends[end].1, other);
-    }
-    Some([low.1, high.1])
+    // a beginning behind an end is enough
+    validity.separates(line, ends.map(|end| end.line));
+    None
 }
+
+/// All of a line.
+const UNBOUNDED: [Place; 2] = [
+    Place {
+        at: f64::NEG_INFINITY,
+        line: NONE,
+    },
+    Place {
+        at: f64::INFINITY,
+        line: NONE,
+    },
+];
 
 /// Lines that cross at more than this angle need not be asked whether they are parallel.
 const NEARLY: f64 = 1e-6;

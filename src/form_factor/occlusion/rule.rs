@@ -18,7 +18,7 @@ use super::sight::Sight;
 use crate::numeric::functions::elementary::angles;
 use crate::numeric::{GaussLegendre, LANES, Lanes, across, real, vector_value};
 use glam::DVec2;
-use smallvec::{SmallVec, smallvec};
+use smallvec::SmallVec;
 use std::sync::LazyLock;
 
 /// A boundary on a panel.
@@ -122,7 +122,7 @@ impl<'a> Panel<'a> {
         let v = self.sight.along.truncate();
         let inverse = 1.0 / (unit * unit);
         let (half, lanes) = (self.half, rule.lanes.as_slice());
-        let mut places: SmallVec<[[Lanes; 3]; 16]> = smallvec![[[0.0; LANES]; 3]; corners.len()];
+        let mut places = vec![[[0.0; LANES]; 3]; corners.len()];
         let places = places.as_mut_slice();
         let sums = vector_value!([[0.0; LANES]; 2], {
             let mut sums = [[0.0; LANES]; 2];

@@ -9,7 +9,7 @@
 //! The range is cut at the zeros next to t. What is zero all along, up to rounding, is a tie, and
 //! either order will do; what cannot be told from zero at t alone makes the comparison uncertain.
 
-use super::sight::{Cone, Placed, Sight};
+use super::sight::{Cone, Placed, Region, Sight};
 use glam::DVec2;
 use smallvec::SmallVec;
 
@@ -80,16 +80,6 @@ impl Validity<'_> {
         }
     }
 
-    /// The plane of sight of a line goes on to cut the same sides of a cone.
-    pub(super) fn keeps_crossing(&mut self, cone: &Cone, sides: [usize; 2], line: usize) {
-        let n = cone.corners.len();
-        for side in sides {
-            for corner in [side, (side + 1) % n] {
-                self.keeps_height(line, cone.corners[corner]);
-            }
-        }
-    }
-
     /// A corner stays on its side of the plane of sight of a line.
     fn keeps_height(&mut self, line: usize, corner: usize) {
         let [start, end] = self.sight.ends_of_height(line, corner);
@@ -156,15 +146,23 @@ impl Validity<'_> {
         self.ordered(line, ends[0], ends[1]);
     }
 
-    /// The place where a line crosses another; for none far behind or far ahead.
-    pub(super) fn place(&self, line: usize, other: usize, end: usize) -> Place {
-        let at = if other == NONE {
-            [f64::NEG_INFINITY, f64::INFINITY][end]
-        } else {
-            let (own, other) = (&self.placed[line], &self.placed[other]);
-            (other.gamma - other.alpha.dot(own.origin)) / other.alpha.dot(own.direction)
-        };
-        Place { at, line: other }
+    /// The crossing of two lines stays in a region.
+    pub(super) fn contains(&mut self, line: usize, other: usize, region: &Region) {
+        self.turns(line, other);
+        for half in region.sides().filter(|half| half.line != line) {
+            self.ordered(line, other, half.line);
+        }
+    }
+
+    /// What is found at t, and the range in which it is so, the widest that can be told; none if
+    /// nothing can.
+    pub(super) fn widest<T>(&self, find: impl Fn(&mut Self) -> T) -> Option<(T, [f64; 2])> {
+        // what changes sign somewhere else may be a tie on all of the range
+        [[0.0, 1.0], self.range].into_iter().find_map(|range| {
+            let mut validity = Self { range, ..*self };
+            let found = find(&mut validity);
+            validity.is_certain.then_some((found, validity.range))
+        })
     }
 
     /// What was found holds within this range only.
