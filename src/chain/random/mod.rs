@@ -18,7 +18,7 @@
 //! use proptest::prelude::*;
 //!
 //! proptest!(|(refinement in refinement(12))| {
-//!     prop_assert!(refinement_gain(&refinement) >= 0.0); // Theorem 1
+//!     prop_assert!(refinement_gain(&refinement?) >= 0.0); // Theorem 1
 //! });
 //! # }
 //! ```
