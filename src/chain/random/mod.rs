@@ -18,7 +18,8 @@
 //! use proptest::prelude::*;
 //!
 //! proptest!(|(refinement in refinement(12))| {
-//!     prop_assert!(refinement_gain(&refinement?) >= 0.0); // Theorem 1
+//!     let refinement = refinement?;
+//!     prop_assert!(refinement_gain(&refinement) >= 0.0); // Theorem 1
 //! });
 //! # }
 //! ```

@@ -8,8 +8,6 @@ use glam::{DQuat, DVec3};
 use infoscene::form_factor::{DEFAULT_TOLERANCE, ExchangeArea, Occluders, Polygon};
 use infoscene::geometry::Patch;
 use infoscene::reference::exchange_area_past;
-use std::cell::RefCell;
-use std::collections::VecDeque;
 use std::num::NonZero;
 use std::panic::catch_unwind;
 
@@ -18,7 +16,8 @@ type Known = (Vec<Patch>, ExchangeArea);
 
 thread_local! {
     /// The last exchange areas: all laws ask for that of the case itself.
-    static KNOWN: RefCell<VecDeque<Known>> = const { RefCell::new(VecDeque::new()) };
+    static KNOWN: std::cell::RefCell<std::collections::VecDeque<Known>> =
+        const { std::cell::RefCell::new(std::collections::VecDeque::new()) };
 }
 
 fn exchange(pair: [&Patch; 2], blockers: &[Patch]) -> ExchangeArea {
