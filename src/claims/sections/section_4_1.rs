@@ -63,8 +63,8 @@ pub(crate) fn discontinuity_beats_lit_cuts(case: &Case<'_>) -> Result<Finding, C
         .with_curve(curve))
 }
 
-/// Lit parts whose form factors vary by up to `spread` times 3/(2 + d), d the lit share: the gain
-/// of a cut through the lit part relative to that of the line.
+/// Lit parts whose form factors vary by up to `spread` times 3/(2 + d), d the lit share: the gain of
+/// a cut through the lit part relative to that of the line.
 ///
 /// Before a cut at t the share of the flux lies between those of the two extremes, all of one value
 /// before the cut and all of the other after it, and the gain is convex in it: extremes stand for
