@@ -30,7 +30,7 @@
 //! ```
 //! use infoscene::{PatchSplit, Scene, SplitAxis};
 //!
-//! // fig. 2: two unit squares with a common edge; where to cut the first one, parallel to the edge?
+//! // fig. 2: two unit squares with a common edge; where to cut one of them, parallel to the edge?
 //! let squares = Scene::built_in("two-squares")?;
 //! let best = PatchSplit::try_new(&squares, 0, &[1], SplitAxis::U)?.best(2)?;
 //! assert_eq!(format!("{:.2}", best.positions[0]), "0.40"); // as the paper prints

@@ -73,6 +73,123 @@ Proof.
       apply (integral_of_equals _ _ _ _ rules j); [exact Hj| |exact I']. intros y. ring.
 Qed.
 
+(* In a closed scene R I = k solves the equation of importance exactly when V = k (1 / R - 1). *)
+Theorem uniform_reflected_importance_solves_with_integrals_iff : forall k reflectance initial_importance,
+  (forall x, integrable (form_factor x)) -> (forall x, sum n (fun j => over j (form_factor x)) = 1) ->
+  (forall x : point, reflectance x <> 0) ->
+  (forall x, k / reflectance x = initial_importance x +
+     sum n (fun j => over j (fun y => reflectance y * form_factor x y * (k / reflectance y)))) <->
+  (forall x, initial_importance x = k * (1 / reflectance x - 1)).
+Proof.
+  intros k r V HF HC Hr.
+  assert (G : forall x, sum n (fun j => over j (fun y => r y * form_factor x y * (k / r y))) = k).
+  { intros x. rewrite (sum_ext n _ (fun j => k * over j (form_factor x))).
+    - rewrite sum_scale, HC. ring.
+    - intros j Hj. destruct (integral_of_multiple _ _ _ _ rules j k (form_factor x) Hj (HF x)) as [I E']. rewrite <- E'.
+      symmetry. apply (integral_of_equals _ _ _ _ rules j); [exact Hj| |exact I]. intros y. field. apply Hr. }
+  split; intros H x; specialize (H x); rewrite G in *.
+  - replace (k * (1 / r x - 1)) with (k / r x - k) by (field; apply Hr). lra.
+  - rewrite H. field. apply Hr.
+Qed.
+
+(* There is one bounded solution at most, where no more than a share rho < 1 is reflected: what two of them differ by is at
+   most rho times as much, and so on. *)
+Theorem bounded_radiosity_with_integrals_is_unique : forall rho bound reflectance emittance radiosity radiosity',
+  (forall i f g, (i < n)%nat -> integrable f -> integrable g -> (forall x, f x <= g x) -> over i f <= over i g) ->
+  (forall x y, 0 <= form_factor x y) -> (forall x, integrable (form_factor x)) ->
+  (forall x, sum n (fun j => over j (form_factor x)) <= 1) -> rho < 1 -> (forall x, 0 <= reflectance x <= rho) ->
+  (forall x, integrable (fun y => form_factor x y * radiosity y)) ->
+  (forall x, integrable (fun y => form_factor x y * radiosity' y)) ->
+  (forall x, Rabs (radiosity x) <= bound) -> (forall x, Rabs (radiosity' x) <= bound) ->
+  (forall x, radiosity x = emittance x + reflectance x * sum n (fun j => over j (fun y => form_factor x y * radiosity y))) ->
+  (forall x, radiosity' x = emittance x + reflectance x * sum n (fun j => over j (fun y => form_factor x y * radiosity' y))) ->
+  forall x : point, radiosity x = radiosity' x.
+Proof.
+  intros rho b r E B B' order F0 HF HC Hrho Hr IB IB' Bb Bb' HB HB' x0.
+  assert (Rp : 0 <= rho) by (specialize (Hr x0); lra).
+  set (d := fun x => B x - B' x).
+  assert (step : forall M, 0 <= M -> (forall x, Rabs (d x) <= M) -> forall x, Rabs (d x) <= rho * M).
+  { intros M HM Hd x.
+    assert (part : forall j, (j < n)%nat -> - (M * over j (form_factor x)) <=
+      over j (fun y => form_factor x y * B y) - over j (fun y => form_factor x y * B' y) <= M * over j (form_factor x)).
+    { intros j Hj. destruct (integral_of_multiple _ _ _ _ rules j M _ Hj (HF x)) as [IM EM]. rewrite <- EM.
+      destruct (integral_of_sum _ _ _ _ rules j _ _ Hj (IB' x) IM) as [I1 E1].
+      destruct (integral_of_sum _ _ _ _ rules j _ _ Hj (IB x) IM) as [I2 E2].
+      assert (L1 := order j _ _ Hj (IB x) I1). assert (L2 := order j _ _ Hj (IB' x) I2). rewrite E1 in L1. rewrite E2 in L2.
+      assert (D : forall y, - M <= d y <= M).
+      { intros y. specialize (Hd y). assert (L := Rle_abs (- d y)). rewrite Rabs_Ropp in L. assert (L' := Rle_abs (d y)). lra. }
+      unfold d in D.
+      split.
+      - apply Rplus_le_reg_r with (over j (fun y => M * form_factor x y)).
+        cut (over j (fun y => form_factor x y * B' y) <= over j (fun y => form_factor x y * B y) + over j (fun y => M * form_factor x y)); [lra|].
+        apply L2. intros y. specialize (D y). specialize (F0 x y).
+        assert (form_factor x y * (B' y - B y) <= form_factor x y * M) by (apply Rmult_le_compat_l; lra). lra.
+      - cut (over j (fun y => form_factor x y * B y) <= over j (fun y => form_factor x y * B' y) + over j (fun y => M * form_factor x y)); [lra|].
+        apply L1. intros y. specialize (D y). specialize (F0 x y).
+        assert (form_factor x y * (B y - B' y) <= form_factor x y * M) by (apply Rmult_le_compat_l; lra). lra. }
+    set (s := sum n (fun j => over j (fun y => form_factor x y * B y)) - sum n (fun j => over j (fun y => form_factor x y * B' y))).
+    assert (S : - M <= s <= M).
+    { assert (C0 : M * sum n (fun j => over j (form_factor x)) <= M) by (rewrite <- (Rmult_1_r M) at 2; apply Rmult_le_compat_l; auto).
+      rewrite <- sum_scale in C0.
+      assert (U : sum n (fun j => over j (fun y => form_factor x y * B y)) <=
+        sum n (fun j => over j (fun y => form_factor x y * B' y) + M * over j (form_factor x)))
+        by (apply sum_le; intros j Hj; specialize (part j Hj); lra).
+      assert (L : sum n (fun j => over j (fun y => form_factor x y * B' y)) <=
+        sum n (fun j => over j (fun y => form_factor x y * B y) + M * over j (form_factor x)))
+        by (apply sum_le; intros j Hj; specialize (part j Hj); lra).
+      rewrite sum_plus in U, L. unfold s. lra. }
+    assert (Ed : d x = r x * s) by (unfold d, s; rewrite (HB x), (HB' x); ring).
+    rewrite Ed, Rabs_mult, (Rabs_pos_eq (r x)) by (specialize (Hr x); lra). specialize (Hr x).
+    apply Rmult_le_compat; [lra|apply Rabs_pos|lra|]. now apply Rabs_le. }
+  assert (b0 : 0 <= b) by (apply Rle_trans with (1 := Rabs_pos (B x0)); apply Bb).
+  assert (all : forall k x, Rabs (d x) <= rho ^ k * (2 * b)).
+  { induction k as [|k IH]; intros x.
+    - unfold d. simpl. specialize (Bb x). specialize (Bb' x).
+      assert (T := Rabs_triang (B x) (- B' x)). rewrite Rabs_Ropp in T. unfold Rminus. lra.
+    - simpl. rewrite Rmult_assoc. apply step; [|exact IH]. apply Rmult_le_pos; [now apply pow_le|lra]. }
+  destruct (Req_dec (d x0) 0) as [Z|N]; [unfold d in Z; lra|exfalso].
+  assert (P := Rabs_pos_lt _ N).
+  destruct (pow_lt_1_zero rho ltac:(rewrite Rabs_pos_eq; assumption) (Rabs (d x0) / (2 * b + 1))) as [K HK];
+    [apply Rdiv_lt_0_compat; lra|].
+  specialize (HK K (Nat.le_refl K)). rewrite Rabs_pos_eq in HK by now apply pow_le. specialize (all K x0).
+  assert (Q : 0 <= rho ^ K) by now apply pow_le.
+  apply (Rmult_lt_compat_r (2 * b + 1)) in HK; [|lra]. unfold Rdiv in HK. rewrite Rmult_assoc, Rinv_l in HK by lra. lra.
+Qed.
+
+(* So is importance, whose R I solves such an equation. *)
+Theorem bounded_importance_with_integrals_is_unique : forall rho bound reflectance initial_importance importance importance',
+  (forall i f g, (i < n)%nat -> integrable f -> integrable g -> (forall x, f x <= g x) -> over i f <= over i g) ->
+  (forall x y, 0 <= form_factor x y) -> (forall x, integrable (form_factor x)) ->
+  (forall x, sum n (fun j => over j (form_factor x)) <= 1) -> rho < 1 -> (forall x, 0 <= reflectance x <= rho) ->
+  (forall x, integrable (fun y => reflectance y * form_factor x y * importance y)) ->
+  (forall x, integrable (fun y => reflectance y * form_factor x y * importance' y)) ->
+  (forall x, Rabs (reflectance x * importance x) <= bound) -> (forall x, Rabs (reflectance x * importance' x) <= bound) ->
+  (forall x, importance x =
+     initial_importance x + sum n (fun j => over j (fun y => reflectance y * form_factor x y * importance y))) ->
+  (forall x, importance' x =
+     initial_importance x + sum n (fun j => over j (fun y => reflectance y * form_factor x y * importance' y))) ->
+  forall x : point, importance x = importance' x.
+Proof.
+  intros rho b r V I I' order F0 HF HC Hrho Hr II II' Ib Ib' HI HI' x.
+  destruct (Nat.eq_dec n 0) as [Z|N0]; [rewrite (HI x), (HI' x), Z; reflexivity|].
+  assert (integrable_reflected : forall u, (forall x, integrable (fun y => r y * form_factor x y * u y)) ->
+    forall x, integrable (fun y => form_factor x y * (r y * u y))).
+  { intros u Hu z. apply (integral_of_equals _ _ _ _ rules 0 (fun y => r y * form_factor z y * u y)); [lia| |apply Hu].
+    intros y. ring. }
+  assert (reflected : forall u, (forall x, integrable (fun y => r y * form_factor x y * u y)) ->
+    (forall x, u x = V x + sum n (fun j => over j (fun y => r y * form_factor x y * u y))) ->
+    forall x, r x * u x = r x * V x + r x * sum n (fun j => over j (fun y => form_factor x y * (r y * u y)))).
+  { intros u Hu Eu z. assert (E := importance_received_with_integrals r V u Hu Eu z). rewrite <- E. ring. }
+  assert (U := bounded_radiosity_with_integrals_is_unique rho b r (fun x => r x * V x) (fun x => r x * I x) (fun x => r x * I' x)
+    order F0 HF HC Hrho Hr (integrable_reflected I II) (integrable_reflected I' II') Ib Ib' (reflected I II HI) (reflected I' II' HI')).
+  assert (E := importance_received_with_integrals r V I II HI x). assert (E' := importance_received_with_integrals r V I' II' HI' x).
+  assert (S : sum n (fun j => over j (fun y => form_factor x y * (r y * I y))) =
+    sum n (fun j => over j (fun y => form_factor x y * (r y * I' y)))).
+  { apply sum_ext. intros j Hj. apply (integral_of_equals _ _ _ _ rules j); [exact Hj| |exact (integrable_reflected I II x)].
+    intros y. now rewrite U. }
+  lra.
+Qed.
+
 (* Section 2: the chain of infinitesimal areas of a closed scene has the stationary density 1 / A_T. *)
 Theorem continuous_visibility_has_constant_density : forall total,
   (forall x y, form_factor x y = form_factor y x) ->

@@ -43,6 +43,28 @@ Proof.
   unfold potential in He. apply Rmult_le_compat_r; [assumption|]. lra.
 Qed.
 
+(* Where one part sees all that the patch sees of j, that is what it gains. *)
+Theorem potential_gain_is_attained :
+  forall m total area form_factor part_form_factor reflectance emittance radiosity_i radiosity_j k,
+  (1 <= m)%nat -> 0 < total -> 0 < area -> 0 < reflectance -> emittance < radiosity_i -> 0 < radiosity_i -> 0 < radiosity_j ->
+  0 <= form_factor -> (forall l, (l < m)%nat -> 0 <= part_form_factor l) ->
+  sum m (fun l => area / INR m * part_form_factor l) = area * form_factor ->
+  (k < m)%nat -> (forall l, (l < m)%nat -> l <> k -> part_form_factor l = 0) ->
+  radiosity_gain m total area form_factor part_form_factor reflectance emittance radiosity_i radiosity_j
+  = 2 * potential area form_factor radiosity_i radiosity_j * log2 (INR m) / total.
+Proof.
+  intros m T A F f r E Bi Bj k Hm HT HA Hr HE HBi HBj HF Hf H Hk Hz. unfold radiosity_gain.
+  apply (Rmult_eq_reg_l T); [|lra].
+  rewrite (normalized_constant_radiosity_pair_gain m T A F (fun _ => A / INR m) f r E Bi Bj) by (assumption || lra).
+  assert (G := regular_visibility_gain_attained m 1 A 1 F f k Hm Rlt_0_1 HA Rlt_0_1 HF Hf H Hk Hz).
+  rewrite visibility_pair_gain_without_areas in G by (assumption || lra).
+  replace (A / 1) with A in G by field. rewrite (sum_ext m _ (fun l => A / INR m * xlog2 (f l) 1)) in G
+    by (intros; unfold Rdiv; rewrite Rinv_1; ring).
+  replace (2 * Bi * Bj * (sum m (fun l => A / INR m * xlog2 (f l) 1) - A * xlog2 F 1))
+    with (Bi * Bj * (2 * (sum m (fun l => A / INR m * xlog2 (f l) 1) - A * xlog2 F 1))) by ring.
+  rewrite G. unfold potential. field. lra.
+Qed.
+
 (* Control: less cannot be promised. Halves of which one sees nothing of j gain exactly that. *)
 Theorem discarded_pair_may_gain_all_of_it : exists total area form_factor part_form_factor reflectance emittance radiosity_i radiosity_j,
   0 < total /\ 0 < area /\ 0 < reflectance /\ emittance < radiosity_i /\ 0 < radiosity_i /\ 0 < radiosity_j /\

@@ -65,11 +65,13 @@ Proof.
   destruct (Rle_lt_dec t (1/2)); [apply half; lra|]. rewrite <- orthogonal_cut_gain_mirrored. apply half. lra.
 Qed.
 
-Theorem orthogonal_cut_gains_47_times_less_than_the_best_parallel_cut :
-  exists best, forall t, 0 <= t <= 1 -> 47 * orthogonal_cut_gain t < parallel_cut_gain best.
+Theorem orthogonal_cut_gains_47_times_less_than_the_best_parallel_cut : forall best,
+  0 <= best <= 1 -> (forall t, 0 <= t <= 1 -> parallel_cut_gain t <= parallel_cut_gain best) ->
+  forall t, 0 <= t <= 1 -> 47 * orthogonal_cut_gain t < parallel_cut_gain best.
 Proof.
-  destruct parallel_cut_has_exactly_one_best_place as [m [_ [[V _] _]]]. exists m. intros t H.
-  pose proof (orthogonal_cut_gains_less_than_7_in_10000 t H). unfold fig2_parallel_gain_lower in V. lra.
+  intros best Hb M t H. destruct parallel_cut_has_exactly_one_best_place as [m [[Lm Um] [[V _] _]]].
+  assert (Hm : 0 <= m <= 1) by (unfold fig2_parallel_cut_lower, fig2_parallel_cut_upper in *; lra).
+  pose proof (M m Hm). pose proof (orthogonal_cut_gains_less_than_7_in_10000 t H). unfold fig2_parallel_gain_lower in V. lra.
 Qed.
 
 (* The "small gradient" which the paper gives as the reason why the best place in the corner (fig. 3) lies nearer to the edge:

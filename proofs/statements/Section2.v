@@ -3,7 +3,7 @@ From Coq Require Import Reals.
 From Coquelicot Require Import Coquelicot.
 From Infoscene Require Import Sums Information FiniteSums ConstantKernel ContinuousChain ContinuousInformation
   ContinuousLimit Convergence ConvexEdge Corollary1 DiscreteBelowContinuous Divisions DoubleIntegral IntegralChain
-  IntegralScenes MarkovChains MutualInformation OddWalks PlanarKernel Refinement SourceAndDestination Sphere Visibility WeightedScene.
+  IntegralScenes MarkovChains MutualInformation OddWalks PlanarKernel PlanarScenes Refinement SourceAndDestination Sphere Visibility WeightedScene.
 Open Scope R_scope.
 
 (* ==== The words used below ==== *)
@@ -421,6 +421,51 @@ Theorem form_factor_of_a_planar_patch_is_not_constant :
      / (PI * ((y1 - x1) ^ 2 + (y2 - x2) ^ 2 + (y3 - x3) ^ 2) ^ 2) = c) ->
   c = 0.
 Proof. exact PlanarKernel.form_factor_of_a_planar_patch_is_not_constant. Qed.
+
+(* Where y sees two points of a patch unequally, and no shadow line passes there; so five points of a planar patch. *)
+Theorem words_of_unevenly_seen_points :
+  forall (point : Type) (distance kernel : point -> point -> R) continuous coarse w P x x' y,
+  (continuous_at_pair distance kernel x y <-> forall e, 0 < e -> exists d, 0 < d /\
+    forall u v, distance u x < d -> distance v y < d -> Rabs (kernel u v - kernel x y) < e) /\
+  (divided_near distance kernel continuous coarse w P x x' y <->
+    forall d, 0 < d -> exists n over integrable (patch : point -> nat) parent k k' l, (0 < n)%nat /\
+    integrable_scene point n over integrable kernel /\
+    (forall i f g, (i < n)%nat -> integrable f -> integrable g -> (forall z, patch z = i -> f z <= g z) -> over i f <= over i g) /\
+    refines coarse n parent w P (patch_weight n over) (patch_form_factor over kernel) /\
+    information_of_all_points n over kernel = continuous /\
+    (k < n)%nat /\ (k' < n)%nat /\ (l < n)%nat /\ parent k = parent k' /\
+    (forall u, patch u = k -> distance u x < d) /\ (forall u, patch u = k' -> distance u x' < d) /\
+    (forall v, patch v = l -> distance v y < d)).
+Proof. easy. Qed.
+
+Theorem division_with_an_unevenly_seen_point_lies_below :
+  forall (point : Type) (distance kernel : point -> point -> R) continuous coarse w P x x' y,
+  divided_near distance kernel continuous coarse w P x x' y ->
+  continuous_at_pair distance kernel x y -> continuous_at_pair distance kernel x' y -> kernel x y <> kernel x' y ->
+  mutual_information coarse w P < continuous.
+Proof. exact PlanarScenes.division_with_an_unevenly_seen_point_lies_below. Qed.
+
+Theorem division_of_a_planar_patch_lies_below :
+  forall (point : Type) (distance kernel : point -> point -> R) continuous coarse w P (p : nat -> point) y
+    x1 x2 x3 n1 n2 n3 y1 y2 y3 m1 m2 m3 s1 s2 s3,
+  s1 * n1 + s2 * n2 + s3 * n3 = 0 -> 0 < s1 ^ 2 + s2 ^ 2 + s3 ^ 2 ->
+  (forall k, (k <= 4)%nat -> kernel (p k) y =
+     let x1 := x1 + INR k * s1 in let x2 := x2 + INR k * s2 in let x3 := x3 + INR k * s3 in
+     ((y1 - x1) * n1 + (y2 - x2) * n2 + (y3 - x3) * n3) * ((x1 - y1) * m1 + (x2 - y2) * m2 + (x3 - y3) * m3)
+     / (PI * ((y1 - x1) ^ 2 + (y2 - x2) ^ 2 + (y3 - x3) ^ 2) ^ 2)) ->
+  kernel (p 0%nat) y <> 0 ->
+  (forall k, (k <= 4)%nat -> continuous_at_pair distance kernel (p k) y) ->
+  (forall k, (k <= 4)%nat -> divided_near distance kernel continuous coarse w P (p 0%nat) (p k) y) ->
+  mutual_information coarse w P < continuous.
+Proof. exact PlanarScenes.division_of_a_planar_patch_lies_below. Qed.
+
+Theorem two_points_in_one_patch_fulfil_hypotheses :
+  let distance := fun x y : bool => if Bool.eqb x y then 0 else 1 in
+  let kernel := fun x y : bool => if Bool.eqb x y then 0 else 1 in
+  divided_near distance kernel 1 1 (fun _ => 1) (fun _ _ => 1) true false true /\
+  continuous_at_pair distance kernel true true /\ continuous_at_pair distance kernel false true /\
+  kernel true true <> kernel false true.
+Proof. exact PlanarScenes.two_points_in_one_patch_fulfil_hypotheses. Qed.
 
 (* "Always lower" than the continuous one is too much: a constant kernel, as inside a sphere, loses nothing. *)
 Theorem constant_kernel_loses_nothing : forall n p, division n p ->

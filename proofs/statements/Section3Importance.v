@@ -19,6 +19,32 @@ Theorem importance_received_with_integrals : forall point n over integrable form
     sum n (fun j => over j (fun y => form_factor x y * (reflectance y * importance y))).
 Proof. exact IntegralScenes.importance_received_with_integrals. Qed.
 
+Theorem uniform_reflected_importance_solves_with_integrals_iff : forall (point : Type) n over integrable form_factor,
+  integrals point n over integrable ->
+  forall k reflectance initial_importance,
+  (forall x, integrable (form_factor x)) -> (forall x, sum n (fun j => over j (form_factor x)) = 1) ->
+  (forall x : point, reflectance x <> 0) ->
+  (forall x, k / reflectance x = initial_importance x +
+     sum n (fun j => over j (fun y => reflectance y * form_factor x y * (k / reflectance y)))) <->
+  (forall x, initial_importance x = k * (1 / reflectance x - 1)).
+Proof. exact IntegralScenes.uniform_reflected_importance_solves_with_integrals_iff. Qed.
+
+Theorem bounded_importance_with_integrals_is_unique : forall (point : Type) n over integrable form_factor,
+  integrals point n over integrable ->
+  forall rho bound reflectance initial_importance importance importance',
+  (forall i f g, (i < n)%nat -> integrable f -> integrable g -> (forall x, f x <= g x) -> over i f <= over i g) ->
+  (forall x y, 0 <= form_factor x y) -> (forall x, integrable (form_factor x)) ->
+  (forall x, sum n (fun j => over j (form_factor x)) <= 1) -> rho < 1 -> (forall x, 0 <= reflectance x <= rho) ->
+  (forall x, integrable (fun y => reflectance y * form_factor x y * importance y)) ->
+  (forall x, integrable (fun y => reflectance y * form_factor x y * importance' y)) ->
+  (forall x, Rabs (reflectance x * importance x) <= bound) -> (forall x, Rabs (reflectance x * importance' x) <= bound) ->
+  (forall x, importance x =
+     initial_importance x + sum n (fun j => over j (fun y => reflectance y * form_factor x y * importance y))) ->
+  (forall x, importance' x =
+     initial_importance x + sum n (fun j => over j (fun y => reflectance y * form_factor x y * importance' y))) ->
+  forall x : point, importance x = importance' x.
+Proof. exact IntegralScenes.bounded_importance_with_integrals_is_unique. Qed.
+
 (* Importances and reflectivities constant along each patch. *)
 Theorem words_of_importance : forall n area form_factor reflectance initial_importance importance,
   (importance_equation n form_factor reflectance initial_importance importance <-> forall i, (i < n)%nat ->

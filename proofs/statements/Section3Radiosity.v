@@ -24,6 +24,20 @@ Theorem constant_radiosity_solves_with_integrals_iff : forall point n over integ
   (forall x, emittance x = k * (1 - reflectance x)).
 Proof. exact IntegralScenes.constant_radiosity_solves_with_integrals_iff. Qed.
 
+Theorem bounded_radiosity_with_integrals_is_unique : forall (point : Type) n over integrable form_factor,
+  integrals point n over integrable ->
+  forall rho bound reflectance emittance radiosity radiosity',
+  (forall i f g, (i < n)%nat -> integrable f -> integrable g -> (forall x, f x <= g x) -> over i f <= over i g) ->
+  (forall x y, 0 <= form_factor x y) -> (forall x, integrable (form_factor x)) ->
+  (forall x, sum n (fun j => over j (form_factor x)) <= 1) -> rho < 1 -> (forall x, 0 <= reflectance x <= rho) ->
+  (forall x, integrable (fun y => form_factor x y * radiosity y)) ->
+  (forall x, integrable (fun y => form_factor x y * radiosity' y)) ->
+  (forall x, Rabs (radiosity x) <= bound) -> (forall x, Rabs (radiosity' x) <= bound) ->
+  (forall x, radiosity x = emittance x + reflectance x * sum n (fun j => over j (fun y => form_factor x y * radiosity y))) ->
+  (forall x, radiosity' x = emittance x + reflectance x * sum n (fun j => over j (fun y => form_factor x y * radiosity' y))) ->
+  forall x : point, radiosity x = radiosity' x.
+Proof. exact IntegralScenes.bounded_radiosity_with_integrals_is_unique. Qed.
+
 (* Radiosities and reflectivities constant along each patch. *)
 Theorem words_of_radiosity : forall n area form_factor reflectance emittance radiosity,
   (radiosity_equation n form_factor reflectance emittance radiosity <-> forall i, (i < n)%nat ->

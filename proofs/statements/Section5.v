@@ -140,6 +140,16 @@ Theorem discarded_pair_gains_little :
   <= 2 * threshold * log2 (INR m) / total.
 Proof. exact OracleSteps.discarded_pair_gains_little. Qed.
 
+Theorem potential_gain_is_attained :
+  forall m total area form_factor part_form_factor reflectance emittance radiosity_i radiosity_j k,
+  (1 <= m)%nat -> 0 < total -> 0 < area -> 0 < reflectance -> emittance < radiosity_i -> 0 < radiosity_i -> 0 < radiosity_j ->
+  0 <= form_factor -> (forall l, (l < m)%nat -> 0 <= part_form_factor l) ->
+  sum m (fun l => area / INR m * part_form_factor l) = area * form_factor ->
+  (k < m)%nat -> (forall l, (l < m)%nat -> l <> k -> part_form_factor l = 0) ->
+  radiosity_gain m total area form_factor part_form_factor reflectance emittance radiosity_i radiosity_j
+  = 2 * potential area form_factor radiosity_i radiosity_j * log2 (INR m) / total.
+Proof. exact OracleSteps.potential_gain_is_attained. Qed.
+
 Theorem discarded_pair_may_gain_all_of_it :
   exists total area form_factor part_form_factor reflectance emittance radiosity_i radiosity_j,
   0 < total /\ 0 < area /\ 0 < reflectance /\ emittance < radiosity_i /\ 0 < radiosity_i /\ 0 < radiosity_j /\

@@ -20,8 +20,8 @@ use nalgebra::DMatrix;
 /// [`brightness_chain`](super::brightness_chain) of unoccluded exchange areas with brightness 1.
 ///
 /// # Errors
-/// [`ChainError::Exchange`] if patches overlap; with the worst row if a row of form factors does not
-/// sum to one within its error bounds; or if a form factor is refused.
+/// [`ChainError::Exchange`] if patches overlap; with the worst row if a row of form factors does
+/// not sum to one within its error bounds; or if a form factor is refused.
 pub fn visibility_chain(scene: &Scene) -> Result<ReversibleChain, ChainError> {
     let exchange = scene.exchange_areas()?;
     Closure::of_held(&exchange).require_closed()?;

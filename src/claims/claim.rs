@@ -60,6 +60,8 @@ pub struct Claim {
     pub curve_axes: Option<[String; 2]>,
     /// Theorems of `proofs/Statements.v` that prove the claim as it stands, or its contrary.
     pub proof: Vec<Theorem>,
+    /// What lies between these theorems and the claim and is shown on paper only, by no machine.
+    pub on_paper: Option<String>,
     /// The task.
     pub task: Task,
 }
@@ -133,6 +135,7 @@ pub(super) struct Entry {
     curve: Option<[String; 2]>,
     #[serde(default)]
     proof: Vec<String>,
+    on_paper: Option<String>,
     note: Option<String>,
     #[serde(default)]
     input: Inputs,
@@ -155,71 +158,79 @@ const fn yes() -> bool {
 impl Entry {
     /// The claim of this entry, whose theorems are among these.
     pub(super) fn claim(self, theorems: &BTreeMap<String, Theorem>) -> Result<Claim, String> {
-        let entry = self;
-        let id = entry.id;
-        let number = |text: Option<String>| {
-            let printed = text.map(|text| {
-                let printed = Printed::parse(&text);
-                printed.ok_or_else(|| format!("claim {id}: \"{text}\" is not a decimal number"))
-            });
-            printed.transpose()
-        };
-        let printed = number(entry.printed)?;
-        let task = match (
-            entry.computation,
-            entry.verdict,
-            entry.not_checked,
-            entry.all_of,
-        ) {
-            (Some(computation), Some(recorded), None, None) => {
-                let control = Control {
-                    inputs: entry.control.inputs,
-                    printed: number(entry.control.printed)?,
-                };
-                Task::Compute {
-                    computation,
-                    input: entry.input,
-                    control,
-                    recorded,
-                    can_only: entry.can_only,
-                }
-            }
-            (None, None, Some(reason), None) => Task::NotChecked { reason },
-            (None, Some(recorded), None, Some(members)) => Task::AllOf {
-                note: format!("holds where all of these do: {}", members.join(", ")),
-                members,
-                recorded,
-            },
-            (None, Some(verdict @ (Verdict::Confirmed | Verdict::Refuted)), None, None)
-                if !entry.proof.is_empty() =>
-            {
-                Task::Proved {
-                    is_refuted: verdict == Verdict::Refuted,
-                    note: entry.note.unwrap_or_default(),
-                }
-            }
-            _ => {
-                return Err(format!(
-                    "claim {id}: needs computation and verdict, or proof and verdict, or all_of \
-                     and verdict, or not_checked"
-                ));
-            }
-        };
-        let proof = entry.proof.iter().map(|name| {
-            let theorem = theorems.get(name).cloned();
-            theorem.ok_or_else(|| format!("claim {id}: {name} is not in data/proved_theorems.toml"))
-        });
-        let proof = proof.collect::<Result<_, _>>()?;
-        let (place, quantity, complete) = (entry.place, entry.quantity, entry.complete);
+        let printed = self.number(self.printed.as_deref())?;
+        let (proof, task) = (self.theorems(theorems)?, self.task()?);
         Ok(Claim {
-            id,
-            place,
-            quantity,
+            id: self.id,
+            place: self.place,
+            quantity: self.quantity,
             printed,
-            complete,
-            curve_axes: entry.curve,
+            complete: self.complete,
+            curve_axes: self.curve,
             proof,
+            on_paper: self.on_paper,
             task,
         })
+    }
+
+    /// A number as printed, if there is one.
+    fn number(&self, text: Option<&str>) -> Result<Option<Printed>, String> {
+        let printed = text.map(|text| {
+            let printed = Printed::parse(text);
+            printed.ok_or_else(|| format!("claim {}: \"{text}\" is not a decimal number", self.id))
+        });
+        printed.transpose()
+    }
+
+    /// The theorems that it names.
+    fn theorems(&self, all: &BTreeMap<String, Theorem>) -> Result<Vec<Theorem>, String> {
+        let id = &self.id;
+        let found = self.proof.iter().map(|name| {
+            let theorem = all.get(name).cloned();
+            theorem.ok_or_else(|| format!("claim {id}: {name} is not in data/proved_theorems.toml"))
+        });
+        let found: Vec<Theorem> = found.collect::<Result<_, _>>()?;
+        if found.is_empty() && self.on_paper.is_some() {
+            return Err(format!("claim {id}: on_paper needs a proof to lie beside"));
+        }
+        Ok(found)
+    }
+
+    /// What there is to do.
+    fn task(&self) -> Result<Task, String> {
+        let not_checked = self.not_checked.as_ref();
+        match (self.computation, self.verdict, not_checked, &self.all_of) {
+            (Some(computation), Some(recorded), None, None) => Ok(Task::Compute {
+                computation,
+                input: self.input.clone(),
+                control: Control {
+                    inputs: self.control.inputs.clone(),
+                    printed: self.number(self.control.printed.as_deref())?,
+                },
+                recorded,
+                can_only: self.can_only,
+            }),
+            (None, None, Some(reason), None) => Ok(Task::NotChecked {
+                reason: reason.clone(),
+            }),
+            (None, Some(recorded), None, Some(members)) => Ok(Task::AllOf {
+                note: format!("holds where all of these do: {}", members.join(", ")),
+                members: members.clone(),
+                recorded,
+            }),
+            (None, Some(verdict @ (Verdict::Confirmed | Verdict::Refuted)), None, None)
+                if !self.proof.is_empty() =>
+            {
+                Ok(Task::Proved {
+                    is_refuted: verdict == Verdict::Refuted,
+                    note: self.note.clone().unwrap_or_default(),
+                })
+            }
+            _ => Err(format!(
+                "claim {}: needs computation and verdict, or proof and verdict, or all_of and \
+                 verdict, or not_checked",
+                self.id
+            )),
+        }
     }
 }

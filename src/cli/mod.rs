@@ -25,7 +25,7 @@ mod scene;
 mod split;
 mod study;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, Parser, Subcommand, value_parser};
 use std::error::Error;
 use std::process::ExitCode;
 
@@ -35,7 +35,7 @@ use std::process::ExitCode;
 #[command(name = "infoscene", version, about, max_term_width = 100)]
 struct Arguments {
     /// Threads to use, all if not given; the answer does not depend on it.
-    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, global = true, value_name = "N", value_parser = value_parser!(u16).range(1..))]
     threads: Option<u16>,
     #[command(subcommand)]
     question: Question,

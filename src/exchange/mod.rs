@@ -30,8 +30,8 @@
 //! 1. **Plan** (`plan`). Pairs of planes that do not face each other are left out whole; congruent
 //!    pairs of axis-parallel rectangles share one value.
 //! 2. **Tiles** (`passes/tiles`). The other pairs are walked in tiles, each pair once, on all
-//!    threads. The exchange area of two rows (`row_pair`) is the sum over the terms of both, pairs of
-//!    polygons (`polygon_pair`).
+//!    threads. The exchange area of two rows (`row_pair`) is the sum over the terms of both, pairs
+//!    of polygons (`polygon_pair`).
 //! 3. **Sums** (`passes`). The results of the tiles are added in their order, so that they do not
 //!    depend on the number of threads: [`ScenePairs::row_sums`] holds nothing but the sums,
 //!    [`ScenePairs::for_each_row`] one row, [`ScenePairs::tile`] one tile, [`ExchangeAreas`] the

@@ -74,15 +74,7 @@ impl Patch {
     /// # Ok::<(), infoscene::geometry::GeometryError>(())
     /// ```
     pub fn within(mut corners: Vec<DVec3>, resolution: f64) -> Result<Self, GeometryError> {
-        if corners.len() < 3 {
-            return Err(GeometryError::TooFewCorners {
-                corners: corners.len(),
-            });
-        }
-        if let Some(corner) = corners.iter().position(|c| !c.is_finite()) {
-            let DVec3 { x, y, z } = corners[corner];
-            return Err(GeometryError::NotFinite { corner, x, y, z });
-        }
+        check_corners(&corners)?;
         let origin = corners[0];
         let diameter = corners
             .iter()
@@ -90,16 +82,7 @@ impl Patch {
             .fold(0.0, f64::max);
         // in units of a power of two near the diameter, so that products stay in range
         let unit = power_of_two_near(diameter);
-        // to 106 bits: in doubles the normal of a sliver is off by ε over its thinness
-        let like = DoubleDouble::from(0.0);
-        let lifted = |point: DVec3| Vector::lifted(point / unit, like);
-        let from_origin = |point: DVec3| lifted(point).minus(lifted(origin));
-        let precise = corners
-            .windows(2)
-            .map(|pair| from_origin(pair[0]).cross(from_origin(pair[1])))
-            .fold(Vector([like; 3]), |sum, next| {
-                sum.plus(next, DoubleDouble::from(1.0))
-            });
+        let precise = area_vector(&corners, unit);
         let doubled = precise.to_doubles();
         let area = 0.5 * doubled.length() * unit * unit;
         // a cross product of edges near 1 is uncertain by ε
@@ -111,14 +94,9 @@ impl Patch {
         let precise = precise.times(DoubleDouble::from(1.0) / precise.length());
         let heights = corners
             .iter()
-            .map(|c| from_origin(*c).dot(precise).to_f64() * unit);
+            .map(|c| from(origin, *c, unit).dot(precise).to_f64() * unit);
         let heights: Vec<f64> = heights.collect();
-        let sizes = heights.iter().map(|height| height.abs());
-        let (corner, deviation) =
-            sizes.enumerate().fold(
-                (0, 0.0),
-                |worst, next| if next.1 > worst.1 { next } else { worst },
-            );
+        let (corner, deviation) = largest_size(&heights);
         let allowed = tolerance::PLANARITY;
         let mut bend = None;
         if deviation > allowed * diameter {
@@ -330,4 +308,45 @@ fn segments_meet((a, b): (DVec2, DVec2), (c, d): (DVec2, DVec2)) -> bool {
     let same_side = |p: f64, q: f64| (p > 0.0 && q > 0.0) || (p < 0.0 && q < 0.0);
     let apart = same_side(ac, ad) || same_side(ca, cb);
     !apart
+}
+
+/// Refuses fewer than three corners, and those that are nowhere.
+fn check_corners(corners: &[DVec3]) -> Result<(), GeometryError> {
+    if corners.len() < 3 {
+        return Err(GeometryError::TooFewCorners {
+            corners: corners.len(),
+        });
+    }
+    if let Some(corner) = corners.iter().position(|c| !c.is_finite()) {
+        let DVec3 { x, y, z } = corners[corner];
+        return Err(GeometryError::NotFinite { corner, x, y, z });
+    }
+    Ok(())
+}
+
+/// The way from one point to another in this unit, to 106 bits.
+fn from(origin: DVec3, point: DVec3, unit: f64) -> Vector<DoubleDouble> {
+    let like = DoubleDouble::from(0.0);
+    Vector::lifted(point / unit, like).minus(Vector::lifted(origin / unit, like))
+}
+
+/// Twice the area of a polygon along its normal, in this unit, to 106 bits: in doubles the normal of
+/// a sliver is off by ε over its thinness.
+fn area_vector(corners: &[DVec3], unit: f64) -> Vector<DoubleDouble> {
+    let from_origin = |point: DVec3| from(corners[0], point, unit);
+    corners
+        .windows(2)
+        .map(|pair| from_origin(pair[0]).cross(from_origin(pair[1])))
+        .fold(Vector([DoubleDouble::from(0.0); 3]), |sum, next| {
+            sum.plus(next, DoubleDouble::from(1.0))
+        })
+}
+
+/// The first of the largest magnitude, and that.
+fn largest_size(numbers: &[f64]) -> (usize, f64) {
+    let sizes = numbers.iter().map(|number| number.abs());
+    sizes.enumerate().fold(
+        (0, 0.0),
+        |worst, next| if next.1 > worst.1 { next } else { worst },
+    )
 }

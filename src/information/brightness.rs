@@ -49,18 +49,7 @@ pub fn brightness_information(
     let chain = brightness_chain(exchange, &brightness.values)?;
     let n = chain.states();
     let (weights, total) = (chain.weights(), chain.total());
-    let relative: Vec<f64> = (0..n)
-        .map(|i| {
-            let value = brightness.values[i];
-            let errors = brightness.form_factor_errors.as_ref();
-            let from_others = errors.map_or(0.0, |errors| errors[i]);
-            if value > 0.0 {
-                brightness.relative_error + from_others / value
-            } else {
-                0.0
-            }
-        })
-        .collect();
+    let relative = relative_errors(brightness);
     let rows = parallel_map(n, &|j| {
         let column = chain.joint().column(j);
         let probability = weights[j] / total;
@@ -108,4 +97,19 @@ pub fn brightness_information(
         closure: Closure::of_held(exchange),
         summary: exchange.summary().clone(),
     })
+}
+
+/// The relative error of each brightness: that of the solution and what form factors bring.
+fn relative_errors(brightness: &RadiositySolution) -> Vec<f64> {
+    let errors = brightness.form_factor_errors.as_ref();
+    let values = brightness.values.iter().enumerate();
+    let relative = values.map(|(i, value)| {
+        let from_others = errors.map_or(0.0, |errors| errors[i]);
+        if *value > 0.0 {
+            brightness.relative_error + from_others / value
+        } else {
+            0.0
+        }
+    });
+    relative.collect()
 }

@@ -131,19 +131,20 @@ pub fn continuous_information(scene: &Scene) -> Result<ContinuousInformation, Ch
         let row = first_patch(face);
         (row, scene.patches()[row].name())
     })?;
-    let contributions = places
-        .iter()
-        .zip(&measured)
-        .map(|([first, second], pair)| FacePair {
+    let kernels = measured.iter().map(|pair| pair.kernel(total_area));
+    let kernels: Vec<Bounded> = kernels.collect();
+    let contributions = places.iter().zip(measured.iter().zip(&kernels)).map(
+        |([first, second], (pair, kernel))| FacePair {
             first: *first,
             second: *second,
-            mutual_information: 2.0 * pair.kernel(total_area) / (total_area * LN_2),
+            mutual_information: 2.0 * kernel.value / (total_area * LN_2),
             probability: 2.0 * pair.exchange.value / total_area,
-        });
+        },
+    );
     let mut pairs: Vec<FacePair> = contributions.collect();
     pairs.sort_by_key(|pair| (pair.first, pair.second));
     let mutual_information = compensated_sum(pairs.iter().map(|pair| pair.mutual_information));
-    let estimates = compensated_sum(measured.iter().map(|pair| pair.error_estimate));
+    let estimates = compensated_sum(kernels.iter().map(|kernel| kernel.error));
     let error = 2.0 * (estimates + unclosed) / (total_area * LN_2);
     Ok(ContinuousInformation {
         mutual_information: Bounded::estimate(

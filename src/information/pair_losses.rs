@@ -115,8 +115,8 @@ fn of_pair(
     }
     let ratio = (exchange / one.area() / other.area() * total).ln();
     let scale = 2.0 / (total * LN_2);
-    let [discrete, continuous] =
-        [exchange * ratio, logarithms.kernel(total)].map(|part| scale * part);
+    let kernel = logarithms.kernel(total);
+    let [discrete, continuous] = [exchange * ratio, kernel.value].map(|part| scale * part);
     let rounding = tolerance::INFORMATION * scale * exchange * (1.0 + ratio.abs());
     let from_exchange = scale * logarithms.exchange.error * (1.0 + ratio.abs());
     Ok(Some(PairLoss {
@@ -126,6 +126,6 @@ fn of_pair(
         mutual_information: discrete,
         continuous_mutual_information: continuous,
         loss: continuous - discrete,
-        error: scale * logarithms.error_estimate + from_exchange + rounding,
+        error: scale * kernel.error + from_exchange + rounding,
     }))
 }

@@ -85,7 +85,7 @@ pub use functions::extremes::{larger, largest, smaller};
 pub use functions::unit::{power_of_two_below, power_of_two_near};
 pub use integrate::gauss_legendre::GaussLegendre;
 pub(crate) use integrate::gauss_legendre::{MOST_POINTS, NodeNumber, legendre_node};
-pub use integrate::tanh_sinh::{Integral, integral};
+pub use integrate::tanh_sinh::integral;
 pub use interval::Interval;
 pub use interval::precise::Precise;
 pub(crate) use parallel::{parallel_map, try_parallel_map};
@@ -98,8 +98,8 @@ pub use solve::certified::roots::{
     CertifiedRoot, CertifiedRoots, IntervalFunction, certified_roots,
 };
 pub use solve::certified::stationary_point::{VectorFunction, certified_stationary_point};
-pub(crate) use solve::maximum::maximum_by_derivatives;
 pub use solve::maximum::{Maximum, maximum, maximum_of_many};
+pub(crate) use solve::maximum::{is_higher, maximum_by_derivatives};
 pub use solve::root::{Root, root};
 pub(crate) use sums::compensated_sum::CompensatedSum;
 pub use sums::compensated_sum::compensated_sum;

@@ -9,23 +9,6 @@
 /// by `divergence_kernel_keeps_its_digits`.
 pub const DIVERGENCE_KERNEL: f64 = 24.0 * f64::EPSILON;
 
-/// Two maxima nearer than this in relative height count as one: (a) form factors that differ in the
-/// third digit turn their ε into some thousand ε of the gain.
-pub const EQUAL_MAXIMA: f64 = 1e-12;
-
-/// Steps of the maximisation in several coordinates: (b) 64 parts of two unit squares take fewer
-/// than a third, measured by `many_parts_come_to_rest`.
-pub const NEWTON_STEPS: u32 = 60;
-
-/// Movement below which a maximum counts as found, on a scale of 1: (a) derivatives rounded to a
-/// few ε over curvatures of order one let a coordinate tremble by that much, twice over with its
-/// neighbours.
-pub const AT_REST: f64 = 64.0 * f64::EPSILON;
-
-/// Steps below this that no longer shrink are the gradient's rounding: (a) a Newton step of 1e-8 is
-/// followed by one near 1e-16 where the third derivative is moderate.
-pub const TREMBLING: f64 = 1e-9;
-
 /// Deviation from a plane, relative to a patch's diameter, up to which it counts as planar: (a) the
 /// input's own rounding is 1e-16 of its coordinates, a file of twelve decimals gives 1e-12.
 pub const PLANARITY: f64 = 1e-12;

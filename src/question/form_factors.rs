@@ -8,8 +8,8 @@ use super::scene::{SceneSource, ignored_note};
 use super::unreached::Unreached;
 use super::{PatchName, QuestionError};
 use crate::exchange::{
-    Closure, Congruence, Entry, ExchangeAreas, ExchangeError, PlanSummary, Progress, ScenePairs,
-    Selection, Tolerance,
+    Closure, Congruence, Entry, ExchangeAreas, ExchangeError, PlanSummary, Progress, RowSum,
+    ScenePairs, Selection, Tolerance,
 };
 use crate::form_factor::Answer;
 use crate::scene::Scene;
@@ -212,19 +212,7 @@ impl FormFactors {
             (None, Some((entries, _))) => pairs.complete_sums(&selection, entries),
             (None, None) => Vec::new(),
         };
-        let mut sum_of = vec![None; rows];
-        for sum in sums {
-            sum_of[sum.row] = Some(sum);
-        }
-        let patches = names.into_iter().zip(pairs.areas()).enumerate();
-        let patches = patches.map(|(index, (name, area))| PatchRecord {
-            index,
-            name: name.to_owned(),
-            area: *area,
-            row_sum: sum_of[index].map(|sum| sum.sum),
-            row_sum_error: sum_of[index].map(|sum| sum.error),
-        });
-        let patches = patches.collect();
+        let patches = patch_records(&names, pairs.areas(), &sums);
         Ok(FormFactorsAnswer {
             patches,
             resolution: scene.resolution(),
@@ -336,4 +324,21 @@ impl Serialize for FormFactorsAnswer<'_> {
         record.serialize_field("plan", &self.plan)?;
         record.end()
     }
+}
+
+/// The records of all patches, with the sums of the rows that are known.
+fn patch_records(names: &[&str], areas: &[f64], sums: &[RowSum]) -> Vec<PatchRecord> {
+    let mut sum_of = vec![None; names.len()];
+    for sum in sums {
+        sum_of[sum.row] = Some(sum);
+    }
+    let patches = names.iter().zip(areas).enumerate();
+    let patches = patches.map(|(index, (name, area))| PatchRecord {
+        index,
+        name: (*name).to_owned(),
+        area: *area,
+        row_sum: sum_of[index].map(|sum| sum.sum),
+        row_sum_error: sum_of[index].map(|sum| sum.error),
+    });
+    patches.collect()
 }

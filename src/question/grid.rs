@@ -238,7 +238,7 @@ impl Grid {
         best: Option<&BestGrid>,
     ) -> GridAnswer {
         let cells = grid.cells();
-        let found = best.filter(|best| best.curvature.is_some());
+        let curvature = best.and_then(|best| best.curvature);
         GridAnswer {
             edges: self.edges,
             cells,
@@ -255,8 +255,8 @@ impl Grid {
             line_error: best.map(|best| best.line_error),
             line_error_grade: best.map(|_| Grade::Estimate),
             slope: best.map(|best| best.slope),
-            curvature: best.and_then(|best| best.curvature),
-            curvature_error: found.map(|best| best.curvature_error),
+            curvature: curvature.map(|curvature| curvature.value),
+            curvature_error: curvature.map(|curvature| curvature.error),
             starts: best.map(|best| best.search.starts),
             starts_at_maximum: best.map(|best| best.search.reached),
             starts_lost: best.map(|best| best.search.lost),

@@ -45,8 +45,8 @@ pub enum PatchNameError {
     },
     /// One row is needed, and the name means several.
     #[error(
-        "{name:?} means {rows} patches, from {first} ({first_name}) on, and one is needed: give its \
-         index or its full name"
+        "{name:?} means {rows} patches, from {first} ({first_name}) on, and one is needed: give \
+         its index or its full name"
     )]
     SeveralPatches {
         /// The name.

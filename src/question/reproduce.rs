@@ -79,6 +79,9 @@ pub struct JudgedClaim {
     /// Theorems that prove the claim, or its contrary, each with hypotheses and conclusion.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub proof: Vec<Theorem>,
+    /// What lies between the theorems and the claim and is shown on paper only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub on_paper: Option<String>,
     /// The grade of the evidence, if there is any.
     pub evidence: Option<Grade>,
     /// The verdict of this run.
@@ -116,6 +119,7 @@ impl From<&Judgement> for JudgedClaim {
             lower,
             upper,
             proof: claim.proof.clone(),
+            on_paper: claim.on_paper.clone(),
             evidence: judgement.evidence(),
             verdict: judgement.verdict,
             recorded: judgement.recorded(),

@@ -8,7 +8,7 @@ use crate::discretize::{DiscretizeError, PatchSplit, regular_positions};
 use crate::exchange::{Congruence, IgnoredOcclusion, Progress, Tolerance};
 use crate::geometry::SplitAxis;
 use crate::numeric::interval::DecimalBounds;
-use crate::numeric::{Interval, compensated_sum, tolerance};
+use crate::numeric::{Interval, compensated_sum, is_higher, tolerance};
 use crate::scene::{Channel, Occlusion, Scene};
 
 /// The question for the best cut of a patch.
@@ -141,8 +141,7 @@ impl Split {
                 let [first, second] = SplitAxis::ALL;
                 let (first, second) = (along(first)?, along(second)?);
                 // of equal axes the first
-                let margin = 1.0 + tolerance::EQUAL_MAXIMA;
-                if second.gain > first.gain * margin {
+                if is_higher(second.gain, first.gain) {
                     second
                 } else {
                     first

@@ -10,6 +10,7 @@
 //!
 //! **Not covered**: whether the faces close up (their exchange areas say so).
 
+use super::planes::ScenePlanes;
 use super::{Scene, SceneError};
 use crate::geometry::Patch;
 use crate::numeric::{compensated_sum, tolerance};
@@ -34,42 +35,52 @@ impl Scene {
     /// # Ok::<(), infoscene::scene::SceneError>(())
     /// ```
     pub fn convex_room(&self) -> Result<(Vec<Patch>, Vec<usize>), SceneError> {
-        let roots: Vec<usize> = (0..self.patches.len())
-            .map(|patch| self.root_of(patch))
-            .collect();
         let planes = self.planes();
-        let mut face_of = vec![0; self.patches.len()];
+        let (members, face_of) = self.patches_of_faces(planes);
+        self.require_convex(planes, &members)?;
+        let noise = planes.noise_length();
+        let faces = members.iter().map(|patches| self.face(patches, noise));
+        Ok((faces.collect::<Result<_, _>>()?, face_of))
+    }
+
+    /// The patches of each face, parts of others left out, and the face of each patch.
+    fn patches_of_faces(&self, planes: &ScenePlanes) -> (Vec<Vec<usize>>, Vec<usize>) {
         let mut faces_of = HashMap::new();
         let mut members: Vec<Vec<usize>> = Vec::new();
-        for patch in 0..self.patches.len() {
-            let plane = planes.plane_of(roots[patch]);
-            let face = *faces_of.entry(plane).or_insert_with(|| {
+        let face_of = (0..self.patches.len()).map(|patch| {
+            let root = self.root_of(patch);
+            let face = *faces_of.entry(planes.plane_of(root)).or_insert_with(|| {
                 members.push(Vec::new());
                 members.len() - 1
             });
-            face_of[patch] = face;
-            if roots[patch] == patch {
+            if root == patch {
                 members[face].push(patch);
             }
-        }
+            face
+        });
+        let face_of = face_of.collect();
+        (members, face_of)
+    }
+
+    /// The largest of these patches of a plane: heights over it are the surest.
+    fn wall(&self, patches: &[usize]) -> &Patch {
+        let shapes = patches.iter().map(|patch| &self.patches[*patch].shape);
+        shapes.fold(&self.patches[patches[0]].shape, |best, next| {
+            if next.area() > best.area() {
+                next
+            } else {
+                best
+            }
+        })
+    }
+
+    /// Refuses a room one of whose corners lies behind the plane of a face.
+    fn require_convex(&self, planes: &ScenePlanes, faces: &[Vec<usize>]) -> Result<(), SceneError> {
         let corners = self.surfaces().flat_map(|surface| surface.shape.corners());
         let corners: Vec<DVec3> = corners.copied().collect();
-        let noise = planes.noise_length();
-        // heights over the largest patch of a plane are the surest
-        let wall = |patches: &[usize]| {
-            let shapes = patches.iter().map(|patch| &self.patches[*patch].shape);
-            shapes.fold(&self.patches[patches[0]].shape, |best, next| {
-                if next.area() > best.area() {
-                    next
-                } else {
-                    best
-                }
-            })
-        };
-        let name = |index: usize| self.patches[index].name.clone();
-        for patches in &members {
-            let (index, wall) = (patches[0], wall(patches));
-            let shared = planes.facing(roots[index]);
+        for patches in faces {
+            let (index, wall) = (patches[0], self.wall(patches));
+            let shared = planes.facing(self.root_of(index));
             let height = |corner: &DVec3| {
                 if self.resolution > 0.0 {
                     planes.unit() * shared.sure_height(*corner / planes.unit())
@@ -77,39 +88,37 @@ impl Scene {
                     wall.normal().dot(*corner - wall.corners()[0])
                 }
             };
-            let depth = corners
-                .iter()
-                .map(|corner| -height(corner))
-                .fold(0.0, f64::max);
+            let depths = corners.iter().map(|corner| -height(corner));
+            let depth = depths.fold(0.0, f64::max);
             // a wall's own plane is as good as its corners are planar
-            if depth > noise + tolerance::PLANARITY * wall.area().sqrt() {
-                let name = name(index);
+            if depth > planes.noise_length() + tolerance::PLANARITY * wall.area().sqrt() {
+                let name = self.patches[index].name.clone();
                 return Err(SceneError::NotConvex { index, name, depth });
             }
         }
-        let mut faces = Vec::with_capacity(members.len());
-        for patches in &members {
-            let index = patches[0];
-            let shapes = || patches.iter().map(|patch| &self.patches[*patch].shape);
-            let own = shapes().flat_map(Patch::corners).copied().collect();
-            let hull = hull(own, wall(patches).normal(), noise);
-            let face = Patch::within(hull, self.resolution);
-            let face = face.map_err(|source| self.refused(index, source))?;
-            let missing = face.area() - compensated_sum(shapes().map(Patch::area));
-            // neighbours leave a seam open, or cover it twice
-            let seams = self.resolution * compensated_sum(shapes().map(Patch::perimeter));
-            let allowed = tolerance::COVERED * face.area() + tolerance::RESOLVED_NOISE * seams;
-            if missing.abs() > allowed {
-                let (name, relative) = (name(index), missing / face.area());
-                return Err(SceneError::FaceNotCovered {
-                    index,
-                    name,
-                    relative,
-                });
-            }
-            faces.push(face);
+        Ok(())
+    }
+
+    /// The face that these patches of a plane cover, corners nearer than `noise` to a line left out.
+    fn face(&self, patches: &[usize], noise: f64) -> Result<Patch, SceneError> {
+        let index = patches[0];
+        let shapes = || patches.iter().map(|patch| &self.patches[*patch].shape);
+        let own = shapes().flat_map(Patch::corners).copied().collect();
+        let hull = hull(own, self.wall(patches).normal(), noise);
+        let face = Patch::within(hull, self.resolution);
+        let face = face.map_err(|source| self.refused(index, source))?;
+        let missing = face.area() - compensated_sum(shapes().map(Patch::area));
+        // neighbours leave a seam open, or cover it twice
+        let seams = self.resolution * compensated_sum(shapes().map(Patch::perimeter));
+        let allowed = tolerance::COVERED * face.area() + tolerance::RESOLVED_NOISE * seams;
+        if missing.abs() > allowed {
+            return Err(SceneError::FaceNotCovered {
+                index,
+                name: self.patches[index].name.clone(),
+                relative: missing / face.area(),
+            });
         }
-        Ok((faces, face_of))
+        Ok(face)
     }
 }
 

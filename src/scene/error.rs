@@ -220,8 +220,8 @@ pub enum SceneError {
     /// Something may stand between two patches.
     #[error(
         "patches {first} and {second} may not see each other fully: {obstacle} ({name}) stands \
-         between parts of them{}, and this needs patches that see each other fully: take it away, or \
-         ask for unoccluded values",
+         between parts of them{}, and this needs patches that see each other fully: take it away, \
+         or ask for unoccluded values",
         unless_rounded(*resolution)
     )]
     MayBeBlocked {

@@ -49,6 +49,8 @@
 mod conjugate_gradients;
 mod dense;
 mod error;
+mod form_factor_errors;
+mod held_system;
 mod operator;
 mod sinks;
 mod solve;

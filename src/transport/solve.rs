@@ -8,7 +8,7 @@ use crate::numeric::{DoubleDouble, SQUARED_EPSILON, Scalar, Scaled, real};
 const GOAL: f64 = f64::EPSILON / 64.0;
 
 /// The factor by which one run of conjugate gradients reduces the residual.
-const REDUCTION: f64 = 1e-8;
+pub(super) const REDUCTION: f64 = 1e-8;
 
 /// Runs beyond which nothing more is hoped for.
 const MOST_RUNS: usize = 40;
@@ -17,14 +17,11 @@ const MOST_RUNS: usize = 40;
 const MOST_BOUNCES: usize = 1000;
 
 /// Iterations of one run.
-const MOST_ITERATIONS: usize = 500;
+pub(super) const MOST_ITERATIONS: usize = 500;
 
 /// A generous bound on the relative rounding of the sums of positive numbers in these bounds: n ε
 /// for n up to 4e9.
 const ROUNDING: f64 = 1e-6;
-
-/// A bound on the relative rounding of radiosities as `f64`, and of their products.
-const ROUNDED: f64 = 4.0 * f64::EPSILON;
 
 /// A solution with 106 bits.
 struct Solved {
@@ -165,7 +162,7 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
     }
 
     /// `M x`, with x = 0 where nothing is reflected.
-    fn product(&self, x: &[f64]) -> Vec<f64> {
+    pub(super) fn product(&self, x: &[f64]) -> Vec<f64> {
         let mut image = self.exchange.differences(x);
         for (i, image) in image.iter_mut().enumerate() {
             if self.diagonal[i] > 0.0 {
@@ -278,62 +275,9 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
             iterations,
         }
     }
-
-    /// `g(x)`: what the errors of the exchange areas can do to the equations.
-    fn perturbation(&self, x: &[f64], sources: &[f64]) -> Option<Vec<f64>> {
-        let bounds = self.errors.as_ref()?;
-        let (between, from_others) = (bounds.absolute_differences(x), leading(&bounds.gathered(x)));
-        let row = |i: usize| {
-            let reflectance = self.reflectances[i];
-            if reflectance <= 0.0 {
-                0.0
-            } else if self.escaping[i].is_some() {
-                // the area counts on its own: A (B − E)/R
-                let gained = (x[i] - sources[i]).max(0.0) / reflectance;
-                let of_area = self.open_area_bounds[i] * gained;
-                from_others[i] + self.own_bounds[i] * x[i] + of_area
-            } else {
-                let (lost, gained) = ((1.0 - reflectance) * x[i], sources[i]);
-                // the differences are those of numbers that are rounded themselves
-                let imbalance = (lost - gained).abs() + ROUNDED * (lost + gained);
-                let nearly_even = ROUNDED * (from_others[i] + self.row_bounds[i] * x[i]);
-                between[i] + nearly_even + self.row_bounds[i] * imbalance / reflectance
-            }
-        };
-        Some((0..x.len()).map(row).collect())
-    }
-
-    /// The bounds that the errors of the form factors bring.
-    pub(super) fn form_factor_errors(&self, values: &[f64], sources: &[f64]) -> Option<Vec<f64>> {
-        let forces = self.perturbation(values, sources)?;
-        let none = vec![0.0; values.len()];
-        if forces.iter().all(|force| *force <= 0.0) {
-            return Some(none);
-        }
-        let reaction = conjugate_gradients(
-            |x| self.product(x),
-            &self.diagonal,
-            &forces,
-            REDUCTION,
-            MOST_ITERATIONS,
-        )
-        .solution;
-        let image = self.product(&reaction);
-        let sideways = self.perturbation(&reaction, &none)?;
-        // what rounding may have added to the product
-        let size = self.exchange.absolute_differences(&reaction);
-        let unit = real(values.len() + 32) * f64::EPSILON;
-        let shares = (0..values.len()).filter(|i| forces[*i] > 0.0).map(|i| {
-            let rounding = unit * (size[i] + self.excess[i] * reaction[i].abs());
-            (image[i] - sideways[i] - rounding) / forces[i]
-        });
-        let share = shares.fold(f64::INFINITY, f64::min);
-        let is_safe = share > 0.0 && reaction.iter().all(|x| *x >= 0.0);
-        is_safe.then(|| reaction.into_iter().map(|x| x / share).collect())
-    }
 }
 
-fn leading(numbers: &[DoubleDouble]) -> Vec<f64> {
+pub(super) fn leading(numbers: &[DoubleDouble]) -> Vec<f64> {
     numbers.iter().map(|number| number.high()).collect()
 }
 

@@ -40,11 +40,8 @@
 
 use super::error::SMALLEST_REFLECTANCE;
 use super::sinks::Sinkless;
-use super::{DenseExchange, ExchangeOperator, TransportError};
-use crate::exchange::{Closure, ExchangeAreas, ResolutionErrors};
-use crate::numeric::{DoubleDouble, Scaled, Symmetric};
-use crate::scene::Material;
-use nalgebra::DMatrix;
+use super::{ExchangeOperator, TransportError};
+use crate::numeric::DoubleDouble;
 
 /// The linear system of radiosity, over exchange areas that are known by their products.
 #[derive(Debug, Clone)]
@@ -112,166 +109,6 @@ pub struct ExchangeRows {
     pub open_areas: Vec<Option<f64>>,
 }
 
-impl<'e> RadiositySystem<DenseExchange<'e>> {
-    /// The system of a scene's patches; it is closed if every row of form factors sums to one
-    /// within its bounds.
-    ///
-    /// # Errors
-    /// [`TransportError::WrongCount`] unless there is a material for each patch;
-    /// [`TransportError::ReflectanceTooSmall`]; [`TransportError::NoSink`] if patches reflect all
-    /// light and none of it ends; [`TransportError::Exchange`] if a row is above one, as where
-    /// patches hide each other and occlusion was ignored.
-    pub fn of(exchange: &'e ExchangeAreas, materials: &[Material]) -> Result<Self, TransportError> {
-        let reflectances = materials.iter().map(Material::reflectance);
-        Self::with_reflectances(exchange, reflectances.collect())
-    }
-
-    /// The system of patches that reflect so much.
-    ///
-    /// # Errors
-    /// As [`of`](Self::of), and [`TransportError::ReflectanceOutOfRange`].
-    pub fn with_reflectances(
-        exchange: &'e ExchangeAreas,
-        reflectances: Vec<f64>,
-    ) -> Result<Self, TransportError> {
-        let closure = Closure::of_held(exchange);
-        closure.require_at_most_one()?;
-        let rows = || 0..exchange.rows();
-        let own = rows().map(|i| exchange.get(i, i).exchange);
-        let (own, own_bounds) = own.map(|own| (own.value, own.error)).unzip();
-        let open = |i: usize| (closure.escaping(i) > 0.0).then(|| exchange.areas()[i]);
-        Self::in_own_unit(
-            exchange.values().into(),
-            Some(exchange.errors().into()),
-            ExchangeRows {
-                own,
-                own_bounds,
-                open_areas: rows().map(open).collect(),
-            },
-            reflectances,
-        )
-        .map_err(|error| match error {
-            TransportError::NoSink { group } => TransportError::NoSink {
-                group: group.named(&exchange.shared_names()),
-            },
-            other => other,
-        })
-    }
-
-    /// The system of a closed scene with these exchange areas `A_i F_ij`, taken as exact; the areas
-    /// are their row sums.
-    ///
-    /// # Errors
-    /// [`TransportError::InvalidExchange`] unless the matrix is finite, ≥ 0 and equal to its
-    /// transpose; [`TransportError::WrongCount`] unless it has a row and a column for each
-    /// reflectance; [`TransportError::ReflectanceOutOfRange`],
-    /// [`TransportError::ReflectanceTooSmall`], [`TransportError::NoSink`].
-    pub fn of_matrix(
-        exchange: &DMatrix<f64>,
-        reflectances: Vec<f64>,
-    ) -> Result<RadiositySystem<DenseExchange<'static>>, TransportError> {
-        let count = reflectances.len();
-        let values = packed(exchange, count)?;
-        RadiositySystem::in_own_unit(
-            values.into(),
-            None,
-            ExchangeRows {
-                own: exchange.diagonal().iter().copied().collect(),
-                own_bounds: vec![0.0; count],
-                open_areas: vec![None; count],
-            },
-            reflectances,
-        )
-    }
-
-    /// Bounds on what the resolution of a scene's coordinates can change of its radiosities: the
-    /// errors of form factors that these bounds would be; none where no bound is known.
-    ///
-    /// **Arguments** the bounds, the radiosities of this system, the emittances.
-    #[must_use]
-    pub fn resolution_errors(
-        &self,
-        bounds: &'e ResolutionErrors,
-        values: &[f64],
-        sources: &[f64],
-    ) -> Option<Vec<f64>> {
-        let exchange = DenseExchange::from(bounds.exchange());
-        let sums = exchange.gathered(&vec![1.0; bounds.own().len()]);
-        let sums = sums.iter().zip(bounds.own());
-        let mut system = Self {
-            errors: Some(exchange),
-            row_bounds: sums.map(|(sum, own)| sum.high() + own).collect(),
-            open_area_bounds: bounds.areas().to_vec(),
-            ..self.clone()
-        };
-        let power = self.power;
-        if power != 0 {
-            if let Some(errors) = &mut system.errors {
-                errors.scale(power);
-            }
-            let bounds = system
-                .row_bounds
-                .iter_mut()
-                .chain(&mut system.open_area_bounds);
-            for bound in bounds {
-                *bound = Scaled::new(*bound).times_power(power);
-            }
-        }
-        let known = system.form_factor_errors(values, sources);
-        let most = system.brightest(sources);
-        if known.is_none() && most.is_infinite() {
-            return None;
-        }
-        // whatever the form factors are, a patch is as bright as it emits, and no brighter than all
-        // would be that emit and reflect the most
-        let range = values
-            .iter()
-            .zip(sources)
-            .map(|(value, source)| f64::max(value - source, most - value));
-        let bounds = range.enumerate().map(|(patch, range)| match &known {
-            Some(known) => known[patch].min(range),
-            None => range,
-        });
-        Some(bounds.collect())
-    }
-
-    /// The radiosity of a closed room all of whose patches emit and reflect the most of any;
-    /// infinite if that reflects all.
-    fn brightest(&self, sources: &[f64]) -> f64 {
-        let largest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
-        largest(sources) / (1.0 - largest(&self.reflectances)).max(0.0)
-    }
-
-    /// The system in units in which neither products nor their low halves leave `f64`.
-    fn in_own_unit(
-        mut exchange: DenseExchange<'e>,
-        mut errors: Option<DenseExchange<'e>>,
-        mut rows: ExchangeRows,
-        reflectances: Vec<f64>,
-    ) -> Result<Self, TransportError> {
-        let own = rows.own.iter().copied().fold(0.0, f64::max);
-        let power = -Scaled::new(exchange.largest(own)).exponent;
-        let power = if power.abs() > 300 { power } else { 0 };
-        if power != 0 {
-            exchange.scale(power);
-            if let Some(bounds) = &mut errors {
-                bounds.scale(power);
-            }
-            let ExchangeRows {
-                own,
-                own_bounds,
-                open_areas,
-            } = &mut rows;
-            let areas = open_areas.iter_mut().flatten();
-            for value in own.iter_mut().chain(own_bounds).chain(areas) {
-                *value = Scaled::new(*value).times_power(power);
-            }
-        }
-        let system = Self::try_new(exchange, errors, rows, reflectances)?;
-        Ok(Self { power, ..system })
-    }
-}
-
 impl<O: ExchangeOperator> RadiositySystem<O> {
     /// The system of these exchange areas and the bounds on their errors, none where they count as
     /// exact.
@@ -292,24 +129,11 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
         check_reflectances(&reflectances, exchange.order())?;
         let ones = vec![1.0; exchange.order()];
         let sums = exchange.gathered(&ones);
-        let row_bounds: Vec<f64> = match &errors {
-            Some(bounds) => {
-                let sums = bounds.gathered(&ones);
-                let sums = sums.iter().zip(&rows.own_bounds);
-                sums.map(|(sum, own)| sum.high() + own).collect()
-            }
+        let row_bounds = match &errors {
+            Some(bounds) => row_bounds(&bounds.gathered(&ones), &rows.own_bounds),
             None => rows.own_bounds.clone(),
         };
-        let (areas, escaping): (Vec<_>, Vec<_>) = sums
-            .iter()
-            .zip(&rows.own)
-            .zip(&rows.open_areas)
-            .map(|((sum, own), open)| {
-                let row = *sum + DoubleDouble::from(*own);
-                let area = open.map(DoubleDouble::from);
-                (area.unwrap_or(row), area.map(|area| area - row))
-            })
-            .unzip();
+        let (areas, escaping) = areas(&sums, &rows);
         if reflectances.iter().any(|reflectance| *reflectance >= 1.0) {
             let is_sink = |i: usize| {
                 let escaping = escaping[i].map_or(0.0, DoubleDouble::high);
@@ -347,33 +171,7 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
     }
 }
 
-/// The entries of a matrix below its diagonal, if it is symmetric and of this order.
-fn packed(exchange: &DMatrix<f64>, expected: usize) -> Result<Symmetric<f64>, TransportError> {
-    let (rows, columns) = exchange.shape();
-    for (what, found) in [
-        ("rows of exchange areas", rows),
-        ("columns of exchange areas", columns),
-    ] {
-        check_count(what, found, expected)?;
-    }
-    let mut values = Symmetric::filled(expected, 0.0);
-    let mut to_fill = values.rows_mut();
-    for column in 0..columns {
-        for row in 0..=column {
-            let value = exchange[(row, column)];
-            let is_symmetric = value.to_bits() == exchange[(column, row)].to_bits();
-            if !(value.is_finite() && value >= 0.0 && is_symmetric) {
-                return Err(TransportError::InvalidExchange { row, column, value });
-            }
-            if row < column {
-                to_fill[column][row] = value;
-            }
-        }
-    }
-    Ok(values)
-}
-
-const fn check_count(
+pub(super) const fn check_count(
     what: &'static str,
     found: usize,
     expected: usize,
@@ -399,6 +197,28 @@ fn check_reflectances(reflectances: &[f64], expected: usize) -> Result<(), Trans
         }
     }
     Ok(())
+}
+
+/// `Σ_j δ_ij`, from the sums off the diagonal.
+pub(super) fn row_bounds(sums: &[DoubleDouble], own: &[f64]) -> Vec<f64> {
+    let sums = sums.iter().zip(own);
+    sums.map(|(sum, own)| sum.high() + own).collect()
+}
+
+/// The area of each row, and what escapes from it; `None` where nothing does.
+fn areas(
+    sums: &[DoubleDouble],
+    rows: &ExchangeRows,
+) -> (Vec<DoubleDouble>, Vec<Option<DoubleDouble>>) {
+    let rows = rows.own.iter().zip(&rows.open_areas);
+    sums.iter()
+        .zip(rows)
+        .map(|(sum, (own, open))| {
+            let row = *sum + DoubleDouble::from(*own);
+            let area = open.map(DoubleDouble::from);
+            (area.unwrap_or(row), area.map(|area| area - row))
+        })
+        .unzip()
 }
 
 /// `e + A (1−R)/R`; 0 for patches that reflect nothing.

@@ -86,8 +86,9 @@ fn columns_and_notes_are_for_rounded_scenes() {
     );
 }
 
-/// Without a resolution the room is blocked by its own panels; what needs full sight is refused, and
-/// the message names the flag and a length that does; a length that tells nothing apart is refused.
+/// Without a resolution the room is blocked by its own panels; what needs full sight is refused,
+/// and the message names the flag and a length that does; a length that tells nothing apart is
+/// refused.
 #[test]
 fn a_resolution_is_given() {
     let (_folder, room) = room();

@@ -180,8 +180,8 @@ fn sampling_study_has_the_errors_it_expects() {
 
 /// The reading of fig. 5: an exact expectation of the estimator, computed apart for this reading to
 /// five digits by sums over binomial probabilities: 1.33806, 1.36152, 1.25942 and, for a first line
-/// at 0.1, 1.36045, from N = 200,000 lines; the exact values are those of cube_grids.csv. The printed
-/// values lie one standard deviation below the first three.
+/// at 0.1, 1.36045, from N = 200,000 lines; the exact values are those of cube_grids.csv. The
+/// printed values lie one standard deviation below the first three.
 #[test]
 fn figure_5_reading_is_found_again() {
     let answer = json(&["study", "figure-5", "--quick"]);

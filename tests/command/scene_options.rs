@@ -141,10 +141,12 @@ fn errors_that_no_row_sum_can_feel_are_accepted() {
     let path = folder.path().join("far.obj");
     // two slivers whose planes almost coincide, to more decimals than they are apart
     let text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n\
-                v 3 0.1 -1.0000001e-9\nv 4 0.1 1.0000001e-9\nv 4 0.9 1.0000001e-9\nv 3 0.9 -1.0000001e-9\nf 1 2 3 4\nf 5 6 7 8\n";
+                v 3 0.1 -1.0000001e-9\nv 4 0.1 1.0000001e-9\nv 4 0.9 1.0000001e-9\n\
+                v 3 0.9 -1.0000001e-9\nf 1 2 3 4\nf 5 6 7 8\n";
     std::fs::write(&path, text).unwrap();
     let path = path.to_str().unwrap();
-    infoscene(&["form-factor", path]).assert().success();
+    let tolerance = ["form-factor", path, "--tolerance", "1e-15"];
+    infoscene(&tolerance).assert().success();
     let mut strict = infoscene(&[
         "form-factor",
         path,

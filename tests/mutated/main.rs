@@ -70,8 +70,8 @@ const VS3: &str = "T title\nC encl=1 eps=1e-4\nF 3\nV 1 0 0 0\nV 2 1 0 0\nV 3 1 
     V 5 .5 .5 1e0\nS 1 1 2 3 4 0 0 .9 floor ! part\nS 2 1 2 3 0 1 0 .25 mat\nS 3 1 2 5 0 0 0 1 a\n\
     S 4 2 3 5 5 0 3 1 b\nS 5 1 2 2 1 0 0 1 thread\nO 6 3 4 5 0\nEnd of data\n";
 
-const STL: &str = "solid room\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n\
-    \x20  vertex 1 1 0\n  endloop\n endfacet\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 1\n\
+const STL: &str = "solid room\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n\
+    \x20  vertex 1 0 0\n   vertex 1 1 0\n  endloop\n endfacet\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 1\n\
     \x20  vertex 1 0 1\n   vertex .5 0 1\n  endloop\n endfacet\nendsolid room\n";
 
 /// The same facets in binary.

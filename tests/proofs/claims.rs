@@ -2,9 +2,9 @@
 //! the claims.
 //!
 //! `INFOSCENE_REFRESH=1 cargo test --test proofs` rewrites words, hypotheses and conclusions; read
-//! the difference. A pair of a claim and its theorem of which either has changed must be read again:
-//! `INFOSCENE_READ=ID cargo test --test proofs` records that the pairs of claim ID were (`all` for
-//! all).
+//! the difference. A pair of a claim and its theorem of which either has changed must be read
+//! again: `INFOSCENE_READ=ID cargo test --test proofs` records that the pairs of claim ID were
+//! (`all` for all).
 
 use crate::coq::{Parts, stated};
 use crate::page::words_of_theorems;
@@ -14,6 +14,12 @@ use std::fmt::Write as _;
 use std::fs;
 
 const DATA: &str = "data/proved_theorems.toml";
+
+const HEAD: &str = "\
+# The theorems of proofs/ that claims name. Words, hypotheses and conclusions are written by
+# INFOSCENE_REFRESH=1 cargo test --test proofs from proofs/README.md and proofs/statements;
+# read: a digest of each claim and the theorem as they were when last read together.
+";
 
 /// A claim as the data have it: id, quantity and verdict, which a theorem must match in words.
 struct Claim {
@@ -34,7 +40,12 @@ fn claims() -> Vec<Claim> {
             });
             all.push(Claim {
                 id: words("id").to_owned(),
-                says: format!("{}: {}", words("quantity"), words("verdict")),
+                says: format!(
+                    "{}: {}{}",
+                    words("quantity"),
+                    words("verdict"),
+                    words("on_paper")
+                ),
                 proof: proof
                     .iter()
                     .map(|name| name.as_str().unwrap().to_owned())
@@ -115,10 +126,7 @@ fn written(
     theorems: &BTreeMap<String, Theorem>,
     read: impl Fn(&str, &str, &str) -> String,
 ) -> String {
-    let mut text = "# The theorems of proofs/ that claims name. Words, hypotheses and conclusions are written by\n\
-                    # INFOSCENE_REFRESH=1 cargo test --test proofs from proofs/README.md and proofs/statements;\n\
-                    # read: a digest of each claim and the theorem as they were when last read together.\n"
-        .to_owned();
+    let mut text = HEAD.to_owned();
     for (name, theorem) in theorems {
         let quoted = |text: &str| serde_json::to_string(text).unwrap();
         let hypotheses: Vec<String> = theorem

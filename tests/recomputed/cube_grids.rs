@@ -117,7 +117,8 @@ fn numerical_exchange_areas_reproduce_the_curve_of_three_by_three_grids() {
 /// from starts of one or two digits: cube_grids.csv, rows `cube_optimal_*` and
 /// `fig4_opt_x`, which is 20 times the line of the 3 × 3 grid.
 #[test]
-#[ignore = "recomputes 8 rows of cube_grids.csv in about 70 s: cargo test --release --test recomputed -- --ignored"]
+#[ignore = "recomputes 8 rows of cube_grids.csv in about 70 s: \
+            cargo test --release --test recomputed -- --ignored"]
 fn newtons_method_reproduces_the_best_grids() {
     for (n, starts) in OPTIMAL {
         let mut lines: Vec<Real> = starts.iter().map(|start| Real::decimal(start)).collect();

@@ -51,7 +51,8 @@ fn polygon(input: &str) -> Polygon {
 /// of the quadrature: form_factors.csv, columns `form_factor`, `reverse_form_factor`
 /// and `exchange_area`, all digits printed.
 #[test]
-#[ignore = "recomputes form_factors.csv in about 10 s: cargo test --release --test recomputed -- --ignored"]
+#[ignore = "recomputes form_factors.csv in about 10 s: \
+            cargo test --release --test recomputed -- --ignored"]
 fn contour_integrals_reproduce_every_form_factor_row() {
     for id in IDS {
         let row = row("form_factors", id);

@@ -92,7 +92,8 @@ fn numerical_gain_curves_reproduce_the_tabulated_gains() {
 /// The place and the value of the maximum of U(t) for rectangles at right angles:
 /// splits.csv, rows `split_perp_*` and `three_squares_*`.
 #[test]
-#[ignore = "recomputes 8 rows of splits.csv in about 11 s: cargo test --release --test recomputed -- --ignored"]
+#[ignore = "recomputes 8 rows of splits.csv in about 11 s: \
+            cargo test --release --test recomputed -- --ignored"]
 fn numerical_gain_curves_reproduce_the_optima_at_right_angles() {
     for optimum in OPTIMA {
         assert_optimum(optimum);
@@ -103,7 +104,8 @@ fn numerical_gain_curves_reproduce_the_optima_at_right_angles() {
 /// parallel to the common edge, and the form factor itself: splits.csv, rows
 /// `split_incl60_par_*` and `ff_incl_60_check`.
 #[test]
-#[ignore = "recomputes 3 rows of splits.csv in about 13 s: cargo test --release --test recomputed -- --ignored"]
+#[ignore = "recomputes 3 rows of splits.csv in about 13 s: \
+            cargo test --release --test recomputed -- --ignored"]
 fn contour_integrals_reproduce_the_optimum_at_sixty_degrees() {
     for level in [&COARSE, &FINE] {
         assert_value(INCLINED_FORM_FACTOR, &Curve::Inclined.whole(level));

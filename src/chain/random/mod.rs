@@ -18,6 +18,7 @@
 //! use proptest::prelude::*;
 //!
 //! proptest!(|(refinement in refinement(12))| {
+//!     let refinement = refinement?;
 //!     prop_assert!(refinement_gain(&refinement) >= 0.0); // Theorem 1
 //! });
 //! # }

@@ -23,6 +23,7 @@
 //! use proptest::prelude::*;
 //!
 //! proptest!(|(refinement in refinement(12))| {
+//!     let refinement = refinement?;
 //!     let (coarse, refined) = (refinement.coarse(), refinement.refined());
 //!     let difference = mutual_information(refined) - mutual_information(coarse);
 //!     prop_assert!(refinement_gain(&refinement) >= 0.0);
@@ -31,6 +32,7 @@
 //! ```
 
 use super::families::{ChainFamily, DivisionFamily, RefinementDraw};
+use crate::chain::ChainError;
 use crate::chain::refinement::Refinement;
 use crate::chain::reversible::ReversibleChain;
 use proptest::prelude::*;
@@ -73,27 +75,17 @@ pub fn refinement_draw(most_states: usize) -> impl Strategy<Value = RefinementDr
 /// Refinements of chains of at most `most_states` states: one to three states divided, each into
 /// two to four parts.
 ///
-/// # Panics
-/// While drawing, if a draw within its stated ranges cannot be built: a defect of this crate, which
+/// A draw within its stated ranges that cannot be built is a defect of this crate: an error, which
 /// a test run must show and not filter away.
-pub fn refinement(most_states: usize) -> impl Strategy<Value = Refinement> {
-    refinement_draw(most_states).prop_map(|draw| built(&draw))
+pub fn refinement(most_states: usize) -> impl Strategy<Value = Result<Refinement, ChainError>> {
+    refinement_draw(most_states).prop_map(|draw| draw.refinement())
 }
 
-/// Reversible chains of at most `most_states` states.
-///
-/// # Panics
-/// As [`refinement`].
-pub fn reversible_chain(most_states: usize) -> impl Strategy<Value = ReversibleChain> {
-    refinement(most_states).prop_map(|refinement| refinement.coarse().clone())
-}
-
-/// The refinement of a draw; one that cannot be built is a defect of this crate.
-fn built(draw: &RefinementDraw) -> Refinement {
-    match draw.refinement() {
-        Ok(refinement) => refinement,
-        Err(error) => panic!("{draw:?} cannot be built: {error}"),
-    }
+/// Reversible chains of at most `most_states` states; errors as of [`refinement`].
+pub fn reversible_chain(
+    most_states: usize,
+) -> impl Strategy<Value = Result<ReversibleChain, ChainError>> {
+    refinement(most_states).prop_map(|refinement| Ok(refinement?.coarse().clone()))
 }
 
 fn chain_family(most: usize) -> impl Strategy<Value = ChainFamily> {

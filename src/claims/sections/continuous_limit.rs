@@ -125,9 +125,9 @@ pub(crate) fn continuous_is_least_upper_bound(case: &Case<'_>) -> Result<Finding
     Ok(Finding::statement(holds, smallest, continuous.error).sampled())
 }
 
-/// `log2 A_T − H` against `∫ F log2(A_T F)` at points of a unit cube's floor, `H = −∫ F log2 F`, both
-/// by quadrature over the other faces; integrated over the floor they are H_p − H_s and (4). The
-/// control takes `total_factor` times A_T in the first.
+/// `log2 A_T − H` against `∫ F log2(A_T F)` at points of a unit cube's floor, `H = −∫ F log2 F`,
+/// both by quadrature over the other faces; integrated over the floor they are H_p − H_s and (4).
+/// The control takes `total_factor` times A_T in the first.
 pub(crate) fn continuous_information_is_a_difference(
     case: &Case<'_>,
 ) -> Result<Finding, ClaimError> {
@@ -171,8 +171,8 @@ fn double_integral(f: &dyn Fn(f64, f64) -> f64) -> Result<f64, ClaimError> {
 }
 
 /// Regular grids of the cube from one cell a side up to `most`: each has more mutual information
-/// than the one before it, and the continuous one, which no division exceeds, is above them all. The
-/// number is that of the steps that rise; with `backwards` they are counted downwards.
+/// than the one before it, and the continuous one, which no division exceeds, is above them all.
+/// The number is that of the steps that rise; with `backwards` they are counted downwards.
 pub(crate) fn finer_regular_grids_know_more(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let most = case.count("most")?;
     // one grid more, whose information the continuous one has at least

@@ -1,5 +1,5 @@
-//! Fig. 5(b), read as exact: the mutual information of every regular grid of the cube, n × n squares
-//! on each face, against the printed value, by a finite computation.
+//! Fig. 5(b), read as exact: the mutual information of every regular grid of the cube, n × n
+//! squares on each face, against the printed value, by a finite computation.
 //!
 //! ```text
 //!   n ≤ 16        enclosed
@@ -9,10 +9,11 @@
 //! ```
 //!
 //! The last is the chain rule, `I(X′;Y′) ≤ I(X;Y) + H(X′|X) + H(Y′|Y)`: cutting the cells of the
-//! grid by the 15 lines of the regular one of 16 divides, along each axis of a face, at most 15 of n
-//! strips in two, which makes at most 15/n bit for each axis and end. So once I(16) − 60/n is above
-//! the print, so is every I(n) from there on. The third line takes most of the time: the claim asks
-//! it up to a number of cells beyond what a printed figure shows, a test for all that are left.
+//! grid by the 15 lines of the regular one of 16 divides, along each axis of a face, at most 15 of
+//! n strips in two, which makes at most 15/n bit for each axis and end. So once I(16) − 60/n is
+//! above the print, so is every I(n) from there on. The third line takes most of the time: the
+//! claim asks it up to a number of cells beyond what a printed figure shows, a test for all that
+//! are left.
 //!
 //! **Not covered**: grids that are not regular; faces that are divided differently.
 

@@ -48,8 +48,8 @@ pub(crate) fn light_weights_sum_to_normalisation(case: &Case<'_>) -> Result<Find
 }
 
 /// `w_i P_ij` against `w_j P_ji`, each direction on its own: the weights as printed, the
-/// probabilities as shares of what a patch receives, `A_i F_ij` from the frame of i. They agree only
-/// where the weights are what the patches receive.
+/// probabilities as shares of what a patch receives, `A_i F_ij` from the frame of i. They agree
+/// only where the weights are what the patches receive.
 pub(crate) fn light_is_reciprocal(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let lit = Lit::new(case)?;
     let brightness = lit.brightness();
@@ -117,8 +117,8 @@ pub(crate) fn divided_light_adds_up(case: &Case<'_>) -> Result<Finding, ClaimErr
 }
 
 /// `E(x) = k (1 − R(x))`, or `V(x) = k (1/R(x) − 1)`, with a reflectance that varies inside the
-/// patches: the largest difference of `P_ij`, by quadrature, from `F_ij`. The brightness is what the
-/// integral equation makes of k, from which every point of a closed scene receives k.
+/// patches: the largest difference of `P_ij`, by quadrature, from `F_ij`. The brightness is what
+/// the integral equation makes of k, from which every point of a closed scene receives k.
 pub(crate) fn even_light_is_visibility(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let lit = Lit::new(case)?;
     let (level, flaw) = (case.number("level")?, case.number("flaw")?);

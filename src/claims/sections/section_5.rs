@@ -83,8 +83,8 @@ pub(crate) fn potential_is_far_from_real_gain(case: &Case<'_>) -> Result<Finding
     Ok(Finding::decided(holds, fails, share).noting(note))
 }
 
-/// Two halves with fluxes 1 + d and 1 − d as doubles, and their gain in nats by two forms, each with
-/// the logarithms that it takes.
+/// Two halves with fluxes 1 + d and 1 − d as doubles, and their gain in nats by two forms, each
+/// with the logarithms that it takes.
 struct Halves {
     /// The error of the expression as printed, relative.
     printed: Interval,

@@ -71,8 +71,8 @@ pub(crate) fn maximum_is_proportional_to_potential(case: &Case<'_>) -> Result<Fi
 }
 
 /// Random regular divisions of every pair, and those that leave all the flux to one part: the
-/// largest gain of a pair of potential ε₁ over `2 ε₁ log2 m/Σw`. With `lopsidedness` the first part,
-/// which keeps the flux, takes that much less area.
+/// largest gain of a pair of potential ε₁ over `2 ε₁ log2 m/Σw`. With `lopsidedness` the first
+/// part, which keeps the flux, takes that much less area.
 pub(crate) fn discarded_pairs_gain_little(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let lit = Lit::new(case)?;
     let total = compensated_sum((0..lit.patches()).map(|i| lit.weight(i)));
@@ -126,8 +126,8 @@ pub(crate) fn larger_area_has_larger_bound(case: &Case<'_>) -> Result<Finding, C
 }
 
 /// The largest relative difference of the potentials of i and of j for one pair, `B_i B_j A_i F_ij`
-/// and `B_j B_i A_j F_ji`, each from its own side: the one picked has the higher one if there is any.
-/// The control makes the second larger by `area_factor`.
+/// and `B_j B_i A_j F_ji`, each from its own side: the one picked has the higher one if there is
+/// any. The control makes the second larger by `area_factor`.
 pub(crate) fn picked_patch_has_higher_potential(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let lit = Lit::new(case)?;
     let worst = largest_deviation(&lit, case, |[i, j], [there, back]| {
@@ -150,13 +150,13 @@ pub(crate) fn potential_is_power_times_ratio(case: &Case<'_>) -> Result<Finding,
         let power = lit.solution[j] * lit.reflectance(i) * back;
         (lit.solution[i] / lit.reflectance(i) * power / potential - 1.0).abs()
     })?;
-    let note = "the factor B_i/R_i differs from patch to patch, so that the two oracles order pairs \
-                differently: it is an analogy and no more";
+    let note = "the factor B_i/R_i differs from patch to patch, so that the two oracles order \
+                pairs differently: it is an analogy and no more";
     Ok(Finding::residual(worst, tolerance::CLOSURE).noting(note))
 }
 
-/// The largest of a deviation over all pairs of a lit cube that see each other, given `A_i F_ij` and
-/// `A_j F_ji`, each from its own side, the second times `area_factor`.
+/// The largest of a deviation over all pairs of a lit cube that see each other, given `A_i F_ij`
+/// and `A_j F_ji`, each from its own side, the second times `area_factor`.
 fn largest_deviation(
     lit: &Lit,
     case: &Case<'_>,
@@ -178,8 +178,8 @@ fn largest_deviation(
     Ok(worst)
 }
 
-/// Random and nearly even divisions into 2 to 8 parts: the smallest gain over `factor · wP g²/ln 2`,
-/// which two halves that differ little reach.
+/// Random and nearly even divisions into 2 to 8 parts: the smallest gain over `factor · wP g²/ln
+/// 2`, which two halves that differ little reach.
 pub(crate) fn gradient_guarantees_gain(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let factor = case.number("factor")?;
     let mut random = RandomChains::new(case.count("seed")?.into());
@@ -209,9 +209,9 @@ pub(crate) fn gradient_guarantees_gain(case: &Case<'_>) -> Result<Finding, Claim
     Ok(Finding::statement(holds, smallest, tolerance::GAIN).sampled())
 }
 
-/// Two halves with form factors F (1 ± g), g from 0 to 1, and random divisions into 2 to 8 parts with
-/// `F (1 + g d_k)`, Σ w_k d_k = 0: the smallest step of the gain as g grows, relative to the gain in
-/// the middle. With `flux_loss` the total falls as g grows.
+/// Two halves with form factors F (1 ± g), g from 0 to 1, and random divisions into 2 to 8 parts
+/// with `F (1 + g d_k)`, Σ w_k d_k = 0: the smallest step of the gain as g grows, relative to the
+/// gain in the middle. With `flux_loss` the total falls as g grows.
 pub(crate) fn gain_grows_with_gradient(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let loss = case.number("flux_loss")?;
     let mut random = RandomChains::new(case.count("seed")?.into());
@@ -246,8 +246,8 @@ pub(crate) fn gain_grows_with_gradient(case: &Case<'_>) -> Result<Finding, Claim
     Ok(finding.sampled().with_curve(curve))
 }
 
-/// Directions whose weighted mean is 0 and whose lowest is −1, so that no flux is negative; those of
-/// equal numbers are turned.
+/// Directions whose weighted mean is 0 and whose lowest is −1, so that no flux is negative; those
+/// of equal numbers are turned.
 fn centred(weights: &[f64], mut directions: Vec<f64>) -> Vec<f64> {
     directions[0] += 0.5;
     let weight: f64 = weights.iter().sum();

@@ -11,7 +11,7 @@
 use super::{BoxGrid, GridInformation, checked};
 use crate::discretize::division::regular_positions;
 use crate::discretize::error::DiscretizeError;
-use crate::numeric::{maximum_by_derivatives, parallel_map};
+use crate::numeric::{Bounded, maximum_by_derivatives, parallel_map};
 use nalgebra::{DMatrix, DVector};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -25,11 +25,9 @@ pub struct BestGrid {
     pub information: GridInformation,
     /// The largest remaining derivative, in bits.
     pub slope: f64,
-    /// Largest eigenvalue of the Hessian, in bits; `None` if no line is free.
-    pub curvature: Option<f64>,
-    /// The error of the curvature, from differences of gradients along its eigenvector: an
-    /// estimate.
-    pub curvature_error: f64,
+    /// The largest eigenvalue of the Hessian, in bits, with an error estimated from differences of
+    /// gradients along its eigenvector; `None` if no line is free.
+    pub curvature: Option<Bounded>,
     /// The error of the lines, relative to the edges: an estimate.
     pub line_error: f64,
     /// The starts of the search and their ends.
@@ -106,7 +104,6 @@ impl BestGrid {
             grid,
             slope: 0.0,
             curvature: None,
-            curvature_error: 0.0,
             line_error: 0.0,
             search: Search {
                 starts: 1,
@@ -143,8 +140,10 @@ impl BestGrid {
             grid,
             information,
             slope: derivatives.gradient.amax(),
-            curvature: Some(-curvature),
-            curvature_error: (differences + curvature).abs(),
+            curvature: Some(Bounded::estimate(
+                -curvature,
+                (differences + curvature).abs(),
+            )),
             line_error: (inverse.abs() * left).amax() + f64::EPSILON,
             search,
         })

@@ -9,7 +9,7 @@
 
 use super::split::{PatchSplit, SplitOptimum};
 use crate::discretize::error::DiscretizeError;
-use crate::numeric::{NumericError, maximum, maximum_of_many, real, tolerance, x_log2_ratio};
+use crate::numeric::{NumericError, is_higher, maximum, maximum_of_many, real, x_log2_ratio};
 use std::cell::RefCell;
 
 /// Pieces of the whole at whose ends the derivative is scanned for maxima: (b) maxima less than a
@@ -76,9 +76,7 @@ impl PatchSplit {
         let mut best: Option<(f64, f64)> = None;
         let mut consider = |position: f64, gain: f64| {
             // the first of equal maxima
-            let is_higher =
-                best.is_none_or(|(_, most)| gain > most + tolerance::EQUAL_MAXIMA * gain.abs());
-            if is_higher {
+            if best.is_none_or(|(_, most)| is_higher(gain, most)) {
                 best = Some((position, gain));
             }
         };

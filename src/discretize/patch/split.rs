@@ -17,9 +17,9 @@
 //! all are rectangles with edges along common axes, the split is a [`RectangleSplit`] too, and has
 //! enclosures and proofs.
 //!
-//! Where other surfaces stand between, the parts exchange what is left past all that block the whole
-//! patch ([`Occlusion`]); such a split has no enclosures. A surface that stands on the patch may cut
-//! its light off along a line, where the derivative of the gain jumps.
+//! Where other surfaces stand between, the parts exchange what is left past all that block the
+//! whole patch ([`Occlusion`]); such a split has no enclosures. A surface that stands on the patch
+//! may cut its light off along a line, where the derivative of the gain jumps.
 //!
 //! **Not covered**: cuts in other directions.
 
@@ -90,9 +90,9 @@ impl PatchSplit {
     /// # Errors
     /// [`DiscretizeError::Scene`] if a patch does not exist, has others lying in it, has no axes,
     /// if patches of the scene overlap, or if something may stand between the cut patch and one of
-    /// the others and that is refused; [`DiscretizeError::Exchange`] if the exchange area of a pair leaves `f64`'s
-    /// range, or if all patches face away from each other; [`DiscretizeError::AgainstItself`];
-    /// [`DiscretizeError::NamedTwice`];
+    /// the others and that is refused; [`DiscretizeError::Exchange`] if the exchange area of a pair
+    /// leaves `f64`'s range, or if all patches face away from each other;
+    /// [`DiscretizeError::AgainstItself`]; [`DiscretizeError::NamedTwice`];
     /// [`DiscretizeError::NothingToGain`].
     pub fn with_occlusion(
         scene: &Scene,

@@ -50,7 +50,7 @@ pub(crate) mod panels;
 use super::{ExchangeArea, FormFactorError, Polygon};
 use crate::geometry::Patch;
 use crate::numeric::functions::elementary::ln;
-use crate::numeric::{GaussLegendre, tolerance};
+use crate::numeric::{Bounded, GaussLegendre, tolerance};
 use face::Face;
 use std::f64::consts::PI;
 
@@ -74,22 +74,27 @@ pub struct LogMeans {
     pub distance: f64,
     /// `∫∫ F ln cos θ` of the angle at the first polygon and at the second, ≤ 0.
     pub cosines: [f64; 2],
-    /// Estimated absolute error of `∫∫ F ln F`.
-    pub error_estimate: f64,
+    /// The error of [`kernel`](Self::kernel).
+    kernel_error: f64,
 }
 
 impl LogMeans {
-    /// `∫∫ F ln(u F)`; `u` > 0 an area, that lengths are compared with.
+    /// `∫∫ F ln(u F)`, with an estimate of its error; `u` > 0 an area, that lengths are compared
+    /// with.
     #[must_use]
-    pub fn kernel(&self, unit: f64) -> f64 {
+    pub fn kernel(&self, unit: f64) -> Bounded {
         let [first, second] = self.cosines;
-        first + second - 2.0 * self.distance + self.exchange.value * (unit / PI).ln()
+        let of_unit = self.exchange.value * (unit / PI).ln();
+        Bounded::estimate(
+            first + second - 2.0 * self.distance + of_unit,
+            self.kernel_error,
+        )
     }
 
     /// The logarithms of two polygons, each in front of the other's plane.
     ///
     /// **Accuracy** about 1e-14 of the exchange area for polygons of moderate shape, touching or
-    /// not; `error_estimate` says what cancels.
+    /// not; the error of [`kernel`](Self::kernel) says what cancels.
     ///
     /// # Errors
     /// [`FormFactorError::BehindPlane`] if one reaches behind the plane of the other; those of
@@ -126,7 +131,7 @@ impl LogMeans {
                 exchange,
                 distance: 0.0,
                 cosines: [0.0; 2],
-                error_estimate: exchange.error,
+                kernel_error: exchange.error,
             });
         }
         let [low, high] = other.heights(one);
@@ -169,7 +174,7 @@ impl LogMeans {
             exchange,
             distance,
             cosines: [at_first, at_second],
-            error_estimate: change + 4.0 * f64::EPSILON * magnitude + from_exchange,
+            kernel_error: change + 4.0 * f64::EPSILON * magnitude + from_exchange,
         })
     }
 }

@@ -6,19 +6,11 @@
 //!
 //! **Not covered**: bounds; the error is an *estimate*.
 
-use crate::numeric::NumericError;
+use crate::numeric::{Bounded, NumericError};
 use std::cell::Cell;
 
-/// The value of an integral and the rule's own estimate of its error.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Integral {
-    /// The integral.
-    pub value: f64,
-    /// Estimated absolute error; not a bound.
-    pub error_estimate: f64,
-}
-
-/// `∫ f dx` from `lower` to `upper` by the double-exponential rule.
+/// `∫ f dx` from `lower` to `upper` by the double-exponential rule, with the rule's own estimate of
+/// its error.
 ///
 /// **Arguments** a function that is smooth inside; end singularities of the kind of `ln x` are
 /// fine, the ends are not evaluated. `tolerance`: absolute, at least about 1e-13 of the scale.
@@ -37,7 +29,7 @@ pub fn integral(
     function: impl Fn(f64) -> f64,
     (lower, upper): (f64, f64),
     tolerance: f64,
-) -> Result<Integral, NumericError> {
+) -> Result<Bounded, NumericError> {
     if !(lower.is_finite() && upper.is_finite() && lower < upper) {
         return Err(NumericError::EmptyInterval { lower, upper });
     }
@@ -60,8 +52,5 @@ pub fn integral(
             residual: output.error_estimate,
         });
     }
-    Ok(Integral {
-        value: output.integral,
-        error_estimate: output.error_estimate,
-    })
+    Ok(Bounded::estimate(output.integral, output.error_estimate))
 }

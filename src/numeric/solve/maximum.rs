@@ -9,7 +9,7 @@
 //! is an estimate of the global maximum, an accurate position of a local one.
 
 use super::root::finite;
-use crate::numeric::{NumericError, root, tolerance};
+use crate::numeric::{NumericError, root};
 use nalgebra::{DMatrix, DVector};
 
 /// A local maximum, with the derivative found there.
@@ -23,6 +23,15 @@ pub struct Maximum {
     pub residual: f64,
     /// The number of evaluations of the derivative.
     pub evaluations: u64,
+}
+
+/// Two maxima nearer than this in relative height count as one: (a) form factors that differ in the
+/// third digit turn their ε into some thousand ε of the gain.
+const EQUAL_MAXIMA: f64 = 1e-12;
+
+/// Tells whether a maximum is higher than another, beyond what rounding makes of equal ones.
+pub(crate) fn is_higher(value: f64, other: f64) -> bool {
+    value > other + EQUAL_MAXIMA * value.abs()
 }
 
 /// The highest maximum of `function` inside `(lower, upper)`.
@@ -72,9 +81,7 @@ pub fn maximum(
             let found = root(&derivative, left.0, right.0)?;
             evaluations += found.evaluations;
             let value = finite(&function, found.position)?;
-            let is_higher =
-                best.is_none_or(|best| value > best.value + tolerance::EQUAL_MAXIMA * value.abs());
-            if is_higher {
+            if best.is_none_or(|best| is_higher(value, best.value)) {
                 let (position, residual) = (found.position, found.residual);
                 best = Some(Maximum {
                     position,
@@ -127,6 +134,19 @@ pub fn maximum_of_many(
     maximum_by_derivatives(derivatives, start)
 }
 
+/// Steps of the maximisation in several coordinates: (b) 64 parts of two unit squares take fewer
+/// than a third, measured by `many_parts_come_to_rest`.
+const NEWTON_STEPS: u32 = 60;
+
+/// Movement below which a maximum counts as found, on a scale of 1: (a) derivatives rounded to a
+/// few ε over curvatures of order one let a coordinate tremble by that much, twice over with its
+/// neighbours.
+const AT_REST: f64 = 64.0 * f64::EPSILON;
+
+/// Steps below this that no longer shrink are the gradient's rounding: (a) a Newton step of 1e-8 is
+/// followed by one near 1e-16 where the third derivative is moderate.
+const TREMBLING: f64 = 1e-9;
+
 /// A maximum in several ordered coordinates `0 < t_1 < … < t_n < 1`, by Newton's method for
 /// gradient and Hessian.
 ///
@@ -135,7 +155,7 @@ pub fn maximum_of_many(
 /// only at a negative definite Hessian.
 ///
 /// **Accuracy** each coordinate as far as the gradient's rounding over its curvature lets it be
-/// seen: about [`tolerance::AT_REST`] for curvatures of order one. A local maximum near the start.
+/// seen: about 64 ε for curvatures of order one. A local maximum near the start.
 ///
 /// # Errors
 /// [`NumericError::NotFinite`]; [`NumericError::NotConverged`] if the steps do not die out, or end
@@ -146,7 +166,7 @@ pub(crate) fn maximum_by_derivatives(
 ) -> Result<Vec<f64>, NumericError> {
     let mut position = DVector::from_vec(start);
     let mut moved = f64::INFINITY;
-    for _ in 0..tolerance::NEWTON_STEPS {
+    for _ in 0..NEWTON_STEPS {
         let (slope, curvature) = derivatives(position.as_slice());
         let all = slope.iter().chain(curvature.iter());
         if let Some((k, value)) = all.enumerate().find(|(_, value)| !value.is_finite()) {
@@ -166,13 +186,13 @@ pub(crate) fn maximum_by_derivatives(
         moved = step.amax();
         position += step;
         // Newton's steps shrink quadratically until only the gradient's rounding is left
-        let trembles = moved <= tolerance::TREMBLING && moved > 0.5 * before;
-        if is_maximum && (moved <= tolerance::AT_REST || trembles) {
+        let trembles = moved <= TREMBLING && moved > 0.5 * before;
+        if is_maximum && (moved <= AT_REST || trembles) {
             return Ok(position.as_slice().to_vec());
         }
     }
     Err(NumericError::NotConverged {
-        iterations: u64::from(tolerance::NEWTON_STEPS),
+        iterations: u64::from(NEWTON_STEPS),
         best: position[0],
         residual: moved,
     })

@@ -9,8 +9,8 @@ use crate::report::{
 };
 
 /// The answer to [`Reproduce`](crate::question::Reproduce): the verdict table of the claims, in
-/// their order, with a note for each that is neither confirmed nor supported, and a count. Of one
-/// claim alone the theorems that prove it are written out.
+/// their order, with a note for each that is neither confirmed nor supported or rests on paper
+/// beside its theorems, and a count. Of one claim alone the theorems that prove it are written out.
 ///
 /// # Errors
 /// [`ReportError::NotFinite`] with the key of a number that is NaN or infinite.
@@ -39,10 +39,11 @@ fn notes(claims: &[JudgedClaim]) -> Vec<(String, String)> {
     }
     let settled = |c: &&JudgedClaim| matches!(c.verdict, Verdict::Confirmed | Verdict::Supported);
     for claim in claims.iter().filter(|claim| !settled(claim)) {
-        let name = words(claim.verdict);
-        match notes.iter_mut().find(|(_, note)| *note == claim.note) {
-            Some((names, _)) => *names += &format!(", {}", claim.id),
-            None => notes.push((format!("{name}, {}", claim.id), claim.note.clone())),
+        note(&mut notes, words(claim.verdict), claim, &claim.note);
+    }
+    for claim in claims {
+        if let Some(text) = &claim.on_paper {
+            note(&mut notes, "on paper only".to_owned(), claim, text);
         }
     }
     for claim in claims
@@ -61,6 +62,14 @@ fn notes(claims: &[JudgedClaim]) -> Vec<(String, String)> {
     let counts: Vec<String> = counts.collect();
     notes.push((format!("{} claims", claims.len()), counts.join(", ")));
     notes
+}
+
+/// Adds a note on a claim; claims of which the same is said share it.
+fn note(notes: &mut Vec<(String, String)>, name: String, claim: &JudgedClaim, text: &str) {
+    match notes.iter_mut().find(|(_, note)| note == text) {
+        Some((names, _)) => *names += &format!(", {}", claim.id),
+        None => notes.push((format!("{name}, {}", claim.id), text.to_owned())),
+    }
 }
 
 /// A theorem in words, and as Coq states it.

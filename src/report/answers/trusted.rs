@@ -42,7 +42,17 @@ pub fn trusted_page(judgements: &[Judgement]) -> Result<String, PageError> {
         format!("| {} | {} |\n", claim.id, names.join(", "))
     });
     texts.text("links", links.collect());
-    let only = |side: OneSided| move |claim: &Claim| matches!(&claim.task, Task::Compute { can_only, .. } if *can_only == Some(side));
+    let beside = proved.iter().filter_map(|claim| {
+        let text = claim.on_paper.as_ref()?;
+        Some(format!("| {} | {text} |\n", claim.id))
+    });
+    texts.text("on_paper", beside.collect());
+    let only = |side: OneSided| {
+        move |claim: &Claim| match &claim.task {
+            Task::Compute { can_only, .. } => *can_only == Some(side),
+            _ => false,
+        }
+    };
     for (name, claims) in [
         (
             "transcribed",

@@ -29,6 +29,7 @@
 pub(crate) mod decimal;
 pub(crate) mod error;
 pub(crate) mod faces;
+mod fault;
 pub(crate) mod last_place;
 pub(crate) mod obj;
 pub(crate) mod plain;
@@ -39,7 +40,8 @@ pub(crate) mod stl;
 pub(crate) mod unknown_materials;
 pub(crate) mod view3d;
 
-pub use error::{Fault, FileError, FileErrors, NotExpressible, OpenError};
+pub use error::{FileError, FileErrors, NotExpressible, OpenError};
+pub use fault::Fault;
 use obj::library;
 pub use obj::read_obj;
 pub(crate) use obj::writer::left_out_of_obj;

@@ -1,6 +1,7 @@
 //! The text of a file with its name, and its lines with their numbers.
 
-use super::error::{Fault, FileError, excerpt};
+use super::error::{FileError, excerpt};
+use super::fault::Fault;
 use std::fs;
 use std::io::Read;
 use std::path::{Path, PathBuf};

@@ -1,5 +1,5 @@
-//! Fig. 5 read as plug-in estimates from 200,000 random lines, a round number: three printed values,
-//! nothing fitted.
+//! Fig. 5 read as plug-in estimates from 200,000 random lines, a round number: three printed
+//! values, nothing fitted.
 //!
 //! [`BoxGrid`] gives the expected values; each grid is also sampled, all with the same lines, so
 //! that the differences between grids are known better than the values. Lines start from points of

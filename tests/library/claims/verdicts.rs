@@ -76,10 +76,11 @@ fn a_control_that_changes_nothing_turns_no_verdict() {
     );
 }
 
-/// Fig. 5: no regular grid of any number of cells has the printed value. From 448 cells on the chain
-/// rule decides, so that thinning up to a thousand leaves none out.
+/// Fig. 5: no regular grid of any number of cells has the printed value. From 448 cells on the
+/// chain rule decides, so that thinning up to a thousand leaves none out.
 #[test]
-#[ignore = "eighty grids of intervals: cargo test --release --test library no_regular_grid -- --ignored"]
+#[ignore = "eighty grids of intervals: \
+            cargo test --release --test library no_regular_grid -- --ignored"]
 fn no_regular_grid_of_any_size_has_the_printed_value() {
     let mut claim = JUDGEMENTS
         .iter()

@@ -128,7 +128,9 @@ fn answers_agree_with_the_slow_reference() {
 
 /// All of this for 200 pairs of each family; the number may be set, and one family chosen.
 #[test]
-#[ignore = "takes half an hour: INFOSCENE_COUNT=200 INFOSCENE_FAMILY=Far cargo test --release --test library answers -- --ignored --nocapture"]
+#[ignore = "takes half an hour: \
+            INFOSCENE_COUNT=200 INFOSCENE_FAMILY=Far \
+            cargo test --release --test library answers -- --ignored --nocapture"]
 fn answers_agree_with_the_slow_reference_on_many_pairs() {
     let count = std::env::var("INFOSCENE_COUNT").map_or(200, |count| count.parse().unwrap());
     let mut families = Family::ALL.to_vec();

@@ -430,7 +430,8 @@ fn the_parts_of_a_polygon_add_up() {
 
 /// All laws on as many pairs of each family as asked for.
 #[test]
-#[ignore = "takes an hour: INFOSCENE_COUNT=100000 cargo test --release --test library all_laws -- --ignored"]
+#[ignore = "takes an hour: \
+            INFOSCENE_COUNT=100000 cargo test --release --test library all_laws -- --ignored"]
 fn all_laws_hold_on_many_pairs() {
     let count = std::env::var("INFOSCENE_COUNT").map_or(100_000, |count| count.parse().unwrap());
     let failures = numbered(count).filter_map(|(family, number)| {

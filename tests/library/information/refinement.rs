@@ -21,6 +21,7 @@ proptest! {
     /// Theorem 1: `I′ − I = gain ≥ 0`.
     #[test]
     fn refining_never_lowers_mutual_information(refinement in refinement(12)) {
+        let refinement = refinement?;
         let (coarse, refined) = (refinement.coarse(), refinement.refined());
         let difference = mutual_information(refined) - mutual_information(coarse);
         let gain = refinement_gain(&refinement);
@@ -37,6 +38,7 @@ proptest! {
         chain in reversible_chain(10),
         cut in 1..10usize,
     ) {
+        let chain = chain?;
         let parents: Vec<usize> = (0..chain.states())
             .map(|state| usize::from(state >= cut))
             .collect();
@@ -55,6 +57,7 @@ proptest! {
     /// `0 ≤ I ≤ H_p ≤ log2 n`.
     #[test]
     fn mutual_information_lies_between_zero_and_positional_entropy(chain in reversible_chain(12)) {
+        let chain = chain?;
         let (information, entropy) = (mutual_information(&chain), positional_entropy(&chain));
         let most = f64::from(u32::try_from(chain.states()).unwrap()).log2();
         prop_assert!(information >= 0.0 && information <= entropy + tolerance::IDENTITY);
@@ -64,6 +67,7 @@ proptest! {
     /// `I = H_p − H_s`.
     #[test]
     fn mutual_information_is_entropy_minus_entropy_rate(chain in reversible_chain(12)) {
+        let chain = chain?;
         let difference = positional_entropy(&chain) - entropy_rate(&chain);
         prop_assert!((mutual_information(&chain) - difference).abs() <= tolerance::IDENTITY);
     }
@@ -71,6 +75,7 @@ proptest! {
     /// `Σ_i w_i P_ij = w_j`, relative.
     #[test]
     fn the_weights_are_stationary(chain in reversible_chain(12)) {
+        let chain = chain?;
         for j in 0..chain.states() {
             let w = |i: usize| chain.stationary_probability(i);
             let inflow = (0..chain.states()).map(|i| w(i) * chain.transition_probability(i, j));
@@ -85,6 +90,7 @@ proptest! {
     /// `w_i P_ij = w_j P_ji`, relative.
     #[test]
     fn the_balance_relation_holds(chain in reversible_chain(12)) {
+        let chain = chain?;
         for i in 0..chain.states() {
             for j in 0..i {
                 let flow = |i: usize, j: usize| {
@@ -101,6 +107,7 @@ proptest! {
     /// once, and it does not matter which state is divided first.
     #[test]
     fn gains_of_repeated_refinement_add_up(refinement in refinement(8)) {
+        let refinement = refinement?;
         let divided: Vec<usize> = (0..refinement.coarse().states())
             .filter(|i| refinement.parts()[*i].len() > 1)
             .collect();
@@ -141,6 +148,7 @@ proptest! {
         turn in 1..20usize,
         power in -20..20i32,
     ) {
+        let refinement = refinement?;
         let joint = refinement.refined().joint();
         let size = joint.nrows();
         let turned = |k: usize| (k + turn) % size;
@@ -174,6 +182,7 @@ proptest! {
     /// sum, to 1e-280 bit below.
     #[test]
     fn gains_agree_with_256_bits(refinement in refinement(8)) {
+        let refinement = refinement?;
         let enclosure = exact_gain(&refinement, 256);
         let (exact, width) = (enclosure.to_f64(), enclosure.width());
         prop_assert!(width < 1e-70);

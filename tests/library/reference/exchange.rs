@@ -35,7 +35,8 @@ fn as_interval(found: &reference::Reference, like: &Interval) -> Interval {
 /// The enclosure of the closed form with 384 bits contains the reference widened by its estimate,
 /// and is itself far narrower.
 #[test]
-#[ignore = "seconds: cargo test --release --test library reference::exchange::the_reference_agrees -- --ignored"]
+#[ignore = "seconds: \
+            cargo test --release --test library the_reference_agrees -- --ignored"]
 fn the_reference_agrees_with_enclosures_of_stiff_rectangles() {
     let rectangle = |origin: [f64; 3], u: DVec3, v: DVec3| {
         Rectangle::try_new(DVec3::from_array(origin), u, v).unwrap()
@@ -134,7 +135,9 @@ fn the_reference_is_zero_where_nothing_is_seen() {
 /// Prints the exchange area of every pair in a file, whose lines are `P=[["x", "y", "z"], …];Q=…`
 /// in decimals.
 #[test]
-#[ignore = "prints values: INFOSCENE_PAIRS=file cargo test --release --test library print_the_exchange -- --ignored --nocapture"]
+#[ignore = "prints values: \
+            INFOSCENE_PAIRS=file \
+            cargo test --release --test library print_the_exchange -- --ignored --nocapture"]
 fn print_the_exchange_areas_of_a_file() {
     let file = std::env::var("INFOSCENE_PAIRS").unwrap();
     for line in std::fs::read_to_string(file).unwrap().lines() {

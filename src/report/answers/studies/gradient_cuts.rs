@@ -36,7 +36,8 @@ pub(crate) fn limits_report(rows: &[LimitRecord]) -> Result<Report, ReportError>
         ),
         (
             "× n",
-            "what is left to the limit, times n: it tends to a number, so the cuts come near as 1/n",
+            "what is left to the limit, times n: it tends to a number, so the cuts come \
+             near as 1/n",
         ),
     ];
     let table = Table {
@@ -155,7 +156,8 @@ pub(crate) fn directions_report(rows: &[DirectionRecord]) -> Result<Report, Repo
     let notes = [
         (
             "angle",
-            "between the cut and the perpendicular to the gradient: 0° cuts across it, 90° along it",
+            "between the cut and the perpendicular to the gradient: 0° cuts across it, 90° \
+             along it",
         ),
         (
             "gain",

@@ -40,15 +40,18 @@ pub(crate) fn refinements_report(rows: &[RefinementRow]) -> Result<Report, Repor
     let notes = [
         (
             "gap",
-            "continuous mutual information less the discrete one, bits; the patches are quartered from line to line",
+            "continuous mutual information less the discrete one, bits; the patches are \
+             quartered from line to line",
         ),
         (
             "per edge",
-            "gap × area / (length of all edges × size of a patch): tends to a number of the angles and the shape of the patches",
+            "gap × area / (length of all edges × size of a patch): tends to a number of \
+             the angles and the shape of the patches",
         ),
         (
             "ratio",
-            "the gap before, over this one: 2 where the gap is proportional to the size of the patches",
+            "the gap before, over this one: 2 where the gap is proportional to the size \
+             of the patches",
         ),
         ("extrapolated", "what 2 I less the I before still lacks"),
     ];

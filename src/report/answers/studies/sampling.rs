@@ -98,14 +98,14 @@ pub(crate) fn figure_5_report(rows: &[Figure5Row]) -> Result<Report, ReportError
     let mut notes = Vec::new();
     if let Some(row) = rows.first() {
         let reading = format!(
-            "6 × 6 cells on every face of a cube, plug-in estimates from N = {} lines with the areas \
-             known, a round number that is not fitted; the lines at a quarter are a guess: the best \
-             explanation found, not a proof",
+            "6 × 6 cells on every face of a cube, plug-in estimates from N = {} lines with the \
+             areas known, a round number that is not fitted; the lines at a quarter are a guess: the \
+             best explanation found, not a proof",
             row.samples
         );
         let spread = format!(
-            "± is the standard deviation of one run, of \"sampled\" that of the mean of {} runs; all \
-             grids have the same lines",
+            "± is the standard deviation of one run, of \"sampled\" that of the mean of {} runs; \
+             all grids have the same lines",
             row.runs
         );
         let range = "N at which the printed value is expected, and for half a unit of its last \

@@ -36,8 +36,8 @@ pub(super) fn write_head(
     )?;
     file.write_all(match entries {
         MatrixEntries::FormFactors => {
-            b"% row i, column j: the form factor from patch i to patch j, the part of the power that\n\
-              % leaves i and reaches j; the sum of a row is 1 in a closed scene\n"
+            b"% row i, column j: the form factor from patch i to patch j, the part of the power \
+              that\n% leaves i and reaches j; the sum of a row is 1 in a closed scene\n"
                 as &[u8]
         }
         MatrixEntries::Bounds => {

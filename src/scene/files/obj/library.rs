@@ -12,7 +12,8 @@
 //! letter cases, then without its folders. Two files that differ in case alone are refused if
 //! neither is named exactly.
 
-use crate::scene::files::error::{Fault, FileError};
+use crate::scene::files::error::FileError;
+use crate::scene::files::fault::Fault;
 use crate::scene::files::source::Source;
 use std::path::{Component, Path, PathBuf};
 

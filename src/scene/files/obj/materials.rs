@@ -9,7 +9,8 @@
 
 use super::library::{is_as_written, libraries};
 use super::mtl::{Definition, Library};
-use crate::scene::files::error::{Fault, FileError, excerpt};
+use crate::scene::files::error::{FileError, excerpt};
+use crate::scene::files::fault::Fault;
 use crate::scene::files::source::Source;
 use crate::scene::material::{MaterialFault, PatchMaterial, Property};
 use std::collections::{HashMap, HashSet};

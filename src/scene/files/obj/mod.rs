@@ -19,10 +19,12 @@
 pub(crate) mod library;
 pub(crate) mod materials;
 pub(crate) mod mtl;
+mod statements;
 pub(crate) mod writer;
 
-use super::error::{Fault, FileError, FileErrors, excerpt};
+use super::error::{FileError, FileErrors, excerpt};
 use super::faces::{Face, FaceRules, face_of};
+use super::fault::Fault;
 use super::last_place::LastPlaces;
 use super::remarks::{Remark, Remarks};
 use super::rows::Rows;
@@ -32,42 +34,15 @@ use super::{LoadedScene, Reading, remark};
 use crate::scene::{NamedPatch, PatchMaterial, Scene};
 use glam::DVec3;
 use materials::Materials;
-use std::borrow::Cow;
+use statements::{FREE_FORM, SILENT, logical_lines, split};
 use std::collections::HashMap;
 use std::sync::Arc;
 
 const VERTEX: &str = "\"v x y z\"";
 const FACE: &str = "\"f a b c\", with a vertex number for each corner";
 
-/// Statements that give a name: all of the line, `#` included.
-const NAMING: [&str; 4] = ["o", "g", "usemtl", "mtllib"];
-
 /// Numbers that may follow the coordinates of a vertex: a weight, or a colour and its opacity.
 const MOST_AFTER_COORDINATES: usize = 4;
-
-/// Statements without an effect on the shape of a face or on diffuse light.
-const SILENT: [&str; 14] = [
-    "vt",
-    "vn",
-    "vp",
-    "s",
-    "mg",
-    "bevel",
-    "lod",
-    "maplib",
-    "usemap",
-    "shadow_obj",
-    "trace_obj",
-    "c_interp",
-    "d_interp",
-    "deg",
-];
-
-/// Free-form geometry.
-const FREE_FORM: [&str; 17] = [
-    "cstype", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end",
-    "con", "ctech", "stech", "call", "csh",
-];
 
 /// The scene in an OBJ file; `library` finds a material file by the name that `mtllib` gives.
 ///
@@ -138,45 +113,6 @@ fn last_places(source: &Source) -> LastPlaces {
         }
     }
     places
-}
-
-/// Lines without comments; those that end in a backslash are joined with the next.
-fn logical_lines(source: &Source) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
-    let mut lines = source.lines();
-    std::iter::from_fn(move || {
-        let (line, text) = lines.next()?;
-        let keyword = text.split_whitespace().next().unwrap_or_default();
-        let comment = if NAMING.contains(&keyword) {
-            None
-        } else {
-            Some('#')
-        };
-        let bare = |text: &'_ str| {
-            text.split(|c| Some(c) == comment)
-                .next()
-                .map_or(0, str::len)
-        };
-        let text = &text[..bare(text)];
-        let Some(start) = text.trim_end().strip_suffix('\\') else {
-            return Some((line, Cow::Borrowed(text)));
-        };
-        let mut joined = start.to_owned();
-        for (_, text) in lines.by_ref() {
-            let text = text[..bare(text)].trim_end();
-            joined.push(' ');
-            joined.push_str(text.strip_suffix('\\').unwrap_or(text));
-            if !text.ends_with('\\') {
-                break;
-            }
-        }
-        Some((line, Cow::Owned(joined)))
-    })
-}
-
-/// The keyword of a line, and the rest.
-fn split(text: &str) -> (&str, &str) {
-    let text = text.trim();
-    text.split_once(char::is_whitespace).unwrap_or((text, ""))
 }
 
 struct Reader<'a> {

@@ -12,7 +12,8 @@
 //! **Not covered**: spectral curves and CIEXYZ values, which leave the property unknown.
 
 use crate::scene::channel::Channels;
-use crate::scene::files::error::{Fault, excerpt};
+use crate::scene::files::error::excerpt;
+use crate::scene::files::fault::Fault;
 use crate::scene::files::remarks::Remarks;
 use crate::scene::files::source::{Source, number};
 use crate::scene::material::{

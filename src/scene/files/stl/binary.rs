@@ -1,7 +1,8 @@
 //! Binary STL: a head of 84 bytes, then 50 for each facet.
 
 use super::{Facet, Reader};
-use crate::scene::files::error::{Fault, FileError, FileErrors};
+use crate::scene::files::error::{FileError, FileErrors};
+use crate::scene::files::fault::Fault;
 use glam::DVec3;
 use std::path::Path;
 

@@ -39,8 +39,9 @@ mod binary;
 mod text;
 pub(crate) mod writer;
 
-use super::error::{Fault, FileError, FileErrors, excerpt};
+use super::error::{FileError, FileErrors, excerpt};
 use super::faces::face_of;
+use super::fault::Fault;
 use super::last_place::error_of_floats;
 use super::remarks::{Remark, Remarks};
 use super::rows::Rows;

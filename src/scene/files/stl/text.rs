@@ -1,7 +1,8 @@
 //! STL as text: nested statements, one a line.
 
 use super::{Facet, Reader};
-use crate::scene::files::error::{Fault, FileError, FileErrors, excerpt};
+use crate::scene::files::error::{FileError, FileErrors, excerpt};
+use crate::scene::files::fault::Fault;
 use crate::scene::files::source::{Source, number};
 use glam::DVec3;
 

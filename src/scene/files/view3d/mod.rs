@@ -29,7 +29,8 @@ pub(crate) mod surfaces;
 pub(crate) mod writer;
 
 use super::decimal::complement;
-use super::error::{Fault, FileError, FileErrors, excerpt};
+use super::error::{FileError, FileErrors, excerpt};
+use super::fault::Fault;
 use super::last_place::LastPlaces;
 use super::remarks::Remarks;
 use super::source::{Source, number};

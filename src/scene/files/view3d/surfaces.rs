@@ -3,8 +3,9 @@
 use super::Reader;
 use crate::geometry::check_contained;
 use crate::scene::files::Reading;
-use crate::scene::files::error::{Fault, FileError, FileErrors, excerpt};
+use crate::scene::files::error::{FileError, FileErrors, excerpt};
 use crate::scene::files::faces::{FaceRules, face_of};
+use crate::scene::files::fault::Fault;
 use crate::scene::files::rows::Rows;
 use crate::scene::files::source::Source;
 use crate::scene::{Material, MaterialFault, NamedPatch, PatchMaterial, Scene};

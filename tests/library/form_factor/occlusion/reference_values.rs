@@ -4,7 +4,9 @@ use glam::DVec3;
 use infoscene::form_factor::{DEFAULT_TOLERANCE, Occluders, Polygon};
 use infoscene::geometry::Patch;
 use infoscene::reference::exchange_area_past;
+use rayon::prelude::*;
 use serde_json::Value;
+use std::sync::LazyLock;
 
 /// A pair with what is in the way, and its form factor.
 struct Case {
@@ -62,16 +64,24 @@ fn engine(polygons: &[Patch], is_reversed: bool) -> [f64; 2] {
     [exchange.value, exchange.error].map(|number| number / all[0].area())
 }
 
+/// What the engine says of all cases, each both ways round.
+static FOUND: LazyLock<Vec<[[f64; 2]; 2]>> = LazyLock::new(|| {
+    let cases = cases();
+    let found = cases.par_iter();
+    found
+        .map(|case| [false, true].map(|is_reversed| engine(&case.polygons, is_reversed)))
+        .collect()
+});
+
 /// `|F − exact| ≤ error + uncertainty`, for each pair both ways round.
 #[test]
 fn bounds_hold_on_pairs_past_others() {
     let mut faults = Vec::new();
-    for case in cases() {
+    for (case, found) in cases().iter().zip(FOUND.iter()) {
         let exact = case.value;
         // and the rounding of a quotient by the area
         let allowed = (case.uncertainty + 4.0 * f64::EPSILON) * exact;
-        for is_reversed in [false, true] {
-            let [value, error] = engine(&case.polygons, is_reversed);
+        for ([value, error], is_reversed) in found.iter().zip([false, true]) {
             if (value - exact).abs() > error + allowed {
                 faults.push(format!(
                     "{} {is_reversed}: {value} ± {error:e}, not {exact}",
@@ -87,11 +97,10 @@ fn bounds_hold_on_pairs_past_others() {
 #[test]
 fn pairs_past_others_are_right_to_twelve_digits() {
     let mut faults = Vec::new();
-    for case in cases() {
+    for (case, found) in cases().iter().zip(FOUND.iter()) {
         let exact = case.value;
         let allowed = case.uncertainty.max(1e-12);
-        for is_reversed in [false, true] {
-            let [value, error] = engine(&case.polygons, is_reversed);
+        for ([value, error], is_reversed) in found.iter().zip([false, true]) {
             let off = (value - exact).abs() / exact;
             // 3e-6 and 7e-7 of 0.1 and more: a difference of what is whole and what is hidden
             let allowed = allowed.max(1e-16 / exact);
@@ -138,7 +147,8 @@ fn assert_second_road(case: &Case) {
 }
 
 #[test]
-#[ignore = "a minute and more: cargo test --release --test library second_road -- --ignored --nocapture"]
+#[ignore = "a minute and more: \
+            cargo test --release --test library second_road -- --ignored --nocapture"]
 fn the_second_road_meets_all_pairs() {
     for case in cases() {
         assert_second_road(&case);

@@ -136,7 +136,7 @@ fn parts_under_a_close_lid_sum_to_the_whole() {
         assert!(
             off < 1e-13 * floor.area() * gap.ln().abs(),
             "{gap} {tilt}: {off:e} {}",
-            whole.error_estimate
+            whole.kernel(1.0).error
         );
     }
 }

@@ -48,7 +48,8 @@ fn intervals_cover_the_exact_value() {
 /// Intervals that cover with probability 0.95 do so in 180 to 198 of 200 with probability 0.998
 /// (binomial).
 #[test]
-#[ignore = "half a minute: cargo test --release --test library coverage_over -- --ignored --nocapture"]
+#[ignore = "half a minute: \
+            cargo test --release --test library coverage_over -- --ignored --nocapture"]
 fn coverage_over_200_seeds() {
     for case in CASES {
         let counts = covered(case, 200);

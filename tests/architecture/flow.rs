@@ -1,27 +1,10 @@
-//! The house rules that a machine can check: one direction of flow, short files, no grab-bags.
-#![expect(clippy::unwrap_used, reason = "a test may panic")]
+//! The rooms of the house: data flow through them in one direction, and no module uses itself
+//! through others.
 
+use crate::{code, sources};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Path, PathBuf};
-
-const LONGEST: usize = 500;
-
-fn sources(folder: &str) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)];
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|extension| extension == "rs") {
-                found.push(path);
-            }
-        }
-    }
-    found
-}
+use std::path::Path;
 
 /// The names that a module uses: every path that begins with `crate`, `super` or `self`, and all
 /// that it imports.
@@ -57,13 +40,6 @@ fn modules() -> Modules {
     named.collect()
 }
 
-/// Code without comments and without unit tests, which stand at the end.
-fn code(text: &str) -> String {
-    let text = text.split("\n#[cfg(test)]").next().unwrap();
-    let lines = text.lines().map(|line| line.split("//").next().unwrap());
-    lines.collect::<Vec<_>>().join("\n")
-}
-
 fn room(module: &str) -> &str {
     module.split("::").next().unwrap()
 }
@@ -80,7 +56,7 @@ fn flow(head: &str) -> Vec<String> {
 }
 
 fn the_flow() -> Vec<String> {
-    flow(include_str!("../src/lib.rs"))
+    flow(include_str!("../../src/lib.rs"))
 }
 
 /// The place of a room in the flow: the command, which belongs to the binary, comes last.
@@ -346,83 +322,4 @@ fn rooms_have_no_circles() {
     let lines = lines.map(|circle| format!("{circle:?}:\n{}", told(&modules, circle)));
     let lines: Vec<String> = lines.collect();
     assert!(lines.is_empty(), "circles:\n{}", lines.concat());
-}
-
-#[test]
-fn files_are_short_and_well_named() {
-    let all = ["src", "tests", "benches"].map(sources).concat();
-    for path in all {
-        let lines = fs::read_to_string(&path).unwrap().lines().count();
-        assert!(lines <= LONGEST, "{} has {lines} lines", path.display());
-        let name = path.file_stem().unwrap().to_str().unwrap();
-        assert!(
-            !["util", "utils", "common", "helper", "helpers", "misc"].contains(&name),
-            "{name}"
-        );
-    }
-}
-
-/// A doc comment that cites a test by name, after "by", cites one that exists.
-#[test]
-fn cited_tests_exist() {
-    let tests: Vec<String> = ["tests", "src"]
-        .map(sources)
-        .concat()
-        .iter()
-        .map(|path| fs::read_to_string(path).unwrap())
-        .collect();
-    let mut cited = 0;
-    for path in sources("src") {
-        let text = fs::read_to_string(&path).unwrap();
-        let text = text
-            .replace("\n    ///", "")
-            .replace("\n///", "")
-            .replace("\n//!", "");
-        for after in text.split("by `").skip(1) {
-            let name = after.split('`').next().unwrap();
-            let is_test_name =
-                name.len() > 15 && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
-            if is_test_name {
-                cited += 1;
-                let definition = format!("fn {name}(");
-                assert!(
-                    tests.iter().any(|test| test.contains(&definition)),
-                    "{} cites {name}",
-                    path.display()
-                );
-            }
-        }
-    }
-    assert!(cited >= 8, "only {cited} citations are seen");
-}
-
-/// A recipe names files and folders that exist; `NAME` and `N` stand for the reader's own.
-#[test]
-fn recipes_name_files_that_exist() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let mut named = 0;
-    for page in ["CONTRIBUTING.md", "README.md"] {
-        let text = fs::read_to_string(root.join(page)).unwrap();
-        let quoted = text.split('`').skip(1).step_by(2);
-        for path in quoted.filter(|quoted| is_path(quoted)) {
-            named += 1;
-            let fixed: PathBuf = Path::new(path)
-                .components()
-                .take_while(|part| {
-                    let part = part.as_os_str().to_str().unwrap();
-                    !part.contains("NAME") && !part.contains("-N.")
-                })
-                .collect();
-            let places = [root.join(&fixed), root.join("src").join(&fixed)];
-            let exists = places.iter().any(|place| place.exists());
-            assert!(exists, "{page} names {path}");
-        }
-    }
-    assert!(named > 30, "only {named} paths are seen");
-}
-
-/// Whether quoted text is a path of this repository: words joined by slashes, and nothing else.
-fn is_path(quoted: &str) -> bool {
-    let is_word = |c: char| c.is_ascii_alphanumeric() || "_.-/".contains(c);
-    quoted.contains('/') && quoted.chars().all(is_word) && !quoted.starts_with('/')
 }

@@ -1,0 +1,68 @@
+//! Features only add: with and without any of them the library computes by the same code. What a
+//! feature changes in the crates that it is built upon, `.ci/run` compares.
+
+use crate::{code, sources};
+use std::fs;
+
+/// The first word of the item behind each condition on a feature, further attributes left out.
+fn added(code: &str) -> Vec<&str> {
+    let behind = code.split("#[cfg(").skip(1).filter_map(|rest| {
+        let (condition, item) = rest.split_once(")]\n")?;
+        condition.contains("feature").then_some(item)
+    });
+    behind.map(|item| word(item.trim_start())).collect()
+}
+
+/// The first word of an item.
+fn word(item: &str) -> &str {
+    if item.starts_with("#[") {
+        let after = item.split_once("]\n").map_or("", |(_, after)| after);
+        return word(after.trim_start());
+    }
+    let end = item.find(|c: char| !c.is_alphanumeric() && c != '_');
+    &item[..end.unwrap_or(item.len())]
+}
+
+/// What is wrong with a file: code that is there without a feature only, or that a feature adds
+/// inside of a function.
+fn faults(code: &str) -> Vec<String> {
+    let excluded = ["cfg!(", "cfg_attr(", "not(feature", "not(any(", "not(all("];
+    let excluded = excluded.iter().filter(|text| code.contains(*text));
+    let mut found: Vec<String> = excluded.map(|text| (*text).to_owned()).collect();
+    let is_item = |word: &&str| {
+        let is_named = word.starts_with(char::is_uppercase);
+        ["mod", "pub", "use", "fn"].contains(word) || is_named
+    };
+    let inside = added(code).into_iter().filter(|word| !is_item(word));
+    found.extend(inside.map(|word| format!("cfg before {word}")));
+    found
+}
+
+#[test]
+fn features_only_add() {
+    let mut seen = 0;
+    for path in sources("src") {
+        let code = code(&fs::read_to_string(&path).unwrap());
+        seen += added(&code).len();
+        let found = faults(&code);
+        assert!(found.is_empty(), "{}: {found:?}", path.display());
+    }
+    assert!(seen >= 15, "only {seen} conditions are seen");
+}
+
+#[test]
+fn code_that_depends_on_a_feature_is_seen() {
+    let sound = "#[cfg(feature = \"a\")]\n#[error(transparent)]\nStudy(u8),\n\
+                 #[cfg(all(feature = \"a\", feature = \"b\"))]\npub mod m;\n";
+    assert_eq!(added(sound), ["Study", "pub"]);
+    assert!(faults(sound).is_empty());
+    for cheat in [
+        "let x = if cfg!(feature = \"a\") { 1.0 } else { 2.0 };\n",
+        "#[cfg(not(feature = \"a\"))]\nfn f() {}\n",
+        "#[cfg(feature = \"a\")]\nlet x = 1.0;\n",
+        "#[cfg(feature = \"a\")]\nx += 1.0;\n",
+        "#[cfg_attr(feature = \"a\", path = \"b.rs\")]\nmod m;\n",
+    ] {
+        assert!(!faults(cheat).is_empty(), "{cheat}");
+    }
+}
