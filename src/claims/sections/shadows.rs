@@ -8,7 +8,7 @@ use crate::discretize::{
 };
 use crate::geometry::{Patch, SplitAxis};
 use crate::information::divergence;
-use crate::numeric::{Interval, Scalar, larger, smaller, tolerance};
+use crate::numeric::{Certificate, Interval, Scalar, larger, smaller, tolerance};
 use crate::scene::{NamedPatch, Occlusion, Scene};
 use glam::DVec3;
 
@@ -303,7 +303,9 @@ pub(crate) fn penumbra_cuts_beat_both_lines(case: &Case<'_>) -> Result<Finding, 
     );
     let [lit, umbra] = kept;
     let share = lit.larger_of(&umbra);
-    Ok(Finding::decided(share < most, share > most, share).noting(note))
+    // a cut that gains more than both lines is a counterexample, whether it is the best or not
+    let is_best = matches!(best.certificate, Certificate::Unique { .. });
+    Ok(Finding::decided(share < most, share > most && is_best, share).noting(note))
 }
 
 /// Parallel unit squares at distance 1 and a plate [0.3, 0.62] × [0.25, 0.55] at `height`: the

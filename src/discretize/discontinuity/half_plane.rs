@@ -32,7 +32,7 @@
 use crate::discretize::error::DiscretizeError;
 use crate::discretize::measure::CutMeasure;
 use crate::numeric::{
-    CertifiedMaximum, Dual, Interval, Maximand, Scalar, certified_maximum, maximum,
+    CertifiedMaximum, Dual, EndPoint, Interval, Maximand, Scalar, certified_maximum, maximum,
 };
 
 /// Two parallel unit squares at distance 1 with a half-plane between them, whose penumbra lies on
@@ -155,7 +155,12 @@ impl HalfPlaneShadow {
         let [lit, umbra] = [self.lit_line(&1.0), self.umbra_line(&1.0)];
         let margin = MARGIN * (umbra - lit);
         let (from, to) = (lit + margin, umbra - margin);
-        let cut = PenumbraCut { shadow, measure };
+        let ends = [from, to];
+        let cut = PenumbraCut {
+            shadow,
+            measure,
+            ends,
+        };
         Ok(certified_maximum(&cut, (from, to), bits)?)
     }
 
@@ -266,6 +271,7 @@ fn slope<S: Scalar>(w: &S) -> S {
 struct PenumbraCut {
     shadow: HalfPlaneShadow,
     measure: CutMeasure,
+    ends: [f64; 2],
 }
 
 impl Maximand for PenumbraCut {
@@ -275,6 +281,15 @@ impl Maximand for PenumbraCut {
 
     fn slope<S: Scalar>(&self, x: &S) -> Option<S> {
         Some(self.shadow.slope_in(Zone::Penumbra, self.measure, x))
+    }
+
+    fn slope_near<S: Scalar>(&self, end: EndPoint, distance: &S) -> Option<S> {
+        let [from, to] = self.ends.map(|end| distance.constant(end));
+        let at = match end {
+            EndPoint::Lower => from + distance,
+            EndPoint::Upper => to - distance,
+        };
+        self.slope(&at)
     }
 
     /// Encloses the slope on a box X with middle m by

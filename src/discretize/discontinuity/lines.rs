@@ -146,7 +146,8 @@ impl OccludedPair {
     ///     let [a, b] = x.map(|x| y.map(|y| corner(x, y)));
     ///     Patch::try_new(vec![a[0], b[0], b[1], a[1]])
     /// };
-    /// let (floor, ceiling) = (level([0.0, 1.0], [0.0, 1.0], 0.0)?, level([0.0, 1.0], [0.0, 1.0], 1.0)?);
+    /// let unit = [0.0, 1.0];
+    /// let (floor, ceiling) = (level(unit, unit, 0.0)?, level(unit, unit, 1.0)?);
     /// let half = level([0.5, 9.0], [-8.0, 9.0], 0.2)?;
     /// let pair = OccludedPair::new(floor, ceiling.reversed(), vec![half]);
     /// let lines = pair.lines()?;

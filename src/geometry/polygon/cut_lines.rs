@@ -88,7 +88,7 @@ impl CutLines {
         let normal = patch.normal();
         let along = direction - direction.dot(normal) * normal;
         let sine = along.length() / direction.length();
-        if !(sine >= SMALLEST_ANGLE) {
+        if sine.is_nan() || sine < SMALLEST_ANGLE {
             return Err(GeometryError::StraightCorner { sine });
         }
         let along = along.normalize();

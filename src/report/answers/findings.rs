@@ -158,6 +158,7 @@ fn cuts(texts: &mut Texts) -> Result<(), PageError> {
 fn penumbrae(claims: &Claims<'_>, texts: &mut Texts) -> Result<(), PageError> {
     let shown = |number: &Interval, decimals| Texts::enclosed_text("penumbrae", number, decimals);
     let mut lines = String::new();
+    let mut last = Interval::precise(100.0, BITS);
     for height in [0.05, 0.2, 0.35] {
         let shadow = HalfPlaneShadow::try_new(0.5, height)?;
         let like = Interval::precise(1.0, BITS);
@@ -167,6 +168,12 @@ fn penumbrae(claims: &Claims<'_>, texts: &mut Texts) -> Result<(), PageError> {
         let kept = shadow.gains_on_lines(information, &like);
         let [lit, umbra] = kept.map(|gain| gain / &best.value * &like.constant(100.0));
         PageError::unless(lit < umbra, "the lit line keeps less")?;
+        PageError::unless(umbra < last, "the nearer, the better the umbra line")?;
+        last = umbra.clone();
+        let ends = shadow.lit_line(&like) + &shadow.umbra_line(&like);
+        let middle = ends / &like.constant(2.0);
+        let [far, near] = [&best, &least].map(|cut| (cut.position.clone() - &middle).abs());
+        PageError::unless(near < far, "the mean-square cut is nearer to the middle")?;
         lines += &format!(
             "  | {height} | {} | {} | {} | {} | {} % | {} % |\n",
             shown(&shadow.lit_line(&like), 4)?,

@@ -89,7 +89,7 @@ fn crossing(line: &DiscontinuityLine, y: f64) -> Option<f64> {
     let share = (y - a.y) / (b.y - a.y);
     (0.0..=1.0)
         .contains(&share)
-        .then(|| a.x + (b.x - a.x) * share)
+        .then_some(a.x + (b.x - a.x) * share)
 }
 
 /// The largest deviation from the polynomial through the form factors at 13 Chebyshev points.
