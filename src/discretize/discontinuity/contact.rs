@@ -3,7 +3,7 @@
 //! Seen along the line, each blocker that holds the point fills a sector around it, a half-plane at
 //! an edge, all at an inner point. Sectors that fill the whole circle leave no way past.
 
-use super::sights::edges;
+use super::section::edges;
 use crate::geometry::Patch;
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};

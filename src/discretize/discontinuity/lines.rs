@@ -3,10 +3,10 @@
 //! Lines that several generators have in common are one. Each is cut where another one crosses it;
 //! the form factors from points beside the middle of each piece tell what it parts.
 
+use super::candidate::{Candidate, Generator};
 use super::pair::OccludedPair;
 use super::ranges::Ranges;
 use super::section::Section;
-use super::sights::Candidate;
 use crate::discretize::error::DiscretizeError;
 use glam::DVec3;
 
@@ -45,43 +45,6 @@ impl LineKind {
             Self::Penumbra => "penumbra",
         }
     }
-}
-
-/// A corner or an edge of the source or of a blocker.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Feature {
-    /// The index of the blocker; none for the source.
-    pub blocker: Option<usize>,
-    /// The index of the corner, or of the corner at which the edge begins.
-    pub index: usize,
-}
-
-impl Feature {
-    pub(super) const fn new(blocker: Option<usize>, index: usize) -> Self {
-        Self { blocker, index }
-    }
-}
-
-/// What makes a line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Generator {
-    /// A vertex and an edge are seen in one.
-    Sight {
-        /// The vertex.
-        vertex: Feature,
-        /// The edge.
-        edge: Feature,
-    },
-    /// A polygon is seen edge-on.
-    Plane {
-        /// The index of the blocker; none for the source.
-        of: Option<usize>,
-    },
-    /// A blocker stands on the receiver, or pierces it.
-    Contact {
-        /// The index of the blocker.
-        blocker: usize,
-    },
 }
 
 /// A line of discontinuity: a segment of the receiver across which what is seen of the source

@@ -17,7 +17,7 @@
 //! | lines of sight through a vertex and an edge, where nothing hides them | `sights` |
 //! | blockers seen edge-on, and standing on the receiver | `traces` |
 //! | points at which blockers leave no way past | `contact` |
-//! | a plane with coordinates, ranges of its line | `section`, `ranges` |
+//! | a plane with coordinates, ranges of its line, what makes it | `section`, `ranges`, `candidate` |
 //! | all together, with what is seen beside | `lines` |
 //!
 //! **Not covered**: curves. Two blockers and more have conics, too, on which three edges are seen
@@ -29,6 +29,7 @@
 //! Reference: Lischinski, Tampieri and Greenberg, "Discontinuity meshing for accurate radiosity",
 //! *IEEE Computer Graphics and Applications* 12 (1992), 25–39.
 
+mod candidate;
 mod contact;
 pub(crate) mod half_plane;
 pub(crate) mod lines;
@@ -38,6 +39,7 @@ mod section;
 mod sights;
 mod traces;
 
+pub use candidate::{Feature, Generator};
 pub use half_plane::HalfPlaneShadow;
-pub use lines::{DiscontinuityLine, Feature, Generator, LineKind, View};
+pub use lines::{DiscontinuityLine, LineKind, View};
 pub use pair::OccludedPair;

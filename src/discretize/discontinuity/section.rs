@@ -110,3 +110,10 @@ pub(super) fn snapped(corners: &[DVec3], height: impl Fn(DVec3) -> f64, noise: f
 pub(super) fn ordered(a: f64, b: f64) -> [f64; 2] {
     [a.min(b), a.max(b)]
 }
+
+/// The edges of a polygon, in order.
+pub(super) fn edges(polygon: &Patch) -> impl Iterator<Item = [DVec3; 2]> + '_ {
+    let corners = polygon.corners();
+    let next = corners.iter().cycle().skip(1);
+    corners.iter().zip(next).map(|(a, b)| [*a, *b])
+}

@@ -10,20 +10,13 @@
 //! so that the places from which v is seen in line with the edge, and those from which something
 //! hides it, are ranges of the line.
 
+use super::candidate::{Candidate, Feature, Generator};
 use super::contact::{WayPast, way_past};
-use super::lines::{Feature, Generator};
 use super::pair::OccludedPair;
 use super::ranges::Ranges;
-use super::section::{Section, snapped};
-use crate::geometry::{Patch, clipped};
+use super::section::{Section, edges, snapped};
+use crate::geometry::clipped;
 use glam::{DVec2, DVec3};
-
-/// A line of the receiver with the ranges in which something changes there.
-pub(super) struct Candidate {
-    pub section: Section,
-    pub ranges: Ranges,
-    pub generator: Generator,
-}
 
 /// A vertex and an edge, each with the polygon that it is of: the source, or a blocker's index.
 struct Sight {
@@ -195,13 +188,6 @@ impl OccludedPair {
         };
         way(eye) != WayPast::Other || (turn.abs() > 0.0 && way(touch) == WayPast::None)
     }
-}
-
-/// The edges of a polygon, in order.
-pub(super) fn edges(polygon: &Patch) -> impl Iterator<Item = [DVec3; 2]> + '_ {
-    let corners = polygon.corners();
-    let next = corners.iter().cycle().skip(1);
-    corners.iter().zip(next).map(|(a, b)| [*a, *b])
 }
 
 /// The range onto which a segment is cast through a point higher than it; its parts above the point

@@ -5,11 +5,10 @@
 //! hides. Along the line this can change only where two corners are seen in one; between such
 //! places one point tells, and at a point the directions between corners do.
 
-use super::lines::Generator;
+use super::candidate::{Candidate, Generator};
 use super::pair::OccludedPair;
 use super::ranges::Ranges;
 use super::section::{Section, ordered, snapped};
-use super::sights::Candidate;
 use crate::geometry::{Patch, clipped, convex_pieces};
 use glam::{DVec2, DVec3};
 
