@@ -94,19 +94,19 @@ fn crossing(line: &DiscontinuityLine, y: f64) -> Option<f64> {
 
 /// The largest deviation from the polynomial through the form factors at 13 Chebyshev points.
 fn misfit(pair: &OccludedPair, y: f64, [from, to]: [f64; 2]) -> f64 {
-    let seen = |s: f64| {
-        let x = 0.5 * (from + to) + 0.5 * (to - from) * s;
-        pair.seen_from(DVec3::new(x, y, 0.0)).unwrap().value
-    };
-    let nodes: Vec<f64> = (0..13)
-        .map(|k| (std::f64::consts::PI * (f64::from(k) + 0.5) / 13.0).cos())
-        .collect();
+    misfit_between(pair, [from, to].map(|x| DVec3::new(x, y, 0.0)))
+}
+
+fn misfit_between(pair: &OccludedPair, [from, to]: [DVec3; 2]) -> f64 {
+    let seen = |s: f64| pair.seen_from(from.lerp(to, 0.5 + 0.5 * s)).unwrap().value;
+    let angle = |k: u32| std::f64::consts::PI * (f64::from(k) + 0.5) / 13.0;
+    let nodes: Vec<f64> = (0..13).map(|k| angle(k).cos()).collect();
     let values: Vec<f64> = nodes.iter().map(|s| seen(*s)).collect();
     let fitted = |s: f64| {
         let (mut sum, mut weights) = (0.0, 0.0);
         for (k, (node, value)) in (0u32..).zip(nodes.iter().zip(&values)) {
-            let angle = std::f64::consts::PI * (f64::from(k) + 0.5) / 13.0;
-            let weight = angle.sin() * (-1f64).powi(k.try_into().unwrap()) / (s - node);
+            let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+            let weight = sign * angle(k).sin() / (s - node);
             sum += weight * value;
             weights += weight;
         }
@@ -116,6 +116,38 @@ fn misfit(pair: &OccludedPair, y: f64, [from, to]: [f64; 2]) -> f64 {
     between
         .map(|s| (fitted(s) - seen(s)).abs())
         .fold(0.0, f64::max)
+}
+
+/// With several blockers, too, the form factor bends on each line: a line behind another blocker
+/// would be none.
+#[test]
+fn the_form_factor_bends_on_each_line_of_several_blockers() {
+    let blockers = [
+        patch(&[[0.35, 0.2, 0.25], [0.75, 0.35, 0.45], [0.5, 0.7, 0.35]]),
+        patch(&[[0.1, 0.5, 0.6], [0.6, 0.15, 0.7], [0.4, 0.8, 0.65]]),
+        patch(&[[0.3, 0.3, 0.12], [0.5, 0.3, 0.1], [0.4, 0.5, 0.1]]),
+    ];
+    let pair = between_squares(&blockers);
+    let lines = pair.lines().unwrap();
+    let h = 0.003;
+    let mut bends = 0;
+    for (index, line) in lines.iter().enumerate() {
+        let middle = line.ends[0].lerp(line.ends[1], 0.513);
+        let aside = h * DVec3::Z.cross(line.ends[1] - line.ends[0]).normalize();
+        let is_near = |(other, near): (usize, &DiscontinuityLine)| {
+            let along = near.ends[1] - near.ends[0];
+            let share = (middle - near.ends[0]).dot(along) / along.length_squared();
+            let foot = near.ends[0] + along * share.clamp(0.0, 1.0);
+            other != index && foot.distance(middle) < 3.0 * h
+        };
+        if lines.iter().enumerate().any(is_near) {
+            continue;
+        }
+        let off = misfit_between(&pair, [middle - aside, middle + aside]);
+        assert!(off > 1e-12, "{off}: {line:?}");
+        bends += 1;
+    }
+    assert!(bends > 20, "{bends} of {}", lines.len());
 }
 
 /// A taller wall that stands on the floor in front of a lower one: the contact is a sharp line.
