@@ -21,6 +21,7 @@
 //! | the gain of a refinement (Theorem 1) | [`information::refinement_gain`] |
 //! | the continuous mutual information | [`information::continuous_information`] |
 //! | the best cut of a patch | [`PatchSplit`] |
+//! | the lines of discontinuity of a patch behind blockers | [`discretize::OccludedPair`] |
 //! | the best grid on the faces of a box | [`discretize::BestGrid`] |
 //! | the best cuts across a gradient (§4.2) | [`discretize::GradientCut`] |
 //! | radiosity and importance, with bounds | [`RadiositySystem`] |

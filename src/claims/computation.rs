@@ -3,7 +3,7 @@
 use super::{Case, ClaimError, Finding};
 use crate::claims::sections::{
     appendix, continuous_limit, figure_5, regular_grids, section_2, section_3, section_3_light,
-    section_4_1, section_4_2, section_5, section_5_oracle,
+    section_4_1, section_4_2, section_5, section_5_oracle, shadows,
 };
 
 macro_rules! computations {
@@ -80,7 +80,9 @@ computations! {
     LightHasTheSameMeasures => section_3_light::light_has_the_same_measures,
     DiscontinuityBeatsDarkerCuts => section_4_1::discontinuity_beats_darker_cuts,
     DiscontinuityBeatsLitCuts => section_4_1::discontinuity_beats_lit_cuts,
-    DiscontinuityBeatsLitCutsNearly => section_4_1::discontinuity_beats_lit_cuts_nearly,
+    DiscontinuityBeatsLitCutsNearly => shadows::discontinuity_beats_lit_cuts_nearly,
+    HangingScreensDarkenMostAtTheUmbra => shadows::hanging_screens_darken_most_at_the_umbra,
+    StandingScreensCutAlongTheirLine => shadows::standing_screens_cut_along_their_line,
     OrthogonalCutGainsLittle => section_4_1::orthogonal_cut_gains_little,
     OrthogonalMiddleGainsNothing => section_4_1::orthogonal_middle_gains_nothing,
     BestParallelCut => section_4_1::best_parallel_cut,
@@ -123,6 +125,8 @@ computations! {
     Inequality14 => appendix::inequality_14,
     MeshGainIsTheBound => appendix::mesh_gain_is_the_bound,
     ALitCutCanBeatTheLine => appendix::a_lit_cut_can_beat_the_line,
+    PenumbraCutsBeatBothLines => shadows::penumbra_cuts_beat_both_lines,
+    PlateIsBestCutBesideItsLines => shadows::plate_is_best_cut_beside_its_lines,
 }
 
 impl TryFrom<String> for Computation {

@@ -8,6 +8,7 @@ mod check;
 mod convert;
 mod curve;
 mod cut;
+mod discontinuities;
 mod form_factor;
 #[cfg(feature = "proptest")]
 mod fuzz;
@@ -49,6 +50,9 @@ enum Question {
     Curve(curve::Curve),
     /// Find the cut of a patch that gains the most mutual information.
     Split(split::Split),
+    /// Find the lines of discontinuity of a patch behind blockers, and what cuts along them gain
+    /// (fig. 1, App. B).
+    Discontinuities(discontinuities::Discontinuities),
     /// Find the cuts of patches whose radiosity grows as a power (§4.2).
     Cut(cut::Cut),
     /// Divide the faces of a box by a grid: its mutual information, and the best lines (figs. 4 and
@@ -123,6 +127,7 @@ fn answer(question: Question) -> Answer {
         Question::Reproduce(question) => question.answer(),
         Question::Curve(question) => question.answer(),
         Question::Split(question) => question.answer(),
+        Question::Discontinuities(question) => question.answer(),
         Question::Cut(question) => question.answer(),
         Question::Grid(question) => question.answer(),
         Question::FormFactor(question) => question.answer(),

@@ -20,7 +20,9 @@ pub(crate) use local_line::{Facet, LocalLine, Slope};
 pub use patch::Patch;
 pub use polygon::centroid::centroid;
 pub(crate) use polygon::clip::{ClippedCorner, clip, clipped};
-pub(crate) use polygon::containment::{NotContained, check_contained, distance_from_plane};
+pub(crate) use polygon::containment::{
+    NotContained, check_contained, distance_from_plane, is_inside,
+};
 pub(crate) use polygon::convex_pieces::convex_pieces;
 pub(crate) use polygon::convexity::is_convex;
 // hidden here and below: what a test judges by itself, not an interface

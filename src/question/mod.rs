@@ -12,6 +12,7 @@ mod convert;
 mod curve;
 mod cut;
 mod decimals;
+mod discontinuities;
 mod error;
 mod form_factor_matrix;
 mod form_factors;
@@ -42,6 +43,10 @@ pub use check::{BlockedRecord, Check, CheckAnswer, FreeEdgeRecord, PatchMark};
 pub use convert::{Convert, ConvertAnswer, SceneFormat};
 pub use curve::{Curve, CurveAnswer, CurvePoint};
 pub use cut::{Cut, CutAnswer, CutEnclosures, Cuts, CutsAnswer, IrradianceExponent};
+pub use discontinuities::{
+    BestCutRecord, Discontinuities, DiscontinuitiesAnswer, DiscontinuityRecord, GainCurve,
+    ReceiverMap,
+};
 pub use error::QuestionError;
 pub use form_factor_matrix::{FormFactorMatrix, MatrixEntries, MatrixLine};
 pub use form_factors::{FormFactorRecord, FormFactors, FormFactorsAnswer, PatchRecord};

@@ -16,6 +16,7 @@ pub use answers::check::check_report;
 pub use answers::claims::{curve_figure, curve_report, reproduction_report};
 pub use answers::claims_page::{claims_page, first_verdicts};
 pub use answers::cuts::{cut_report, cuts_figure, cuts_report};
+pub use answers::discontinuities::{discontinuities_map, discontinuities_report, gain_figure};
 pub use answers::findings::findings_page;
 pub use answers::form_factors::write_form_factors;
 #[cfg(feature = "proptest")]
@@ -32,6 +33,7 @@ pub use answers::trusted::trusted_page;
 pub use error::ReportError;
 pub use render::document::{Format, Report, json_text};
 pub use render::figure::{Axis, Figure, Line};
+pub use render::map::{Map, MappedLine};
 pub use render::matrix::{MatrixFormat, MatrixWriter};
 pub(crate) use render::number::power_of_ten;
 pub use render::number::{certain_digits, enclosed_digits, scientific};

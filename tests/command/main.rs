@@ -8,6 +8,7 @@
 mod answers;
 mod colours;
 mod conversions;
+mod discontinuities;
 #[cfg(feature = "proptest")]
 mod fuzzing;
 mod gradient_cuts;

@@ -5,7 +5,8 @@
 //! [`Verdict`](crate::claims::Verdict) judges it. [`Computation`](crate::claims::Computation) names
 //! the functions, and `data/paper` says which claim calls which. `continuous_limit` belongs to §2
 //! and Corollary 1, `figure_5` and `regular_grids` to §4.1, `section_3_light` to §3.4 and §3.5;
-//! `lit` and `enclosed` hold scenes that several share.
+//! `shadows` is fig. 1 and App. B in general position; `lit`
+//! and `enclosed` hold scenes that several share.
 
 pub(crate) mod appendix;
 pub(crate) mod continuous_limit;
@@ -20,3 +21,4 @@ pub(crate) mod section_4_1;
 pub(crate) mod section_4_2;
 pub(crate) mod section_5;
 pub(crate) mod section_5_oracle;
+pub(crate) mod shadows;

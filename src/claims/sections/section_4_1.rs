@@ -1,11 +1,9 @@
 //! §4.1: figures 1 to 5.
 
 use super::figure_5::reading;
-use crate::chain::random::seeded::RandomChains;
 use crate::claims::{Case, ClaimError, Finding};
 use crate::discretize::{BoxGrid, CertifiedGrid, ContactShadow, PatchSplit, UNIT_CUBE};
 use crate::geometry::SplitAxis;
-use crate::information::divergence;
 use crate::numeric::{Certificate, CertifiedMaximum, Interval, Scalar, larger, real, tolerance};
 use crate::scene::Scene;
 
@@ -61,40 +59,6 @@ pub(crate) fn discontinuity_beats_lit_cuts(case: &Case<'_>) -> Result<Finding, C
     Ok(Finding::statement(holds, largest, tolerance::GAIN)
         .sampled()
         .with_curve(curve))
-}
-
-/// Lit parts whose form factors vary by up to `spread` times 3/(2 + d), d the lit share: the gain of
-/// a cut through the lit part relative to that of the line.
-///
-/// Before a cut at t the share of the flux lies between those of the two extremes, all of one value
-/// before the cut and all of the other after it, and the gain is convex in it: extremes stand for
-/// all form factors. Random steps in between are cut, too.
-pub(crate) fn discontinuity_beats_lit_cuts_nearly(case: &Case<'_>) -> Result<Finding, ClaimError> {
-    let spread = case.number("spread")?;
-    let mut random = RandomChains::new(case.count("seed")?.into());
-    let gain = |share: f64, t: f64| divergence(&[share, 1.0 - share], &[t, 1.0 - t]);
-    let mut largest: f64 = 0.0;
-    for line in points(40) {
-        let at_line = gain(1.0, line);
-        let most = spread * 3.0 / (2.0 + line);
-        let steps: Vec<f64> = random.numbers(50);
-        let values: Vec<f64> = steps.iter().map(|x| 1.0 + (most - 1.0) * x).collect();
-        let flux: f64 = values.iter().sum();
-        let mut before = 0.0;
-        for (t, value) in points(50).zip(&values) {
-            before += value;
-            let (inner, rest) = (t * line, (1.0 - t) * line);
-            for share in [
-                most * inner / (most * inner + rest),
-                inner / (inner + most * rest),
-                before / flux,
-            ] {
-                largest = larger(largest, gain(share, inner) / at_line);
-            }
-        }
-    }
-    let finding = Finding::statement(largest < 1.0, largest, tolerance::GAIN).sampled();
-    Ok(finding.noting("3/(2 + d) is enough, not needed: it leaves room everywhere"))
 }
 
 pub(crate) fn two_squares(axis: SplitAxis) -> Result<PatchSplit, ClaimError> {

@@ -54,6 +54,11 @@ pub(crate) fn objective_follows(case: &Case<'_>) -> Result<Finding, ClaimError> 
     Ok(Finding::decided(exponents_agree, needs_negative_emission, highest).noting(note))
 }
 
+/// A position to four decimals at most.
+fn rounded(position: &Interval) -> f64 {
+    (1e4 * position.to_f64()).round() / 1e4
+}
+
 /// Two divisions of one patch: at the cut of highest mutual information, and `offset` beyond that of
 /// least mean square error. The first has more information; the number is its error relative to the
 /// other's.
@@ -61,13 +66,18 @@ pub(crate) fn highest_information_is_most_precise(case: &Case<'_>) -> Result<Fin
     let patch = cut(case)?;
     let highest = patch.certified_mutual_information_cut(case.bits())?;
     let square = patch.certified_mean_square_cut(case.bits())?;
-    let other = -(square.position + &case.interval("offset")?).ln();
+    let other = -(square.position.clone() + &case.interval("offset")?).ln();
     let least = patch.mean_square_error_at(&other);
     let ratio = patch.mean_square_error_at(&-highest.position.ln()) / &least;
     let has_less = patch.gain_at(&other) < highest.value;
-    let note = "two cuts of one patch, B growing as l: at 0.4828 the information is highest, at 0.5 \
-                the error is least; what remains of the statement, that of two meshes the one with \
-                more information mostly has less error, needs meshes";
+    let note = format!(
+        "two cuts of one patch, B growing as l to the power {}: at {} the information is highest, \
+         at {} the error is least; what remains of the statement, that of two meshes the one with \
+         more information mostly has less error, needs meshes",
+        case.number("exponent")?,
+        rounded(&highest.position),
+        rounded(&square.position)
+    );
     let fails = has_less && ratio > ratio.constant(1.0);
     Ok(Finding::refuted_if(fails, ratio).noting(note))
 }

@@ -39,6 +39,12 @@ impl<'s> Between<'s> {
         self.blockers.of_pair(self.patch, other).is_some()
     }
 
+    /// The surfaces between the patch and another one, in order.
+    pub(crate) fn surfaces(&self, other: usize) -> Vec<usize> {
+        let surfaces = self.blockers.whole_surfaces_between(self.patch, other);
+        surfaces.collect()
+    }
+
     /// The polygons between the patch and another one; none if nothing is.
     pub(crate) fn past(&mut self, other: usize) -> Option<Past> {
         let surfaces = self.blockers.whole_surfaces_between(self.patch, other);

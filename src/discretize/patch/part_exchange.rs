@@ -10,8 +10,8 @@
 //! [`PolygonSplit`](super::polygons::PolygonSplit) in `f64`; so only the first can be enclosed.
 
 use crate::discretize::error::DiscretizeError;
+use crate::discretize::measure::CutMeasure;
 use crate::discretize::stationarity::stationarity;
-use crate::information::relative_entropy;
 use crate::numeric::{Scalar, real};
 
 /// The weights with which the pairs of a split enter its gain.
@@ -73,23 +73,62 @@ pub(crate) fn gain<S: Scalar>(
     split: &(impl PartExchange<S> + ?Sized),
     positions: &[S],
 ) -> Result<S, DiscretizeError> {
+    gain_by(CutMeasure::Information, split, positions)
+}
+
+/// The gain of cuts at increasing relative positions, by a measure: in bits, or in squared form
+/// factors.
+pub(crate) fn gain_by<S: Scalar>(
+    measure: CutMeasure,
+    split: &(impl PartExchange<S> + ?Sized),
+    positions: &[S],
+) -> Result<S, DiscretizeError> {
+    let [gain] = gains_by([measure], split, positions)?;
+    Ok(gain)
+}
+
+/// The gains by several measures.
+pub(crate) fn gains_by<S: Scalar, const N: usize>(
+    measures: [CutMeasure; N],
+    split: &(impl PartExchange<S> + ?Sized),
+    positions: &[S],
+) -> Result<[S; N], DiscretizeError> {
     let weights = split.weights();
     let parts = parts_between(positions, &weights.area);
-    let (zero, one) = (weights.area.zero(), weights.area.constant(1.0));
-    let mut gain = zero.clone();
+    let zero = weights.area.zero();
+    let mut gains = measures.map(|_| zero.clone());
     for (pair, brightness) in weights.brightness.iter().enumerate() {
         let parts = parts
             .iter()
             .map(|part| Ok([split.flux(pair, part)?, split.share(part)]))
             .collect::<Result<Vec<[S; 2]>, DiscretizeError>>()?;
         let flux = parts.iter().fold(zero.clone(), |sum, part| sum + &part[0]);
-        gain = gain + &(relative_entropy(&flux, &one, &parts) * brightness);
+        for (gain, measure) in gains.iter_mut().zip(measures) {
+            *gain = gain.clone() + &(measure.gain(&flux, &parts) * brightness);
+        }
     }
-    Ok(gain * &weights.area.constant(2.0) / &weights.total)
+    let mut scales = measures.into_iter().map(|measure| match measure {
+        CutMeasure::Information => [weights.area.constant(2.0), weights.total.clone()],
+        CutMeasure::MeanSquare => [weights.area.constant(1.0), weights.area.square()],
+    });
+    Ok(gains.map(|gain| match scales.next() {
+        Some([factor, divisor]) => gain * &factor / &divisor,
+        None => gain,
+    }))
 }
 
 /// The derivative of the gain as cut `k` moves, in bits per relative position.
 pub(crate) fn gain_derivative<S: Scalar>(
+    split: &(impl PartExchange<S> + ?Sized),
+    positions: &[S],
+    k: usize,
+) -> Result<S, DiscretizeError> {
+    gain_derivative_by(CutMeasure::Information, split, positions, k)
+}
+
+/// The derivative of the gain by a measure as cut `k` moves, per relative position.
+pub(crate) fn gain_derivative_by<S: Scalar>(
+    measure: CutMeasure,
     split: &(impl PartExchange<S> + ?Sized),
     positions: &[S],
     k: usize,
@@ -115,10 +154,16 @@ pub(crate) fn gain_derivative<S: Scalar>(
     for (pair, brightness) in weights.brightness.iter().enumerate() {
         let rate = split.flux_rate(pair, cut)?;
         let [before, after] = [ratio(pair, before)?, ratio(pair, after)?];
-        let term = stationarity(&rate, &weight_rate, &before, &after);
+        let term = match measure {
+            CutMeasure::Information => stationarity(&rate, &weight_rate, &before, &after),
+            CutMeasure::MeanSquare => measure.slope(&rate, &weight_rate, &before, &after),
+        };
         derivative = derivative + &(term * brightness);
     }
-    Ok(derivative * &weights.bits_per_nat())
+    Ok(match measure {
+        CutMeasure::Information => derivative * &weights.bits_per_nat(),
+        CutMeasure::MeanSquare => derivative / &weights.area,
+    })
 }
 
 /// The largest gain that a regular division into `parts` could bring at all, eqs. (6), (7).

@@ -24,6 +24,7 @@ use crate::form_factor::{
 };
 use crate::geometry::{CutLines, GeometryError, Patch, Rectangle, SplitAxis};
 use crate::numeric::GaussLegendre;
+use glam::DVec3;
 use std::sync::Arc;
 
 /// The relative error bounds that the exchange area of a part is asked for, one after the other.
@@ -110,6 +111,19 @@ impl CutSurface {
             rectangle: Rectangle::try_from(patch).ok(),
             lines: CutLines::try_new(patch, axis)?,
             axis,
+        })
+    }
+
+    /// The patch with lines along a direction.
+    ///
+    /// # Errors
+    /// [`GeometryError::StraightCorner`] if the direction is perpendicular to its plane.
+    pub(crate) fn parallel_to(patch: &Patch, direction: DVec3) -> Result<Self, GeometryError> {
+        Ok(Self {
+            polygon: Polygon::new(patch),
+            rectangle: None,
+            lines: CutLines::parallel_to(patch, direction)?,
+            axis: SplitAxis::U,
         })
     }
 

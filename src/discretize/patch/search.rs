@@ -9,6 +9,7 @@
 
 use super::split::{PatchSplit, SplitOptimum};
 use crate::discretize::error::DiscretizeError;
+use crate::discretize::measure::CutMeasure;
 use crate::numeric::{NumericError, is_higher, maximum, maximum_of_many, real, x_log2_ratio};
 use std::cell::RefCell;
 
@@ -57,7 +58,7 @@ impl PatchSplit {
                     condition,
                 });
             }
-            2 => vec![self.best_cut()?],
+            2 => vec![self.best_cut(CutMeasure::Information)?],
             _ => self.refined(self.best_on_lattice(parts as usize)?)?,
         };
         let mut residual: f64 = 0.0;
@@ -71,8 +72,11 @@ impl PatchSplit {
         })
     }
 
-    /// The highest maximum of one cut.
-    fn best_cut(&self) -> Result<f64, DiscretizeError> {
+    /// The cut that gains the most by a measure, found as [`best`](Self::best) finds it.
+    ///
+    /// # Errors
+    /// [`DiscretizeError::Numeric`] if no interior maximum is found.
+    pub fn best_cut(&self, measure: CutMeasure) -> Result<f64, DiscretizeError> {
         let mut best: Option<(f64, f64)> = None;
         let mut consider = |position: f64, gain: f64| {
             // the first of equal maxima
@@ -90,7 +94,7 @@ impl PatchSplit {
             let intervals = (SCANNED_INTERVALS * (upper - lower))
                 .ceil()
                 .max(FEWEST_INTERVALS) as u32;
-            let found = self.searching(|gain, derivative| {
+            let found = self.searching(measure, |gain, derivative| {
                 let derivative = |t| derivative(&[t], 0);
                 match maximum(|t| gain(&[t]), derivative, (lower, upper), intervals) {
                     Err(NumericError::NoInteriorMaximum { .. }) => Ok(None),
@@ -101,7 +105,7 @@ impl PatchSplit {
                 consider(found.position, found.value);
             }
             if upper < 1.0 {
-                let gain = self.gain(&[upper])?;
+                let gain = self.gain_by(measure, &[upper])?;
                 if gain > 0.0 {
                     consider(upper, gain);
                 }
@@ -249,7 +253,7 @@ impl PatchSplit {
         let width = upper - lower;
         let scaled = positions[range.clone()].iter();
         let scaled = scaled.map(|t| (t - lower) / width).collect();
-        let found = self.searching(|_, derivative| {
+        let found = self.searching(CutMeasure::Information, |_, derivative| {
             let gradient = |shares: &[f64]| {
                 let mut moved = positions.to_vec();
                 for (position, share) in moved[range.clone()].iter_mut().zip(shares) {
@@ -310,6 +314,7 @@ impl PatchSplit {
     /// reason.
     fn searching<T>(
         &self,
+        measure: CutMeasure,
         search: impl FnOnce(
             &dyn Fn(&[f64]) -> f64,
             &dyn Fn(&[f64], usize) -> f64,
@@ -323,8 +328,8 @@ impl PatchSplit {
             })
         };
         let found = search(
-            &|positions| number(self.gain(positions)),
-            &|positions, k| number(self.gain_derivative(positions, k)),
+            &|positions| number(self.gain_by(measure, positions)),
+            &|positions, k| number(self.gain_derivative_by(measure, positions, k)),
         );
         // a refusal matters only if the optimiser could not do without that point
         found.map_err(|error| refusal.into_inner().unwrap_or(error.into()))

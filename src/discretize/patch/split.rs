@@ -21,7 +21,7 @@
 //! whole patch ([`Occlusion`]); such a split has no enclosures. A surface that stands on the patch
 //! may cut its light off along a line, where the derivative of the gain jumps.
 //!
-//! **Not covered**: cuts in other directions.
+//! **Not covered**: cuts that are not parallel to each other.
 
 use super::between::Between;
 use super::part_exchange;
@@ -29,15 +29,18 @@ use super::part_exchange::{PartExchange, SplitWeights};
 use super::polygons::{CutPair, CutSurface, PolygonSplit};
 use super::rectangles::RectangleSplit;
 use crate::discretize::error::DiscretizeError;
+use crate::discretize::measure::CutMeasure;
 use crate::exchange::{ExchangeError, IgnoredOcclusion};
-use crate::geometry::SplitAxis;
+use crate::geometry::{CutLines, SplitAxis};
 use crate::numeric::CertifiedMaximum;
 use crate::scene::{Occlusion, Scene};
+use glam::DVec3;
 
 /// A patch of a scene, to be cut across one of its axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PatchSplit {
     shapes: Shapes,
+    lines: CutLines,
     /// The other patch of each pair.
     others: Vec<usize>,
     /// Increasing positions inside `(0, 1)` at which the derivative of the gain jumps.
@@ -101,9 +104,39 @@ impl PatchSplit {
         axis: SplitAxis,
         occlusion: Occlusion,
     ) -> Result<Self, DiscretizeError> {
-        let shape = scene.whole_patch(patch)?.shape();
-        let surface = CutSurface::try_new(shape, axis);
+        let surface = CutSurface::try_new(scene.whole_patch(patch)?.shape(), axis);
         let surface = surface.map_err(|source| scene.refused(patch, source))?;
+        Self::of_surface(scene, patch, against, surface, occlusion)
+    }
+
+    /// The split of [`try_new`](Self::try_new) by lines along any direction, in order to the right
+    /// of it as seen from the front; the position is 0 where the patch begins and 1 where it ends.
+    ///
+    /// **Arguments** `direction`: of any length; its part in the plane of the patch counts.
+    ///
+    /// # Errors
+    /// As [`with_occlusion`](Self::with_occlusion); [`DiscretizeError::Scene`] if the direction is
+    /// perpendicular to the patch.
+    pub fn parallel_to(
+        scene: &Scene,
+        patch: usize,
+        against: &[usize],
+        direction: DVec3,
+        occlusion: Occlusion,
+    ) -> Result<Self, DiscretizeError> {
+        let surface = CutSurface::parallel_to(scene.whole_patch(patch)?.shape(), direction);
+        let surface = surface.map_err(|source| scene.refused(patch, source))?;
+        Self::of_surface(scene, patch, against, surface, occlusion)
+    }
+
+    fn of_surface(
+        scene: &Scene,
+        patch: usize,
+        against: &[usize],
+        surface: CutSurface,
+        occlusion: Occlusion,
+    ) -> Result<Self, DiscretizeError> {
+        let area = scene.whole_patch(patch)?.shape().area();
         let mut pairs = Vec::new();
         let mut others = Vec::new();
         let mut kinks = surface.lines().steps();
@@ -154,10 +187,11 @@ impl PatchSplit {
         kinks.dedup_by(|a, b| *a - *b < SAME_KINK);
         let weights = SplitWeights {
             brightness: vec![1.0; pairs.len()],
-            area: shape.area(),
+            area,
             total: scene.total_area(),
         };
         Ok(Self {
+            lines: surface.lines().clone(),
             shapes: Shapes::new(surface, pairs, weights),
             others,
             kinks,
@@ -275,6 +309,42 @@ impl PatchSplit {
     /// As [`gain`](Self::gain); [`DiscretizeError::OutOfRange`] if there is no cut `k`.
     pub fn gain_derivative(&self, positions: &[f64], k: usize) -> Result<f64, DiscretizeError> {
         part_exchange::gain_derivative(self.parts(), positions, k)
+    }
+
+    /// The gain of cuts at increasing relative positions by a measure: in bits, or in squared form
+    /// factors, summed over the patches that the cut is judged by.
+    ///
+    /// # Errors
+    /// As [`gain`](Self::gain).
+    pub fn gain_by(&self, measure: CutMeasure, positions: &[f64]) -> Result<f64, DiscretizeError> {
+        part_exchange::gain_by(measure, self.parts(), positions)
+    }
+
+    /// The derivative of [`gain_by`](Self::gain_by) as cut `k` moves, per relative position.
+    ///
+    /// # Errors
+    /// As [`gain_derivative`](Self::gain_derivative).
+    pub fn gain_derivative_by(
+        &self,
+        measure: CutMeasure,
+        positions: &[f64],
+        k: usize,
+    ) -> Result<f64, DiscretizeError> {
+        part_exchange::gain_derivative_by(measure, self.parts(), positions, k)
+    }
+
+    /// The share of the patch's area before a relative position.
+    ///
+    /// **Arguments** `position` inside `(0, 1)`.
+    #[must_use]
+    pub fn share_before(&self, position: f64) -> f64 {
+        self.lines.share(0.0, position)
+    }
+
+    /// The relative position of the cut through a point of the patch's plane.
+    #[must_use]
+    pub fn position_of(&self, point: DVec3) -> f64 {
+        self.lines.position(point)
     }
 
     /// The largest gain that a regular division into `parts` could bring at all, eqs. (6), (7).

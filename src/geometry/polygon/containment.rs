@@ -11,7 +11,7 @@
 
 use crate::geometry::Patch;
 use crate::numeric::tolerance;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 /// The first condition of containment that fails.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -84,6 +84,15 @@ pub(crate) fn distance_from_plane(inner: &Patch, outer: &Patch) -> f64 {
     heights
         .map(|corner| (*corner - outer.corners()[0]).dot(outer.normal()).abs())
         .fold(0.0, f64::max)
+}
+
+/// Is a point of a polygon's plane inside the outline?
+pub(crate) fn is_inside(point: DVec3, polygon: &Patch) -> bool {
+    let across = polygon.normal().any_orthonormal_vector();
+    let up = polygon.normal().cross(across);
+    let flat = |corner: DVec3| DVec2::new((corner - point).dot(across), (corner - point).dot(up));
+    let corners: Vec<DVec2> = polygon.corners().iter().map(|c| flat(*c)).collect();
+    depth(DVec2::ZERO, &corners) > 0.0
 }
 
 fn edges(polygon: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> {

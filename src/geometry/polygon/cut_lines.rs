@@ -59,7 +59,7 @@ impl CutLines {
     /// # Ok::<(), infoscene::geometry::GeometryError>(())
     /// ```
     pub fn try_new(patch: &Patch, axis: SplitAxis) -> Result<Self, GeometryError> {
-        let corners = patch.corners().to_vec();
+        let corners = patch.corners();
         let n = corners.len();
         let [u, v] = [corners[1], corners[n - 1]].map(|end| (end - corners[0]).normalize());
         let sine = u.cross(v).length();
@@ -70,9 +70,35 @@ impl CutLines {
             SplitAxis::U => (u, v),
             SplitAxis::V => (v, u),
         };
+        let across = along.cross(patch.normal()).normalize();
+        Ok(Self::spanned(
+            patch,
+            along,
+            across * across.dot(towards).signum(),
+        ))
+    }
+
+    /// The lines along a direction, positions growing to its right as seen from the front.
+    ///
+    /// **Arguments** `direction`: of any length; its part in the polygon's plane counts.
+    ///
+    /// # Errors
+    /// [`GeometryError::StraightCorner`] if it is perpendicular to the plane.
+    pub fn parallel_to(patch: &Patch, direction: DVec3) -> Result<Self, GeometryError> {
         let normal = patch.normal();
-        let across = along.cross(normal).normalize();
-        let across = across * across.dot(towards).signum();
+        let along = direction - direction.dot(normal) * normal;
+        let sine = along.length() / direction.length();
+        if sine.is_nan() || sine < SMALLEST_ANGLE {
+            return Err(GeometryError::StraightCorner { sine });
+        }
+        let along = along.normalize();
+        Ok(Self::spanned(patch, along, along.cross(normal)))
+    }
+
+    /// The lines along one unit vector in the plane, in order along another.
+    fn spanned(patch: &Patch, along: DVec3, across: DVec3) -> Self {
+        let corners = patch.corners().to_vec();
+        let (n, normal) = (corners.len(), patch.normal());
         let heights = corners.iter().map(|c| (*c - corners[0]).dot(across));
         let heights: Vec<f64> = heights.collect();
         let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
@@ -90,7 +116,7 @@ impl CutLines {
             let triangles = triangulated(&corners, normal);
             triangles.iter().map(|triangle| triangle.to_vec()).collect()
         };
-        Ok(Self {
+        Self {
             positions,
             pieces,
             along,
@@ -98,7 +124,13 @@ impl CutLines {
             breadth,
             area: patch.area(),
             corners,
-        })
+        }
+    }
+
+    /// The position of the line through a point.
+    #[must_use]
+    pub fn position(&self, point: DVec3) -> f64 {
+        self.positions[0] + (point - self.corners[0]).dot(self.across) / self.breadth
     }
 
     /// The distance between lines 0 and 1.

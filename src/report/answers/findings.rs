@@ -8,7 +8,8 @@
 
 use crate::claims::{ClaimError, Judgement, Printed};
 use crate::discretize::{
-    BestGrid, BoxGrid, ContactShadow, GradientCut, GradientLimit, JudgedCut, Profile, UNIT_CUBE,
+    BestGrid, BoxGrid, ContactShadow, CutMeasure, GradientCut, GradientLimit, HalfPlaneShadow,
+    JudgedCut, Profile, UNIT_CUBE,
 };
 use crate::numeric::{Bounded, Interval, Scalar, larger, largest, smaller};
 use crate::report::render::page::{PageError, Texts};
@@ -58,6 +59,7 @@ pub fn findings_page(judgements: &[Judgement]) -> Result<String, PageError> {
     figure_5(&claims, &mut texts)?;
     let limit = ContactShadow::limit_of_the_discontinuity_line()?;
     texts.number("shadow_limit", Bounded::estimate(limit, 1e-6), 3)?;
+    penumbrae(&claims, &mut texts)?;
     limits(&mut texts)?;
     profile_cuts(&mut texts)?;
     texts.filled(TEMPLATE)
@@ -101,6 +103,7 @@ fn verdicts(claims: &Claims<'_>, texts: &mut Texts) -> Result<(), PageError> {
         ("figure_5_verdict", "fig5-regular"),
         ("figure_5_others", "fig5-optimal"),
         ("maximum_verdict", "eq6-sum-is-a-maximum"),
+        ("nearly_verdict", "fig1-lit-part-nearly"),
         ("precise_verdict", "s3-most-precise-has-highest-information"),
         ("potential_verdict", "s5-step-2-highest-potential"),
     ] {
@@ -149,6 +152,43 @@ fn cuts(texts: &mut Texts) -> Result<(), PageError> {
     }
     texts.text("cuts", lines);
     Ok(())
+}
+
+/// App. B.2: the best cuts of a penumbra, and the share of the gain that its lines keep.
+fn penumbrae(claims: &Claims<'_>, texts: &mut Texts) -> Result<(), PageError> {
+    let shown = |number: &Interval, decimals| Texts::enclosed_text("penumbrae", number, decimals);
+    let mut lines = String::new();
+    let mut last = Interval::precise(100.0, BITS);
+    for height in [0.05, 0.2, 0.35] {
+        let shadow = HalfPlaneShadow::try_new(0.5, height)?;
+        let like = Interval::precise(1.0, BITS);
+        let [information, square] = CutMeasure::ALL;
+        let best = shadow.certified_cut(information, BITS)?;
+        let least = shadow.certified_cut(square, BITS)?;
+        let kept = shadow.gains_on_lines(information, &like);
+        let [lit, umbra] = kept.map(|gain| gain / &best.value * &like.constant(100.0));
+        PageError::unless(lit < umbra, "the lit line keeps less")?;
+        PageError::unless(umbra < last, "the nearer, the better the umbra line")?;
+        last = umbra.clone();
+        let ends = shadow.lit_line(&like) + &shadow.umbra_line(&like);
+        let middle = ends / &like.constant(2.0);
+        let [far, near] = [&best, &least].map(|cut| (cut.position.clone() - &middle).abs());
+        PageError::unless(near < far, "the mean-square cut is nearer to the middle")?;
+        lines += &format!(
+            "  | {height} | {} | {} | {} | {} | {} % | {} % |\n",
+            shown(&shadow.lit_line(&like), 4)?,
+            shown(&shadow.umbra_line(&like), 4)?,
+            shown(&best.position, 6)?,
+            shown(&least.position, 6)?,
+            shown(&lit, 0)?,
+            shown(&umbra, 0)?
+        );
+    }
+    texts.text("penumbrae", lines);
+    let plate = claims.named("appB2-plate")?.finding.as_ref();
+    let plate = plate.ok_or_else(|| PageError::without("a finding", "appB2-plate"))?;
+    let kept = Bounded::estimate(100.0 * plate.quantity.number(), 1e-6);
+    texts.number("plate_kept", kept, 1)
 }
 
 /// §5: the missing factor, and the digits that forms of the gain keep.

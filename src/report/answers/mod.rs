@@ -10,6 +10,7 @@ pub(crate) mod check;
 pub(crate) mod claims;
 pub(crate) mod claims_page;
 pub(crate) mod cuts;
+pub(crate) mod discontinuities;
 pub(crate) mod findings;
 pub(crate) mod form_factors;
 #[cfg(feature = "proptest")]

@@ -3,7 +3,7 @@
 use infoscene::claims::{Case, Computation, Context, Inputs, registry};
 
 /// Every claim, in paper order.
-const CLAIMS: [&str; 112] = [
+const CLAIMS: [&str; 116] = [
     "s1-optimum-is-highest-information",
     "s1-optimum-has-least-error",
     "s2-convergence-to-stationary",
@@ -56,6 +56,8 @@ const CLAIMS: [&str; 112] = [
     "fig1-dark-part",
     "fig1-lit-part",
     "fig1-lit-part-nearly",
+    "fig1-dark-part-in-scenes",
+    "fig1-lit-part-in-scenes",
     "fig2-orthogonal-small",
     "fig2-orthogonal-middle",
     "fig2-parallel-cut",
@@ -116,6 +118,8 @@ const CLAIMS: [&str; 112] = [
     "eq14",
     "eq14-mesh",
     "appB2-limit",
+    "appB2-penumbra",
+    "appB2-plate",
 ];
 
 #[test]

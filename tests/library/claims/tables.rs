@@ -3,10 +3,10 @@
 
 use super::{AGAIN, JUDGEMENTS};
 use infoscene::exchange::Unheard;
-use infoscene::question::{Curve, ReproduceAnswer};
+use infoscene::question::{Curve, Discontinuities, ReproduceAnswer};
 use infoscene::report::{
-    Format, claims_page, curve_figure, findings_page, first_verdicts, reproduction_report,
-    trusted_page,
+    Format, claims_page, curve_figure, discontinuities_map, findings_page, first_verdicts,
+    gain_figure, reproduction_report, trusted_page,
 };
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -72,6 +72,32 @@ fn the_figure_of_the_readme_is_current() {
     };
     let figure = curve_figure(&curve.ask(&Unheard).unwrap());
     assert_current("data/report/fig2-curve.svg", &figure.to_svg().unwrap());
+}
+
+/// The figures of the page of findings, as `infoscene discontinuities` draws them.
+#[test]
+fn the_figures_of_discontinuities_are_current() {
+    let asked = |scene: &str| {
+        let scene = file(&format!("data/scenes/{scene}.vs3"));
+        let question = Discontinuities {
+            scene: scene.to_str().unwrap().into(),
+            from: 1.into(),
+            with_map: true,
+            ..Discontinuities::default()
+        };
+        question.ask(&Unheard).unwrap()
+    };
+    let tilted = asked("tilted");
+    // as the page of findings says
+    assert!(tilted.lines.iter().any(|line| line.kept > 0.95));
+    assert!(tilted.lines.iter().any(|line| line.kept < 0.05));
+    let map = discontinuities_map(&tilted).unwrap();
+    assert_current("data/report/fig1-lines.svg", &map.to_svg().unwrap());
+    for (scene, name) in [("half-plane", "fig1-gain"), ("contact", "appB-gain")] {
+        let figure = gain_figure(&asked(scene), "u").unwrap();
+        let name = format!("data/report/{name}.svg");
+        assert_current(&name, &figure.to_svg().unwrap());
+    }
 }
 
 /// Every number of the page is computed by this run.
