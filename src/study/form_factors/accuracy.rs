@@ -221,7 +221,7 @@ pub fn accuracy(is_quick: bool) -> Result<Vec<AccuracyRow>, StudyError> {
     for family in Family::ALL {
         let name = family.name();
         let pairs = try_parallel_map(count, &|number| {
-            let patches = family.pair(number as u64);
+            let patches = family.pair(number as u64)?;
             let truth = if is_quick {
                 Truth::by_double_double(&patches)
             } else {
