@@ -133,31 +133,30 @@ fn halved() -> Result<Vec<ExtremeCase>, StudyError> {
 
 /// Walls in a plane of symmetry.
 fn walls() -> Result<Vec<ExtremeCase>, StudyError> {
-    let wall = |low: f64, high: f64| {
-        let corners = [[-1.0, low], [2.0, low], [2.0, high], [-1.0, high]];
-        Patch::try_new(corners.map(|[x, z]| DVec3::new(x, 0.5, z)).to_vec())
-    };
     let upright = |y: [f64; 2]| {
         let corners = [[y[0], 0.0], [y[1], 0.0], [y[1], 1.0], [y[0], 1.0]];
         Patch::try_new(corners.map(|[y, z]| DVec3::new(0.0, y, z)).to_vec())
     };
     let ceiling = |y: [f64; 2]| level([[0.0, 1.0], y], 1.0, false);
-    let other: [(&str, &dyn Fn([f64; 2]) -> Result<Patch, GeometryError>); 2] = [
-        ("wall from floor to ceiling", &ceiling),
-        ("wall in a corner, on both sides of it", &upright),
-    ];
-    let case = |(name, other): (
-        &'static str,
-        &dyn Fn([f64; 2]) -> Result<Patch, GeometryError>,
-    )| {
-        let floor = |y: [f64; 2]| level([[0.0, 1.0], y], 0.0, true);
-        let half = [floor([0.0, 0.5])?, other([0.0, 0.5])?];
-        let pair = [floor([0.0, 1.0])?, other([0.0, 1.0])?];
-        let truth = Truth::of(&half).map(|half| half.times(2.0));
-        let blockers = vec![wall(0.0, 1.0)?];
-        ExtremeCase::of(name, OccludedPair { pair, blockers }, truth)
-    };
-    other.into_iter().map(case).collect()
+    Ok(vec![
+        beside_a_wall("wall from floor to ceiling", ceiling)?,
+        beside_a_wall("wall in a corner, on both sides of it", upright)?,
+    ])
+}
+
+/// A floor and another square with a wall between their halves, each of which sees its own.
+fn beside_a_wall(
+    name: &'static str,
+    other: impl Fn([f64; 2]) -> Result<Patch, GeometryError>,
+) -> Result<ExtremeCase, StudyError> {
+    let floor = |y: [f64; 2]| level([[0.0, 1.0], y], 0.0, true);
+    let half = [floor([0.0, 0.5])?, other([0.0, 0.5])?];
+    let pair = [floor([0.0, 1.0])?, other([0.0, 1.0])?];
+    let truth = Truth::of(&half).map(|half| half.times(2.0));
+    let wall = [[-1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [-1.0, 1.0]];
+    let wall = wall.map(|[x, z]| DVec3::new(x, 0.5, z));
+    let blockers = vec![Patch::try_new(wall.to_vec())?];
+    ExtremeCase::of(name, OccludedPair { pair, blockers }, truth)
 }
 
 /// Plates half-way, narrow or with narrow openings.
