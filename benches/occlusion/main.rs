@@ -8,7 +8,8 @@
 //!
 //! Everything is checked before it is timed: pairs of `data/reference/occlusion.json` by their
 //! values, random pairs by the other one of the two integrals there are for a pair, scenes by their
-//! row sums. With `--test` little is checked, once, and nothing is timed.
+//! row sums. With `--test`, or by `cargo test --benches`, little is checked, once, and nothing is
+//! timed.
 #![expect(clippy::unwrap_used, reason = "a bench may panic")]
 
 mod pairs;
@@ -30,8 +31,10 @@ struct Asked {
 impl Asked {
     fn of(arguments: impl Iterator<Item = String>) -> Self {
         let (flags, words): (Vec<_>, Vec<_>) = arguments.partition(|word| word.starts_with("--"));
+        let is_given = |name: &str| flags.iter().any(|flag| flag == name);
         Self {
-            is_test: flags.iter().any(|flag| flag == "--test"),
+            // `cargo test --benches` gives no flag
+            is_test: is_given("--test") || !is_given("--bench"),
             words,
         }
     }
