@@ -20,7 +20,7 @@ pub(super) struct Measure {
     #[arg(long)]
     open: bool,
     /// The continuous mutual information, too: of a closed scene that is convex inside, or from
-    /// random lines.
+    /// random lines; from a million where something stands in the way.
     #[arg(long)]
     continuous: bool,
     /// What each pair of patches loses against the continuous one: the most that subdividing both

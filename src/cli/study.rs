@@ -15,7 +15,7 @@ pub(super) struct Study {
     /// Fewer cases and repetitions for the timings.
     #[arg(long)]
     quick: bool,
-    /// Draw the study of refinements, too, into an SVG file.
+    /// Draw the study of refinements or of accuracy, too, into an SVG file.
     #[arg(long, value_name = "PATH")]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -24,7 +24,7 @@ pub(super) struct Study {
 
 #[derive(Debug, Clone, Copy, clap::ValueEnum)]
 enum Subject {
-    /// Error against run time of every route to a form factor.
+    /// Error against run time of every route to a form factor, past others, too.
     Accuracy,
     /// What naive forms of the gain, and routes to a form factor, lose in stiff and extreme cases.
     Stability,
@@ -66,8 +66,9 @@ impl From<Subject> for StudySubject {
 
 impl Study {
     pub(super) fn answer(&self) -> Answer {
-        if self.figure.is_some() && !matches!(self.subject, Subject::Refinement) {
-            return Err("only the study of refinements has a figure".into());
+        let has_figure = matches!(self.subject, Subject::Refinement | Subject::Accuracy);
+        if self.figure.is_some() && !has_figure {
+            return Err("only the studies of refinements and of accuracy have a figure".into());
         }
         self.output.check()?;
         if let Some(path) = &self.figure {

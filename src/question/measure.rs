@@ -8,11 +8,12 @@ use super::unreached::Unreached;
 use crate::chain::ChainError;
 use crate::exchange::{Congruence, ExchangeError, PlanSummary, Progress, Tolerance};
 use crate::information::{
-    ContinuousInformation, FacePair, OpenScene, PairLoss, SceneInformation, brightness_information,
-    continuous_information, pair_losses, scene_information,
+    ChordInformation, ContinuousInformation, FacePair, OpenScene, PairLoss, SceneInformation,
+    brightness_information, chord_information, continuous_information, pair_losses,
+    scene_information,
 };
 use crate::numeric::Grade;
-use crate::scene::{Channel, NamedPatch, Occlusion, Scene};
+use crate::scene::{Channel, NamedPatch, Occlusion, Scene, SceneError};
 
 /// The question for the information of a scene.
 ///
@@ -38,8 +39,8 @@ pub struct Measure {
     pub light: Light,
     /// The treatment of power that meets no patch; light needs no state for it.
     pub open_scene: OpenScene,
-    /// Whether the continuous mutual information is asked for, too: the room must be closed and
-    /// convex inside.
+    /// Whether the continuous mutual information is asked for, too: the room must be closed, and
+    /// convex inside unless something stands in the way; then it is sampled.
     pub continuous: bool,
     /// Whether the losses of the pairs of patches are asked for, too.
     pub pairs: bool,
@@ -59,6 +60,11 @@ impl Default for Measure {
         }
     }
 }
+
+/// The number of random lines that the continuous mutual information is sampled with, where
+/// something stands in the way, and their seed; [`Sample`](super::Sample) takes others.
+const CHORDS: u32 = 1_000_000;
+const SEED: u64 = 1;
 
 /// The information of a scene, as a record whose keys are relied on by scripts.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -83,8 +89,12 @@ pub struct MeasureAnswer {
     pub continuous_mutual_information: Option<f64>,
     /// The error of the continuous mutual information.
     pub continuous_error: Option<f64>,
-    /// The grade of its error.
+    /// The grade of its error: of a sample the error is a standard error.
     pub continuous_error_grade: Option<Grade>,
+    /// A lower bound on it, if it is sampled: the discrete one less its error.
+    pub continuous_lower_bound: Option<f64>,
+    /// The number of random lines, if it is sampled.
+    pub continuous_lines: Option<u32>,
     /// The terms of pairs of faces in it, both directions together.
     pub continuous_contributions: Option<Vec<FacePairRecord>>,
     /// The terms of pairs of patches in (3) and (4), and their differences.
@@ -198,14 +208,12 @@ impl Measure {
     ///
     /// # Errors
     /// [`QuestionError::OpenScene`] if the scene is open and no state was asked for what escapes;
+    /// [`QuestionError::Chain`] if the continuous mutual information is asked for and lines escape;
     /// [`QuestionError::NoLightMeant`]; the errors of the scene, of its pairs and of its light.
     pub fn ask(&self, progress: &dyn Progress) -> Result<MeasureAnswer, QuestionError> {
         let loaded = self.scene.open()?;
         let scene = loaded.scene;
-        if (self.continuous || self.pairs) && self.scene.occlusion == Occlusion::Exact {
-            // refused before the pass
-            Occlusion::Refuse.check(&scene)?;
-        }
+        let is_sampled = self.is_sampled(&scene)?;
         let asked = (self.tolerance, self.congruence);
         let pairs = self.scene.pairs(&scene, asked, progress)?;
         let measured = if self.light.is_visibility()? {
@@ -222,10 +230,29 @@ impl Measure {
         answer.resolution = scene.resolution();
         answer.notes = loaded.notes;
         answer.notes.extend(ignored_note(answer.plan.ignored));
-        if self.continuous || self.pairs {
+        if is_sampled {
+            let is_visibility = self.light.is_visibility()?;
+            let chords = chord_information(&scene, CHORDS, SEED)?;
+            answer.add_sampled(chords, is_visibility);
+        } else if self.continuous || self.pairs {
             self.compare(&scene, &mut answer, progress)?;
         }
         Ok(answer)
+    }
+
+    /// Whether the continuous mutual information is to be sampled, as something stands in the way:
+    /// told before the pass. Refused if the losses of pairs are asked for, or if a resolution of
+    /// the coordinates would clear the way.
+    fn is_sampled(&self, scene: &Scene) -> Result<bool, SceneError> {
+        if !(self.continuous || self.pairs) || self.scene.occlusion != Occlusion::Exact {
+            return Ok(false);
+        }
+        match Occlusion::Refuse.check(scene) {
+            Err(SceneError::MayBeBlocked {
+                resolution: None, ..
+            }) if !self.pairs => Ok(true),
+            checked => checked.map(|()| false),
+        }
     }
 
     /// Adds the continuous mutual information, and what pairs lose against it.
@@ -287,6 +314,8 @@ impl MeasureAnswer {
             continuous_mutual_information: None,
             continuous_error: None,
             continuous_error_grade: None,
+            continuous_lower_bound: None,
+            continuous_lines: None,
             continuous_contributions: None,
             pair_losses: None,
             mutual_information_error: measured.mutual_information.error,
@@ -308,6 +337,17 @@ impl MeasureAnswer {
             unreached: None,
             notes: Vec::new(),
         }
+    }
+
+    /// Adds the sampled continuous mutual information, and what is known of it from below.
+    fn add_sampled(&mut self, chords: ChordInformation, is_visibility: bool) {
+        self.continuous_mutual_information = Some(chords.mutual_information);
+        self.continuous_error = Some(chords.standard_error);
+        self.continuous_error_grade = Some(Grade::Sample);
+        self.continuous_lines = Some(chords.lines);
+        // Corollary 1 is of the chain of visibility
+        let lower = self.mutual_information - self.mutual_information_error;
+        self.continuous_lower_bound = is_visibility.then_some(lower.max(0.0));
     }
 
     fn add_continuous(&mut self, scene: &Scene, found: &ContinuousInformation) {

@@ -10,6 +10,7 @@ use crate::study::cuts::profiles::profiles;
 use crate::study::enclosures::work_precision;
 use crate::study::form_factors::accuracy::{AccuracyRow, accuracy};
 use crate::study::form_factors::extreme_pairs::{StabilityRow, route_stability};
+use crate::study::form_factors::occluded::stability::occluded_stability;
 use crate::study::gain::stability::gain_stability;
 use crate::study::light::stability::transport_stability;
 use crate::study::light::walks::walk_variance;
@@ -132,6 +133,7 @@ impl Study {
         let mut rows: Vec<_> = gains.into_iter().map(StabilityRow::from).collect();
         rows.extend(transport_stability(routes)?);
         rows.extend(route_stability(routes, self.quick)?);
+        rows.extend(occluded_stability(routes.min(3), self.quick)?);
         Ok(rows)
     }
 }

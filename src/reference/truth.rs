@@ -3,7 +3,7 @@
 //! Aligned rectangles whose coordinates are exact in a common frame: the closed form's enclosure
 //! with 256 bits. All other polygons: the slow [reference](mod@super::exchange), with significands
 //! of 256 bits and an error *estimate* of 1e-18, no bound. Both are of the corners as they are in
-//! `f64`.
+//! `f64`. What is seen past others comes from other places of this room.
 
 use super::exchange as reference;
 use crate::form_factor::{FormFactorError, Polygon, RectanglePair, Route};
@@ -11,7 +11,7 @@ use crate::geometry::{Patch, Rectangle};
 use crate::numeric::{DoubleDouble, Interval, Scalar};
 
 /// Bits of the enclosures.
-const BITS: u32 = 256;
+pub(super) const BITS: u32 = 256;
 /// Relative error asked of the reference, a hundredth of what a double can show.
 const REFERENCE: f64 = 1e-18;
 
@@ -30,14 +30,7 @@ impl Truth {
     /// [`FormFactorError`] if the value leaves the range of `f64`.
     pub fn of([first, second]: &[Patch; 2]) -> Result<Self, FormFactorError> {
         if let Some(pair) = aligned(first, second) {
-            let value = pair
-                .lifted(&Interval::precise(1.0, BITS))
-                .exchange_value()?;
-            return Ok(Self {
-                uncertainty: value.width() / value.to_f64(),
-                value,
-                origin: "enclosure, 256 bits",
-            });
+            return Ok(Self::of_enclosure(enclosed(&pair)?));
         }
         let found = reference::exchange_area(first, second, REFERENCE)?;
         let zero = Interval::precise(0.0, BITS);
@@ -68,14 +61,42 @@ impl Truth {
         })
     }
 
-    /// Reads its decimals, to half a unit of the last of `digits`; `None` if they are none.
+    /// Reads its decimals, with their relative uncertainty; `None` if they are none.
     #[must_use]
-    pub fn from_decimals(text: &str, digits: i32) -> Option<Self> {
+    pub fn from_decimals(text: &str, uncertainty: f64) -> Option<Self> {
         Some(Self {
             value: Interval::parse(text, BITS)?,
-            uncertainty: 0.5 * 10f64.powi(1 - digits),
+            uncertainty,
             origin: "decimals",
         })
+    }
+
+    /// The truth of an enclosure.
+    pub(super) fn of_enclosure(value: Interval) -> Self {
+        Self {
+            uncertainty: value.width() / value.to_f64(),
+            value,
+            origin: "enclosure, 256 bits",
+        }
+    }
+
+    /// Takes the estimate of a slow road past others, in squared units of length.
+    #[must_use]
+    pub fn by_estimate(value: f64, error: f64) -> Self {
+        Self {
+            value: Interval::precise(value, BITS),
+            uncertainty: error / value,
+            origin: "rule over the area",
+        }
+    }
+
+    /// Multiplies by a number that is exactly this double.
+    #[must_use]
+    pub fn times(&self, factor: f64) -> Self {
+        Self {
+            value: self.value.clone() * &self.value.constant(factor),
+            ..self.clone()
+        }
     }
 
     /// The value, to the nearest double or the next.
@@ -109,6 +130,11 @@ impl Truth {
     pub const fn origin(&self) -> &'static str {
         self.origin
     }
+}
+
+/// The exchange area of rectangles along common axes.
+pub(super) fn enclosed(pair: &RectanglePair) -> Result<Interval, FormFactorError> {
+    pair.lifted(&Interval::precise(1.0, BITS)).exchange_value()
 }
 
 /// Rectangles along common axes, if placing them rounds nothing.

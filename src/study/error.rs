@@ -48,10 +48,13 @@ pub enum StudyError {
     /// Corners in it cannot be read.
     #[error("form_factors.csv: {0}")]
     Corners(#[from] serde_json::Error),
-    /// A number in it cannot be read.
-    #[error("form_factors.csv, {id}: {text:?} is not a number")]
+    /// The file of values past others cannot be read.
+    #[error("occlusion.json: {0}")]
+    OccludedPairs(serde_json::Error),
+    /// A number of a file of independent values cannot be read.
+    #[error("reference value {id}: {text:?} is not a number")]
     Number {
-        /// The row.
+        /// The row or case.
         id: String,
         /// The text as given.
         text: String,

@@ -166,6 +166,11 @@ fn continuous_lines(answer: &MeasureAnswer) -> Vec<Line> {
             format!("{} ({})", scientific(error), grade.name()),
         ),
     ];
+    let lower = answer.continuous_lower_bound;
+    let lower = lower.map(|lower| certain_digits(lower, answer.mutual_information_error));
+    lines.extend(lower.map(|lower| ("at least, bits".to_owned(), lower)));
+    let sampled = answer.continuous_lines.map(|lines| lines.to_string());
+    lines.extend(sampled.map(|count| ("random lines".to_owned(), count)));
     let faces = answer.faces;
     lines.extend(faces.map(|faces| ("faces".to_owned(), faces.to_string())));
     let pairs = answer.continuous_contributions.iter().flatten();

@@ -40,6 +40,8 @@ pub struct StabilityRow {
     /// The relative uncertainty of the exact value: an enclosure's width, or a reference's
     /// estimate.
     pub uncertainty: Option<f64>,
+    /// The exact value without what is in the way, of a pair past others.
+    pub unoccluded: Option<f64>,
 }
 
 impl From<Row> for StabilityRow {
@@ -54,6 +56,7 @@ impl From<Row> for StabilityRow {
             route: None,
             input_error: None,
             uncertainty: None,
+            unoccluded: None,
         }
     }
 }
@@ -104,6 +107,7 @@ pub fn route_stability(repetitions: u32, is_quick: bool) -> Result<Vec<Stability
                 route: answer.map(|answer| answer.route.name()),
                 input_error,
                 uncertainty: Some(truth.uncertainty()),
+                unoccluded: None,
             });
         };
         add(CHOSEN, &|| {

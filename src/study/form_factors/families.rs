@@ -6,7 +6,7 @@
 //! are planar exactly, and the input carries all digits of the answer. Each polygon is turned so
 //! that its front faces the farthest corner of the other, so that every pair exchanges something.
 
-use crate::geometry::Patch;
+use crate::geometry::{GeometryError, Patch};
 use glam::DVec3;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -62,10 +62,9 @@ impl Family {
 
     /// One of its pairs, always the same for a number.
     ///
-    /// # Panics
-    /// If a polygon drawn is not planar and simple, which it is by construction.
-    #[must_use]
-    pub fn pair(self, number: u64) -> [Patch; 2] {
+    /// # Errors
+    /// [`GeometryError`] if a polygon drawn is not planar and simple, which it is by construction.
+    pub fn pair(self, number: u64) -> Result<[Patch; 2], GeometryError> {
         let mut draw = Draw(ChaCha8Rng::seed_from_u64(
             1_000_003 * (self as u64 + 1) + number,
         ));
@@ -80,11 +79,8 @@ impl Family {
             Self::Near => draw.near(),
         };
         let turned = [facing(&first, &second), facing(&second, &first)];
-        turned.map(|corners| {
-            // a family whose corners make no patch is a defect of this module
-            Patch::try_new(corners.clone())
-                .unwrap_or_else(|error| panic!("{self:?} {number}: {error} {corners:?}"))
-        })
+        let [first, second] = turned.map(Patch::try_new);
+        Ok([first?, second?])
     }
 }
 

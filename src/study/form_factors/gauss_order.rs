@@ -28,7 +28,8 @@ pub(crate) fn exchange_area([first, second]: &[Patch; 2], order: usize) -> Optio
     Some(sum).filter(|sum| sum.is_finite())
 }
 
-fn points(patch: &Patch, order: usize) -> Vec<(DVec3, f64)> {
+/// The points of a rule over a polygon, with their weights.
+pub(super) fn points(patch: &Patch, order: usize) -> Vec<(DVec3, f64)> {
     let rule = GaussLegendre::with(order);
     let on_unit = || rule.nodes.iter().map(|x| 0.5 + 0.5 * x).zip(&rule.weights);
     let corners = patch.corners();

@@ -249,6 +249,7 @@ pub fn transport_stability(repetitions: u32) -> Result<Vec<StabilityRow>, StudyE
                 route: (method == CHOSEN).then_some("conjugate-gradients"),
                 input_error: None,
                 uncertainty: Some(uncertainty),
+                unoccluded: None,
             });
         };
         add(CHOSEN, Some(bound), &|| {

@@ -23,7 +23,7 @@ struct Outcome {
 
 impl Outcome {
     fn of(family: Family, number: u64) -> Result<Self, String> {
-        let [first, second] = family.pair(number);
+        let [first, second] = family.pair(number).unwrap();
         let named = |text: String| {
             let corners = [&first, &second].map(|patch| patch.corners().to_vec());
             format!("{family:?} {number}: {text}\n  {corners:?}")

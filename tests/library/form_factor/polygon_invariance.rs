@@ -60,7 +60,7 @@ struct Case {
 
 impl Case {
     fn new(family: Family, number: u64) -> Self {
-        let pair = family.pair(number);
+        let pair = family.pair(number).unwrap();
         Self {
             answer: answer(&pair).map_err(|error| format!("{error}\n  {}", corners(&pair))),
             pair,

@@ -6,7 +6,9 @@
 
 use crate::support::references::rows;
 use crate::support::rooms::patch;
-use infoscene::form_factor::sampling::{global_lines, local_lines, quasi_random_lines};
+use infoscene::form_factor::sampling::{
+    global_lines, local_lines, local_lines_past, quasi_random_lines, quasi_random_lines_past,
+};
 use infoscene::form_factor::{DEFAULT_TOLERANCE, Polygon};
 use infoscene::geometry::Patch;
 use rand::{Rng, SeedableRng};
@@ -215,5 +217,48 @@ fn no_hit_is_not_certainty() {
         let sample = sample.unwrap();
         assert_eq!(sample.value, 0.0);
         assert!(sample.standard_error > 5e-4, "{sample:?}");
+    }
+}
+
+/// A half-plane over the middle line hides half of what two squares exchange, whatever its height;
+/// one behind the second square, and one behind the first, hide nothing.
+#[test]
+fn lines_past_others_know_what_is_hidden() {
+    let square = |x: [f64; 2], z: f64, is_up: bool| {
+        let mut corners = [
+            [x[0], 0.0, z],
+            [x[1], 0.0, z],
+            [x[1], 1.0, z],
+            [x[0], 1.0, z],
+        ];
+        if !is_up {
+            corners.reverse();
+        }
+        patch(&corners)
+    };
+    let [first, second] = [
+        square([0.0, 1.0], 0.0, true),
+        square([0.0, 1.0], 1.0, false),
+    ];
+    let bare = local_lines(&first, &second, 20_000, 3).unwrap();
+    // Howell, C-11
+    let exact = 0.199_824_895_698_387;
+    for (z, share) in [
+        (0.01, 0.5),
+        (0.5, 0.5),
+        (0.99, 0.5),
+        (1.25, 1.0),
+        (-0.25, 1.0),
+    ] {
+        let corners = [[0.5, -9.0, z], [0.5, 9.0, z], [9.0, 9.0, z], [9.0, -9.0, z]];
+        let half = [patch(&corners)];
+        let local = local_lines_past([&first, &second], &half, 20_000, 3).unwrap();
+        let steady = quasi_random_lines_past([&first, &second], &half, 20_000, 3).unwrap();
+        for sample in [local, steady] {
+            let off = (sample.value - share * exact).abs();
+            assert!(off <= 5.0 * sample.standard_error, "{z}: {sample:?}");
+        }
+        // the same lines
+        assert_eq!(local == bare, share > 0.9, "{z}");
     }
 }

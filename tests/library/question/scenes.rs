@@ -1,8 +1,11 @@
 //! Questions about scenes: a scene may come from the program, and refusals are those of the
 //! library.
 
+use crate::support::rooms::{L, prism};
+use infoscene::chain::ChainError;
 use infoscene::exchange::{ExchangeError, Unheard};
 use infoscene::information::OpenScene;
+use infoscene::numeric::Grade;
 use infoscene::question::{
     FormFactors, Light, MaterialChanges, MatrixEntries, Measure, QuestionError, Radiosity, Sample,
     SceneSource, Split,
@@ -60,6 +63,13 @@ fn a_blocked_scene_is_answered_past_what_stands_between() {
     assert!(is_blocked(&measure.ask(&Unheard).unwrap_err()));
     measure.scene.occlusion = Occlusion::Exact;
     measure.continuous = true;
+    // open: a chord has two ends
+    let refused = measure.ask(&Unheard).unwrap_err();
+    let QuestionError::Chain(ChainError::Exchange(ExchangeError::LinesEscape { .. })) = refused
+    else {
+        panic!("{refused:?}");
+    };
+    measure.pairs = true;
     assert!(is_blocked(&measure.ask(&Unheard).unwrap_err()));
     let hidden = FormFactors {
         scene: blocked().into(),
@@ -83,6 +93,44 @@ fn a_blocked_scene_is_answered_past_what_stands_between() {
     };
     let lit = radiosity.ask(&Unheard).unwrap();
     assert_eq!(lit.patches[2].radiosity, 0.0);
+}
+
+/// Past what stands in the way the continuous mutual information is that of chords, and it is not
+/// below the discrete one of any mesh.
+#[test]
+fn the_continuous_one_is_sampled_where_something_stands_in_the_way() {
+    let measured = |scene: Scene| {
+        let question = Measure {
+            scene: scene.into(),
+            continuous: true,
+            tolerance: 1e-6.into(),
+            ..Measure::default()
+        };
+        question.ask(&Unheard).unwrap()
+    };
+    let coarse = measured(prism(&L));
+    let fine = measured(prism(&L).subdivided(1).unwrap().0);
+    for answer in [&coarse, &fine] {
+        let value = answer.continuous_mutual_information.unwrap();
+        let error = answer.continuous_error.unwrap();
+        assert_eq!(answer.continuous_error_grade, Some(Grade::Sample));
+        assert_eq!(answer.continuous_lines, Some(1_000_000));
+        assert!(error > 0.0 && error < 0.01, "{error}");
+        let lower = answer.continuous_lower_bound.unwrap();
+        assert!((lower - answer.mutual_information).abs() < 1e-3);
+        assert!(
+            value + 5.0 * error > lower,
+            "{value} ± {error}, at least {lower}"
+        );
+    }
+    // the same room: the lines differ, as patches are drawn in another order
+    let [one, other] = [&coarse, &fine].map(|answer| answer.continuous_mutual_information);
+    let apart = (one.unwrap() - other.unwrap()).abs();
+    assert!(
+        apart < 5.0 * 2.0 * coarse.continuous_error.unwrap(),
+        "{apart}"
+    );
+    assert!(coarse.continuous_lower_bound < fine.continuous_lower_bound);
 }
 
 #[test]

@@ -2,3 +2,4 @@
 
 mod exchange;
 mod fixed_float;
+mod halfway;

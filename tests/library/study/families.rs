@@ -9,7 +9,7 @@ use infoscene::study::form_factors::families::Family;
 fn families_are_planar_exactly() {
     for family in Family::ALL {
         for number in 0..300 {
-            for patch in family.pair(number) {
+            for patch in family.pair(number).unwrap() {
                 let corners: Vec<[Interval; 3]> = patch
                     .corners()
                     .iter()

@@ -5,7 +5,6 @@ pub mod furnished;
 pub mod high_precision;
 pub mod intervals;
 pub mod misrounded;
-pub mod occluded;
 pub mod references;
 pub mod rooms;
 pub mod rounded_rooms;

@@ -36,11 +36,12 @@ pub fn study_report(answer: &StudyAnswer) -> Result<Report, ReportError> {
     }
 }
 
-/// The figure of a study; none but the study of refinements has one.
+/// The figure of a study; none but the studies of refinements and of accuracy has one.
 #[must_use]
 pub fn study_figure(answer: &StudyAnswer) -> Option<Figure> {
     match answer {
         StudyAnswer::Refinement(rows) => Some(refinement::refinements_figure(rows)),
+        StudyAnswer::Accuracy(rows) => Some(routes::accuracy_figure(rows)),
         _ => None,
     }
 }

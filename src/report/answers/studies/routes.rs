@@ -1,8 +1,8 @@
 //! Tables of the studies that set several methods side by side: one line per case, records with
 //! everything.
 
-use crate::report::{Report, ReportError, Table, scientific};
-use crate::study::form_factors::accuracy::AccuracyRow;
+use crate::report::{Axis, Figure, Line, Report, ReportError, Table, scientific};
+use crate::study::form_factors::accuracy::{AccuracyRow, HALFWAY};
 use crate::study::form_factors::extreme_pairs::{CHOSEN, StabilityRow};
 
 /// The digits that naive forms and the routes keep in stiff and extreme cases: a line per case.
@@ -118,6 +118,38 @@ pub(crate) fn accuracy_report(rows: &[AccuracyRow]) -> Result<Report, ReportErro
         ..Table::default()
     };
     Ok(Report::list(table, "rows", rows)?.entitled("study", "accuracy"))
+}
+
+/// Errors below this cannot be told from it in `f64`.
+const LEAST_ERROR: f64 = 1e-17;
+
+/// Error against run time past plates half-way, a line for each method.
+pub(crate) fn accuracy_figure(rows: &[AccuracyRow]) -> Figure {
+    let rows = rows.iter().filter(|row| row.family == HALFWAY);
+    let rows: Vec<&AccuracyRow> = rows.collect();
+    let point = |row: &&AccuracyRow| [row.seconds, row.mean_square_error.max(LEAST_ERROR)];
+    let lines = rows
+        .chunk_by(|a, b| a.method == b.method)
+        .map(|method| Line {
+            name: match method[0].method {
+                "chooser" => "this route",
+                "point-rule" => "rule over the area",
+                "local-lines" => "lines",
+                "quasi-random" => "quasi-random lines",
+                other => other,
+            }
+            .to_owned(),
+            points: method.iter().map(point).collect(),
+        });
+    let axis = |label: &str| Axis {
+        label: label.to_owned(),
+        is_logarithmic: true,
+    };
+    Figure {
+        x: axis("seconds for a pair"),
+        y: axis("relative error, root mean square"),
+        lines: lines.collect(),
+    }
 }
 
 /// Pairs that a method serves at some setting, and all pairs of a family.

@@ -1,126 +1,41 @@
-//! Families of random pairs with polygons in the way, each aimed at one difficulty; a case is named
-//! by its family and number.
-//!
-//! Coordinates are multiples of 2⁻³⁰ and parallelograms have exact corners, so that polygons are
-//! planar exactly, moves along the axes and halves of edges are exact, and what touches touches.
+//! Draws of random polygons in the way of a pair, a recipe for each family.
 
+use super::OccludedFamily;
+use crate::numeric::real;
 use glam::DVec3;
-use infoscene::geometry::Patch;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-/// A pair of polygons, and what is in the way.
-#[derive(Debug, Clone)]
-pub struct Occluded {
-    pub pair: [Patch; 2],
-    pub blockers: Vec<Patch>,
-}
-
-/// A family of pairs that share a difficulty.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum OccludedFamily {
-    /// One blocker anywhere between two polygons anywhere.
-    One,
-    /// Two blockers that overlap as most points see them.
-    TwoOverlapping,
-    /// Three to eight blockers.
-    Many,
-    /// A wall that stands on the first polygon.
-    WallOnFirst,
-    /// A wall from one polygon to the other.
-    WallOnBoth,
-    /// A plate 1e-2 to 1e-6 above the first polygon.
-    ClosePlate,
-    /// A triangle through the first polygon.
-    Piercing,
-    /// A concave blocker.
-    Concave,
-    /// A box of six faces.
-    Box,
-    /// Plates that share edges and corners.
-    Patchwork,
-    /// A triangle in the corner of two polygons that share an edge.
-    Corner,
-    /// A box in that corner.
-    Cabinet,
-    /// Two plates that leave a slit.
-    NearlyTotal,
-    /// A blocker of 1e-3 to 1e-6.
-    Tiny,
-    /// Polygons partly behind each other's plane.
-    Horizon,
-}
-
-impl OccludedFamily {
-    pub const ALL: [Self; 15] = [
-        Self::One,
-        Self::TwoOverlapping,
-        Self::Many,
-        Self::WallOnFirst,
-        Self::WallOnBoth,
-        Self::ClosePlate,
-        Self::Piercing,
-        Self::Concave,
-        Self::Box,
-        Self::Patchwork,
-        Self::Corner,
-        Self::Cabinet,
-        Self::NearlyTotal,
-        Self::Tiny,
-        Self::Horizon,
-    ];
-
-    /// One of its cases, always the same for a number.
-    pub fn case(self, number: u64) -> Occluded {
-        let mut draw = Draw(ChaCha8Rng::seed_from_u64(
-            7_000_003 * (self as u64 + 1) + number,
-        ));
-        let (pair, blockers) = match self {
-            Self::One => draw.free(1),
-            Self::TwoOverlapping => draw.two_overlapping(),
-            Self::Many => {
-                let count = 3 + draw.below(6);
-                draw.free(count)
-            }
-            Self::WallOnFirst => draw.wall(0.1, 0.9),
-            Self::WallOnBoth => draw.wall(1.0, 1.0),
-            Self::ClosePlate => draw.close_plate(),
-            Self::Piercing => draw.piercing(),
-            Self::Concave => draw.concave(),
-            Self::Box => draw.boxed(),
-            Self::Patchwork => draw.patchwork(),
-            Self::Corner => draw.corner(),
-            Self::Cabinet => draw.cabinet(),
-            Self::NearlyTotal => draw.nearly_total(),
-            Self::Tiny => draw.tiny(),
-            Self::Horizon => draw.horizon(),
-        };
-        let patch = |corners: Vec<DVec3>| {
-            Patch::try_new(corners.clone())
-                .unwrap_or_else(|error| panic!("{self:?} {number}: {error} {corners:?}"))
-        };
-        let [first, second] = pair;
-        Occluded {
-            pair: [facing(&first, &second), facing(&second, &first)].map(patch),
-            blockers: blockers.into_iter().map(patch).collect(),
-        }
-    }
-}
-
-/// The corners in the order that has the farthest corner of `other` in front.
-fn facing(corners: &[DVec3], other: &[DVec3]) -> Vec<DVec3> {
-    let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-    let heights = other.iter().map(|c| (*c - corners[0]).dot(normal));
-    let farthest = heights.fold(0.0, |far: f64, h| if h.abs() > far.abs() { h } else { far });
-    let mut turned = corners.to_vec();
-    if farthest < 0.0 {
-        turned.reverse();
-    }
-    turned
-}
-
+/// The corners of a polygon.
 type Corners = Vec<DVec3>;
-type Case = ([Corners; 2], Vec<Corners>);
+/// The corners of a pair, and of what is in its way.
+pub(super) type Drawn = ([Corners; 2], Vec<Corners>);
+
+/// The corners of a family's case, always the same for a number.
+pub(super) fn drawn(family: OccludedFamily, number: u64) -> Drawn {
+    let seed = 7_000_003 * (family as u64 + 1) + number;
+    let mut draw = Draw(ChaCha8Rng::seed_from_u64(seed));
+    match family {
+        OccludedFamily::One => draw.free(1),
+        OccludedFamily::TwoOverlapping => draw.two_overlapping(),
+        OccludedFamily::Many => {
+            let count = 3 + draw.below(6);
+            draw.free(count)
+        }
+        OccludedFamily::WallOnFirst => draw.wall(0.1, 0.9),
+        OccludedFamily::WallOnBoth => draw.wall(1.0, 1.0),
+        OccludedFamily::ClosePlate => draw.close_plate(),
+        OccludedFamily::Piercing => draw.piercing(),
+        OccludedFamily::Concave => draw.concave(),
+        OccludedFamily::Box => draw.boxed(),
+        OccludedFamily::Patchwork => draw.patchwork(),
+        OccludedFamily::Corner => draw.corner(),
+        OccludedFamily::Cabinet => draw.cabinet(),
+        OccludedFamily::NearlyTotal => draw.nearly_total(),
+        OccludedFamily::Tiny => draw.tiny(),
+        OccludedFamily::Horizon => draw.horizon(),
+    }
+}
 
 struct Draw(ChaCha8Rng);
 
@@ -199,12 +114,12 @@ impl Draw {
 
     /// A place between two polygons.
     fn amid(&mut self, pair: &[Corners; 2]) -> DVec3 {
-        let middle = |corners: &Corners| corners.iter().sum::<DVec3>() / corners.len() as f64;
+        let middle = |corners: &Corners| corners.iter().sum::<DVec3>() / real(corners.len());
         let share = self.between(0.2, 0.8);
         middle(&pair[0]).lerp(middle(&pair[1]), share)
     }
 
-    fn free(&mut self, count: usize) -> Case {
+    fn free(&mut self, count: usize) -> Drawn {
         let pair = self.ends();
         let blockers = (0..count).map(|_| {
             let (place, size) = (self.amid(&pair), self.between(0.1, 0.7));
@@ -214,7 +129,7 @@ impl Draw {
         (pair, blockers)
     }
 
-    fn two_overlapping(&mut self) -> Case {
+    fn two_overlapping(&mut self) -> Drawn {
         let pair = self.ends();
         let place = self.amid(&pair);
         let above = DVec3::new(0.0, 0.0, self.between(0.05, 0.2));
@@ -223,7 +138,7 @@ impl Draw {
     }
 
     /// A wall from height 0 up, under a ceiling at height 1.
-    fn wall(&mut self, low: f64, high: f64) -> Case {
+    fn wall(&mut self, low: f64, high: f64) -> Drawn {
         let (x, y) = (self.sorted(0.0, 1.0), self.sorted(0.0, 1.0));
         let top = self.between(low, high);
         let [from, to] = [DVec3::new(x[0], y[0], 0.0), DVec3::new(x[1], y[1], 0.0)];
@@ -232,7 +147,7 @@ impl Draw {
         (pair, vec![vec![from, to, to + up, from + up]])
     }
 
-    fn close_plate(&mut self) -> Case {
+    fn close_plate(&mut self) -> Drawn {
         let gap = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6][self.below(5)];
         let gap = (gap * 30f64.exp2()).round() / 30f64.exp2();
         let (x, y) = (self.sorted(-0.2, 1.2), self.sorted(0.0, 1.0));
@@ -240,7 +155,7 @@ impl Draw {
         (pair, vec![Self::rectangle(x, y, gap)])
     }
 
-    fn piercing(&mut self) -> Case {
+    fn piercing(&mut self) -> Drawn {
         let mut inside = || DVec3::new(self.between(0.2, 0.8), self.between(0.2, 0.8), 0.0);
         let (below, one, other) = (inside(), inside(), inside());
         let down = DVec3::new(0.0, 0.0, self.between(0.1, 0.4));
@@ -252,7 +167,7 @@ impl Draw {
         )
     }
 
-    fn concave(&mut self) -> Case {
+    fn concave(&mut self) -> Drawn {
         let pair = self.ends();
         let place = self.amid(&pair);
         let whole = loop {
@@ -286,7 +201,7 @@ impl Draw {
         faces
     }
 
-    fn boxed(&mut self) -> Case {
+    fn boxed(&mut self) -> Drawn {
         let pair = self.ends();
         let place = self.amid(&pair);
         let base = loop {
@@ -300,7 +215,7 @@ impl Draw {
         (pair, Self::faces(base[0], edges))
     }
 
-    fn patchwork(&mut self) -> Case {
+    fn patchwork(&mut self) -> Drawn {
         let pair = self.ends();
         let z = self.between(0.5, 0.9);
         let (x, y) = (self.sorted(-0.6, 0.6), self.sorted(-0.6, 0.6));
@@ -322,7 +237,7 @@ impl Draw {
         [self.base(), wall]
     }
 
-    fn corner(&mut self) -> Case {
+    fn corner(&mut self) -> Drawn {
         let y = self.between(0.2, 0.8);
         let along = self.between(-0.1, 0.1);
         let (x, z) = (self.between(0.2, 0.8), self.between(0.2, 0.8));
@@ -334,7 +249,7 @@ impl Draw {
         (self.hinge(), vec![triangle])
     }
 
-    fn cabinet(&mut self) -> Case {
+    fn cabinet(&mut self) -> Drawn {
         let y = self.sorted(0.1, 0.9);
         let size = DVec3::new(self.between(0.1, 0.6), y[1] - y[0], self.between(0.1, 0.6));
         let edges = [DVec3::X * size, DVec3::Y * size, DVec3::Z * size];
@@ -342,7 +257,7 @@ impl Draw {
         (self.hinge(), faces)
     }
 
-    fn nearly_total(&mut self) -> Case {
+    fn nearly_total(&mut self) -> Drawn {
         let (place, z) = (self.between(0.3, 0.7), self.between(0.3, 0.7));
         let slit = [1e-2, 1e-3, 1e-4][self.below(3)];
         let slit = (slit * 30f64.exp2()).round() / 30f64.exp2();
@@ -353,7 +268,7 @@ impl Draw {
         ([self.base(), self.ceiling()], plates)
     }
 
-    fn tiny(&mut self) -> Case {
+    fn tiny(&mut self) -> Drawn {
         let pair = self.ends();
         let place = self.amid(&pair);
         let size = [1e-3, 1e-4, 1e-5, 1e-6][self.below(4)];
@@ -367,7 +282,7 @@ impl Draw {
         )
     }
 
-    fn horizon(&mut self) -> Case {
+    fn horizon(&mut self) -> Drawn {
         let first = self.base();
         let second = self.polygon(DVec3::new(0.5, 0.5, 0.2), 0.8);
         let place = DVec3::new(self.between(0.2, 0.8), self.between(0.2, 0.8), 0.2);
