@@ -39,6 +39,7 @@ pub(crate) use rectangle::placement::{Extent, Placement};
 pub use rectangle::span::Span;
 pub use rectangle::{Rectangle, SplitAxis};
 #[doc(hidden)]
+pub(crate) use shaft::are_apart;
 pub use shaft::{Outline, Plane, Shaft};
 pub(crate) use uniform_line::line_through_sphere;
 pub(crate) use vector::Vector;

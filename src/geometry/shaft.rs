@@ -253,6 +253,14 @@ impl Shaft {
     }
 }
 
+/// Tells whether a plane parts a convex polygon `k` from the hull of `a` and `b`, with a gap of more
+/// than `gap`.
+///
+/// **Arguments** `normals`: of the planes of `k`, `a` and `b`.
+pub(crate) fn are_apart([a, b]: [&[DVec3]; 2], k: &[DVec3], normals: [DVec3; 3], gap: f64) -> bool {
+    directions(a, b, k, normals).any(|direction| parts(direction, a, b, k, -gap))
+}
+
 /// The part of a convex polygon in front of a plane; `None` if it does not rise above it by more
 /// than `noise`.
 fn above(piece: &[DVec3], plane: &Plane, noise: f64) -> Option<Vec<DVec3>> {

@@ -121,9 +121,14 @@ impl Polygon {
         occluders: &Occluders,
         tolerance: f64,
     ) -> Result<Answer, FormFactorError> {
-        if occluders.polygons.is_empty() {
+        let near: Vec<&Self> = occluders.near([self, other]).collect();
+        if near.is_empty() {
             return self.exchange_area(other, tolerance);
         }
+        let occluders = &Occluders {
+            polygons: &near,
+            ..*occluders
+        };
         let tolerance = tolerance.max(FINEST);
         // a pair has one value, whichever way it is asked for
         let corners = |polygon: &Self| polygon.shape.corners.clone();
@@ -140,6 +145,9 @@ impl Polygon {
             return Ok(whole);
         }
         let setting = Setting::of([self, other], occluders);
+        if setting.screens.is_empty() && setting.lost == 0.0 {
+            return Ok(whole);
+        }
         let square = setting.unit * setting.unit;
         let ExchangeArea { value, error } = whole.exchange;
         if setting.first.is_empty() || setting.second.is_empty() {

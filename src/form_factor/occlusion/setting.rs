@@ -13,7 +13,7 @@
 
 use super::occluders::Occluders;
 use crate::form_factor::Polygon;
-use crate::geometry::{Vector, clipped, convex_pieces};
+use crate::geometry::{Vector, are_apart, clipped, convex_pieces};
 use crate::numeric::{DoubleDouble, Scalar, power_of_two_below};
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -121,8 +121,31 @@ impl Setting {
             let faces = setting.faces(&corners, normal, &[up, down]);
             setting.screens.extend(faces);
         }
+        setting.leave_out_what_is_beside();
         setting.find_through();
         setting
+    }
+
+    /// Leaves out the screens that no line of sight meets.
+    fn leave_out_what_is_beside(&mut self) {
+        let ([first, ..], [second, ..]) = (&self.first[..], &self.second[..]) else {
+            return;
+        };
+        let normals = [first.normal, second.normal];
+        let corners = |faces: &[Face]| -> Vec<DVec3> {
+            let corners = faces.iter().flat_map(Face::corners);
+            corners.map(|corner| self.corners[corner]).collect()
+        };
+        let ends = [corners(&self.first), corners(&self.second)];
+        let mut screens = std::mem::take(&mut self.screens);
+        screens.retain(|screen| {
+            let [first, second] = normals;
+            let screen_corners = corners(std::slice::from_ref(screen));
+            let normals = [screen.normal, first, second];
+            let [a, b] = &ends;
+            !are_apart([a, b], &screen_corners, normals, self.touching)
+        });
+        self.screens = screens;
     }
 
     /// The convex faces of a polygon in front of some planes.

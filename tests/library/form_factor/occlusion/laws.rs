@@ -358,3 +358,47 @@ fn nothing_is_made_up_where_nothing_is_known() {
         }
     }
 }
+
+/// What stands beside all lines of sight, in the box around the pair or out of it, leaves the
+/// unoccluded value, without a rule along edges.
+#[test]
+fn what_is_beside_changes_nothing() {
+    let level = |z: f64, [low, high]: [f64; 2], is_up: bool| {
+        let mut corners = vec![
+            DVec3::new(low, 0.0, z),
+            DVec3::new(high, 0.0, z),
+            DVec3::new(high, 1.0, z),
+            DVec3::new(low, 1.0, z),
+        ];
+        if !is_up {
+            corners.reverse();
+        }
+        Polygon::new(&Patch::try_new(corners).unwrap())
+    };
+    let (floor, ceiling) = (level(0.0, [0.0, 1.0], true), level(1.0, [3.0, 4.0], false));
+    let bare = floor.exchange_area(&ceiling, DEFAULT_TOLERANCE).unwrap();
+    // lines of sight are right of x = 2.7 at z = 0.9
+    let beside = [
+        level(0.9, [0.0, 2.6], true),
+        level(0.5, [5.0, 6.0], true),
+        level(-0.5, [0.0, 4.0], true),
+    ];
+    for polygon in &beside {
+        let occluders = Occluders {
+            polygons: &[polygon],
+            touching: 0.0,
+        };
+        let answer = floor.exchange_area_past(&ceiling, &occluders, DEFAULT_TOLERANCE);
+        let answer = answer.unwrap();
+        assert_eq!(answer.route, bare.route);
+        assert!(agree(answer.exchange, bare.exchange, 0.0));
+    }
+    let inside = level(0.9, [0.0, 2.8], true);
+    let occluders = Occluders {
+        polygons: &[&inside],
+        touching: 0.0,
+    };
+    let answer = floor.exchange_area_past(&ceiling, &occluders, DEFAULT_TOLERANCE);
+    let answer = answer.unwrap();
+    assert!(answer.exchange.value < bare.exchange.value - 1e-6);
+}
