@@ -75,6 +75,7 @@
 //! **Not covered**: reflection on the way, which is transport's.
 
 mod closure;
+mod configurations;
 mod error;
 mod passes;
 mod plan;

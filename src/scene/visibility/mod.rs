@@ -14,11 +14,13 @@
 //! ([`Polygon::exchange_area_past`](crate::form_factor::Polygon::exchange_area_past)).
 
 pub(crate) mod blockers;
-pub(crate) mod bodies;
+mod bodies;
 mod boxes;
 pub(crate) mod grid_lines;
-pub(crate) mod hiding;
+mod hiding;
 pub(crate) mod lines;
 pub(crate) mod obstacle;
 pub(crate) mod occlusion;
+pub(crate) mod screening;
+pub(crate) mod screens;
 pub(crate) mod surfaces;
