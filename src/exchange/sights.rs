@@ -2,14 +2,14 @@
 //!
 //! ```text
 //!   clear    nothing enters the space between two polygons: closed forms, values of congruent pairs
-//!   partial  some surfaces do: what they leave, computed past all of them
-//!   hidden   one convex body is in the way of every segment: nothing, and no integral
+//!   partial  some screens do: what they leave, computed past all that a line may meet first
+//!   hidden   convex bodies are in the way of every segment: nothing, and no integral
 //! ```
 //!
-//! What is in the way is looked up as a pair is evaluated ([`Blockers`]), so that nothing is held
-//! for a pair; the polygons of surfaces that block are prepared when they are first met, once. A
-//! part blocks what its base blocks, so only the base counts. In a room that is convex inside there
-//! is nothing to look up, and none of this is made.
+//! What is in the way is looked up as a pair is evaluated ([`Screening`]; where few pairs are asked
+//! for, [`Blockers`]), so that nothing is held for a pair; the polygons of screens are prepared when
+//! they are first met, once. A part blocks what its base blocks, so only the base counts. In a room
+//! that is convex inside there is nothing to look up, and none of this is made.
 //!
 //! **A base and its parts.** What blocks a part of a base blocks the base, too: the space between
 //! the part and another polygon lies in that of the base. So the exchange area of a base less that
