@@ -202,12 +202,9 @@ impl Body {
         }
     }
 
-    /// Whether the hull of some corners is outside a solid, but for what it shares with its sides;
-    /// it may lie in the side that is open.
+    /// Whether the hull of some corners is outside a solid, but for what it shares with its sides.
     fn is_outside(&self, corners: &[DVec3], noise: f64) -> bool {
-        let (closed, open) = self.closed_and_open();
-        let is_below = |open: &Plane| corners.iter().all(|corner| open.height(*corner) >= -noise);
-        closed.iter().any(|side| is_over(side, corners, noise)) || open.is_some_and(is_below)
+        self.sides.iter().any(|side| is_over(side, corners, noise))
     }
 
     /// Whether both hulls are outside a solid, or on different sides of a sheet.
@@ -220,8 +217,8 @@ impl Body {
         one[0] && other[1] || one[1] && other[0]
     }
 
-    /// Whether the hull of some corners lies in the plane of a sheet, or of a face of a solid: it
-    /// touches the body, and nothing of the body is in its way to the front.
+    /// Whether the hull of some corners lies in the plane of a sheet, or in that of a side of a solid
+    /// and not outside of others: segments from it meet the body there, whether it hides or not.
     pub(super) fn is_touched_by(&self, corners: &[DVec3], noise: f64) -> bool {
         let lies_in = |plane: &Plane| {
             let mut heights = corners.iter().map(|corner| plane.height(*corner));
@@ -229,7 +226,7 @@ impl Body {
         };
         match &self.sheet {
             Some(plane) => lies_in(plane),
-            None => self.closed_and_open().0.iter().any(lies_in),
+            None => self.sides.iter().any(lies_in) && !self.is_outside(corners, noise),
         }
     }
 

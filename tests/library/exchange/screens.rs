@@ -1,7 +1,7 @@
 //! Scenes are evaluated past as few screens as will do, and groups of pairs are left out at once:
 //! every answer is judged by its pair past all surfaces, each as it stands in the scene.
 
-use crate::support::furnished::{shelf, standing};
+use crate::support::furnished::{shelf, standing, table};
 use crate::support::rooms::{among, level};
 use crate::support::streets::{Street, cut};
 use glam::DVec3;
@@ -164,6 +164,20 @@ fn facets_flush_with_a_roof_and_obstructions_in_pieces_are_seen_past() {
     let sheet = level("sheet", [1.0, 4.0], [1.0, 7.0], 3.0, true);
     let counts = judged("ledge", &among(&patches, &cut(&sheet, [3, 3])), 1);
     assert!(counts.partial > 10, "{counts:?}");
+}
+
+/// What lies in the side that a solid is open on, and looks away from it, is not hidden by it.
+#[test]
+fn a_solid_hides_nothing_from_what_lies_under_it() {
+    let mut patches = cut(&level("floor", [0.0, 8.0], [0.0, 8.0], 0.0, true), [2, 2]);
+    patches.extend(standing("block", [3.0, 5.0], [3.0, 5.0], [1.0, 2.0]));
+    // one under all of the block, one under a part
+    for under in [[2.0, 6.0], [3.0, 4.0]] {
+        let mut all = patches.clone();
+        all.push(level("under", under, under, 1.0, false));
+        judged("under", &scene(all), 1);
+    }
+    judged("table", &table(), 3);
 }
 
 /// `Σ_j F_ij = 1` where walls are cut into facets, and screens put together again.
