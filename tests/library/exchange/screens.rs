@@ -126,7 +126,6 @@ fn blocks_that_nearly_touch_neither_leak_nor_hide_too_much() {
             facets: [1, 2],
             gap,
             back,
-            ..STREET
         };
         judged(name, &scene(street.patches()), 3);
     }
