@@ -61,12 +61,11 @@
 //!
 //! # What stands in the way
 //!
-//! Where something can stand between two patches, each pair looks up what does ([`Blockers`]), and
-//! is evaluated past it ([`Polygon::exchange_area_past`]); a pair that one convex body hides is 0
-//! without an integral. [`Occlusion`] is the policy. The plan counts pairs that are visible,
-//! partial and hidden.
+//! Where something can stand between two patches, each pair looks up what does (`sights`), and is
+//! evaluated past it ([`Polygon::exchange_area_past`]), once for all configurations that are
+//! congruent (`configurations`); a pair that convex bodies hide is 0 without an integral.
+//! [`Occlusion`] is the policy. The plan counts pairs that are visible, partial and hidden.
 //!
-//! [`Blockers`]: crate::scene::Blockers
 //! [`Occlusion`]: crate::scene::Occlusion
 //! [`Polygon::exchange_area_past`]: crate::form_factor::Polygon::exchange_area_past
 //!
@@ -75,6 +74,7 @@
 //! **Not covered**: reflection on the way, which is transport's.
 
 mod closure;
+mod configurations;
 mod error;
 mod passes;
 mod plan;

@@ -23,8 +23,8 @@ pub struct ScenePoints<'s> {
     scene: &'s Scene,
     /// Patches, then obstructions.
     surfaces: Vec<Polygon>,
-    /// The surfaces that hide others: all that lie in no other one.
-    blockers: Vec<usize>,
+    /// What hides: the screens that the surfaces make up; none if that is ignored.
+    screens: Vec<Polygon>,
     occlusion: Occlusion,
 }
 
@@ -62,13 +62,15 @@ impl<'s> ScenePoints<'s> {
     pub fn try_new(scene: &'s Scene, occlusion: Occlusion) -> Result<Self, SceneError> {
         scene.check_overlap()?;
         let polygon = |surface: &NamedPatch| Polygon::new(surface.shape());
-        let patches = scene.patches().len();
-        let surfaces: Vec<Polygon> = scene.surfaces().map(polygon).collect();
-        let is_root = |index: &usize| *index >= patches || scene.base_of(*index).is_none();
+        let screen = |index| Polygon::new(&scene.screens().screen(index).shape);
+        let screens = match occlusion {
+            Occlusion::Ignore => 0,
+            _ => scene.screens().count(),
+        };
         Ok(Self {
             scene,
-            blockers: (0..surfaces.len()).filter(is_root).collect(),
-            surfaces,
+            surfaces: scene.surfaces().map(polygon).collect(),
+            screens: (0..screens).map(screen).collect(),
             occlusion,
         })
     }
@@ -96,11 +98,8 @@ impl<'s> ScenePoints<'s> {
         let sights = self.surfaces.iter().map(|polygon| view.sight(polygon));
         let sights = sights.collect::<Result<Vec<_>, _>>()?;
         let is_hiding = self.occlusion != Occlusion::Ignore;
-        let hiding: Vec<&Sight> = if is_hiding {
-            self.blockers.iter().map(|index| &sights[*index]).collect()
-        } else {
-            Vec::new()
-        };
+        let hiding = self.screens.iter().map(|screen| view.sight(screen));
+        let hiding = hiding.collect::<Result<Vec<Sight>, _>>()?;
         let patches = self.scene.patches().len();
         let mut rows = vec![Sum::default(); self.scene.group_count()];
         let (mut unseen, mut backs) = (Sum::default(), Sum::default());
@@ -108,14 +107,14 @@ impl<'s> ScenePoints<'s> {
         for (index, sight) in sights.iter().enumerate() {
             let is_patch = index < patches;
             if is_patch && sight.is_front() {
-                let part = view.form_factor(sight, hiding.iter().copied());
+                let part = view.form_factor(sight, hiding.iter());
                 rows[self.scene.group_of(index)].add(1.0, part);
                 match self.scene.base_of(index) {
                     Some(base) => rows[self.scene.group_of(base)].add(-1.0, part),
                     None => unseen.add(-1.0, part),
                 }
             } else if is_hiding && !(is_patch && self.scene.base_of(index).is_some()) {
-                let part = view.visible(sight, hiding.iter().copied());
+                let part = view.visible(sight, hiding.iter());
                 backs.add(1.0, part);
             }
         }

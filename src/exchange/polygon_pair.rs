@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   clear     the value of the class of congruent pairs, or computed
-//!   partial   computed past the surfaces in the way; left between nothing and all where the
+//!   partial   computed past the screens in the way; left between nothing and all where the
 //!             absolute error that is accepted allows it
 //!   hidden    0
 //! ```
@@ -14,7 +14,7 @@
 use super::plan::facing::Facing;
 use super::sights::{Sight, Sights};
 use super::{ExchangeError, PassCounts, ScenePairs};
-use crate::form_factor::{Answer, ExchangeArea, Occluders, Polygon, Route};
+use crate::form_factor::{Answer, ExchangeArea, Polygon, Route};
 
 /// The answer for a pair that sees nothing of each other.
 const HIDDEN: Answer = Answer {
@@ -140,17 +140,12 @@ impl ScenePairs<'_> {
         let (first, second) = (first.min(second), first.max(second));
         let [one, other] = self.both(first, second)?;
         let answer = match (sight, &self.sights) {
-            (Sight::Past(surfaces), Some(sights)) if sights.are_exact() => {
+            (Sight::Past(screens), Some(sights)) if sights.are_exact() => {
                 if let Some(nothing_to_all) = self.accepted_unseen(one, other, tolerance) {
                     return Ok(nothing_to_all);
                 }
-                let surfaces = surfaces.iter();
-                let polygons: Vec<&Polygon> = surfaces.map(|s| sights.polygon(*s)).collect();
-                let occluders = Occluders {
-                    polygons: &polygons,
-                    touching: sights.touching(),
-                };
-                one.exchange_area_past(other, &occluders, tolerance)
+                let patches = [first, second].map(|polygon| self.terms.patches()[polygon]);
+                sights.exchange(patches, [one, other], screens, tolerance)
             }
             (Sight::Hidden, Some(sights)) if sights.are_exact() => Ok(HIDDEN),
             _ => one.exchange_area(other, tolerance),

@@ -158,7 +158,8 @@ impl<'p> ScenePairs<'p> {
         });
         let plan = Plan::of(&shapes, facings, congruence);
         let is_few = selection.is_some_and(Selection::is_few);
-        let sights = Sights::of(scene, occlusion, is_few, plan.representatives().len());
+        let classes = plan.representatives().len();
+        let sights = Sights::of(scene, occlusion, is_few, congruence, classes);
         let [areas, area_bounds] = areas(&terms, &shapes);
         let mut pairs = Self {
             plane_sets: PlaneSets::of(&terms, plan.facings()),

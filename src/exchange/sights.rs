@@ -2,27 +2,29 @@
 //!
 //! ```text
 //!   clear    nothing enters the space between two polygons: closed forms, values of congruent pairs
-//!   partial  some surfaces do: what they leave, computed past all of them
-//!   hidden   one convex body is in the way of every segment: nothing, and no integral
+//!   partial  some screens do: what they leave, computed past all that a line may meet first
+//!   hidden   convex bodies are in the way of every segment: nothing, and no integral
 //! ```
 //!
-//! What is in the way is looked up as a pair is evaluated ([`Blockers`]), so that nothing is held
-//! for a pair; the polygons of surfaces that block are prepared when they are first met, once. A
-//! part blocks what its base blocks, so only the base counts. In a room that is convex inside there
-//! is nothing to look up, and none of this is made.
+//! What is in the way is looked up as a pair is evaluated ([`Screening`]; where few pairs are asked
+//! for, [`Blockers`]), so that nothing is held for a pair; the polygons of screens are prepared when
+//! they are first met, once. A part blocks what its base blocks, so only the base counts. In a room
+//! that is convex inside there is nothing to look up, and none of this is made.
 //!
 //! **A base and its parts.** What blocks a part of a base blocks the base, too: the space between
 //! the part and another polygon lies in that of the base. So the exchange area of a base less that
 //! of its parts is that of the rest, past all that blocks the rest.
 //!
-//! **Congruent pairs** share a value only if both are clear; past blockers each is computed, though
-//! their blockers may be congruent, too.
+//! **Congruent pairs** share a value if both are clear (`plan`); past screens, if the screens are
+//! congruent, too (`configurations`).
 //!
 //! **Not covered**: what touches the space between two polygons up to the noise of the coordinates,
 //! which takes nothing away ([`Shaft`](crate::geometry::Shaft)).
 
-use crate::form_factor::Polygon;
-use crate::scene::{Blockers, Hiding, Occlusion, Scene};
+use super::configurations::Configurations;
+use crate::exchange::plan::Congruence;
+use crate::form_factor::{Answer, FormFactorError, Occluders, Polygon};
+use crate::scene::{Blockers, Occlusion, Scene, Screened, Screening};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, OnceLock};
 
@@ -31,7 +33,7 @@ use std::sync::{Arc, OnceLock};
 pub(crate) enum Sight {
     /// Nothing is between them.
     Clear,
-    /// Some surfaces are; obstructions are numbered after the patches.
+    /// Some screens are, by their numbers.
     Past(Vec<usize>),
     /// They see nothing of each other.
     Hidden,
@@ -48,8 +50,10 @@ struct Parts {
     is_exact: bool,
     /// Whether few pairs will be asked for, so that no trees are made.
     is_few: bool,
-    /// The polygon of each surface, prepared when it first blocks something.
+    /// The polygon of each screen, prepared when it first blocks something.
     polygons: Vec<OnceLock<Polygon>>,
+    /// What congruent pairs past screens share; none if they share nothing.
+    configurations: Option<Configurations>,
     /// Whether a pair that nothing blocks has taken the value of each class of congruent ones.
     taken: Vec<AtomicBool>,
 }
@@ -58,12 +62,13 @@ impl Sights {
     /// The lines of sight of a scene under a policy; none if nothing can be in the way, or if it
     /// was checked that nothing is.
     ///
-    /// **Arguments** `is_few`: whether few pairs will be asked for; `classes`: number of classes of
-    /// congruent pairs.
+    /// **Arguments** `is_few`: whether few pairs will be asked for; `congruence`: whether pairs share
+    /// values; `classes`: number of classes of congruent pairs.
     pub(crate) fn of(
         scene: &Scene,
         occlusion: Occlusion,
         is_few: bool,
+        congruence: Congruence,
         classes: usize,
     ) -> Option<Self> {
         let is_exact = match occlusion {
@@ -72,9 +77,15 @@ impl Sights {
             Occlusion::Refuse => return None,
         };
         let can_block = is_few || Blockers::of(scene).can_block();
+        let is_shared = is_exact && !is_few && congruence == Congruence::Shared;
         can_block.then(|| {
+            let screens = match is_few {
+                true => scene.surfaces().count(),
+                false => scene.screens().count(),
+            };
             Self(Arc::new(Parts {
-                polygons: scene.surfaces().map(|_| OnceLock::new()).collect(),
+                polygons: (0..screens).map(|_| OnceLock::new()).collect(),
+                configurations: is_shared.then(|| Configurations::of(scene)),
                 taken: (0..classes).map(|_| AtomicBool::new(false)).collect(),
                 scene: scene.clone(),
                 is_exact,
@@ -90,27 +101,51 @@ impl Sights {
 
     /// The lines of sight between two patches.
     pub(crate) fn between(&self, first: usize, second: usize) -> Sight {
-        if !self.0.is_few && Hiding::of(&self.0.scene).hides(first, second) {
-            return Sight::Hidden;
-        }
-        let surfaces = self.blockers().whole_surfaces_between(first, second);
-        let surfaces: Vec<usize> = surfaces.collect();
-        if surfaces.is_empty() {
-            Sight::Clear
+        let scene = &self.0.scene;
+        let screened = if self.0.is_few {
+            let surfaces = Blockers::for_few(scene).whole_surfaces_between(first, second);
+            Screened::By(surfaces.collect())
         } else {
-            Sight::Past(surfaces)
+            Screening::of(scene).between(first, second)
+        };
+        match screened {
+            Screened::Wholly => Sight::Hidden,
+            Screened::By(screens) if !screens.is_empty() => Sight::Past(screens),
+            Screened::By(_) | Screened::Nothing => Sight::Clear,
         }
     }
 
-    /// The polygon of a surface.
-    pub(crate) fn polygon(&self, surface: usize) -> &Polygon {
-        let polygon = || Polygon::new(self.0.scene.surface(surface).shape());
-        self.0.polygons[surface].get_or_init(polygon)
+    /// The exchange area of two patches past some screens.
+    pub(crate) fn exchange(
+        &self,
+        patches: [usize; 2],
+        ends: [&Polygon; 2],
+        screens: &[usize],
+        tolerance: f64,
+    ) -> Result<Answer, FormFactorError> {
+        // the distance up to which surfaces count as touching, in the unit of the scene
+        let touching = self.0.scene.noise_length();
+        let shared = self.0.configurations.as_ref();
+        let shared = shared.and_then(|all| all.exchange(patches, screens, tolerance, touching));
+        if let Some(shared) = shared {
+            return shared;
+        }
+        let polygons: Vec<&Polygon> = screens.iter().map(|s| self.polygon(*s)).collect();
+        let occluders = Occluders {
+            polygons: &polygons,
+            touching,
+        };
+        ends[0].exchange_area_past(ends[1], &occluders, tolerance)
     }
 
-    /// The distance up to which surfaces count as touching, in the unit of the scene.
-    pub(crate) fn touching(&self) -> f64 {
-        self.0.scene.noise_length()
+    /// The polygon of a screen.
+    fn polygon(&self, screen: usize) -> &Polygon {
+        let scene = &self.0.scene;
+        let polygon = || match self.0.is_few {
+            true => Polygon::new(scene.surface(screen).shape()),
+            false => Polygon::new(&scene.screens().screen(screen).shape),
+        };
+        self.0.polygons[screen].get_or_init(polygon)
     }
 
     /// Notes that a pair has taken the value of a class.
@@ -124,13 +159,5 @@ impl Sights {
     /// Whether a pair has taken the value of a class.
     pub(crate) fn is_taken(&self, class: usize) -> bool {
         self.0.taken[class].load(Ordering::Relaxed)
-    }
-
-    fn blockers(&self) -> Blockers<'_> {
-        if self.0.is_few {
-            Blockers::for_few(&self.0.scene)
-        } else {
-            Blockers::of(&self.0.scene)
-        }
     }
 }

@@ -232,6 +232,42 @@ impl Shaft {
         self.ends.each_ref().map(corners)
     }
 
+    /// The part of a convex polygon in the shaft, but for what is beyond it by `noise` or where the
+    /// ends are not convex; the part is empty, or none that has an area, if the polygon passes the
+    /// shaft.
+    #[must_use]
+    pub(crate) fn part_of(&self, piece: &[DVec3]) -> Vec<DVec3> {
+        let mut part = piece.to_vec();
+        let ([first], [second]) = (&self.ends[0][..], &self.ends[1][..]) else {
+            return part;
+        };
+        let corners = || first.iter().chain(second);
+        for (edged, other) in [(first, second), (second, first)] {
+            let sides = edged.iter().zip(edges(edged));
+            let sides =
+                sides.flat_map(|(from, edge)| other.iter().map(move |apex| (from, edge, apex)));
+            for (from, edge, apex) in sides {
+                let normal = edge.cross(*apex - *from);
+                let length = normal.length();
+                if length < SHORTEST_VECTOR {
+                    continue;
+                }
+                let plane = Plane::new(normal / length, *from);
+                let is_beyond = |plane: &Plane| corners().all(|c| plane.height(*c) <= self.noise);
+                let outward = [plane, plane.reversed()].into_iter().find(is_beyond);
+                let Some(outward) = outward else {
+                    continue;
+                };
+                let depth = |corner: &DVec3| self.noise - outward.height(*corner);
+                let depths: Vec<f64> = part.iter().map(depth).collect();
+                if depths.iter().any(|depth| *depth < 0.0) {
+                    part = clipped(&part, &depths, DVec3::lerp);
+                }
+            }
+        }
+        part
+    }
+
     /// Tells whether a third patch enters the shaft by more than `noise`.
     #[must_use]
     pub fn is_entered_by(&self, third: &Outline) -> bool {

@@ -23,8 +23,8 @@ pub struct PlanSummary {
     pub reciprocal: usize,
     /// Planes in which patches lie.
     pub planes: usize,
-    /// Pairs that were left out: their planes are the same, or one lies behind the other, or one
-    /// convex body hides all.
+    /// Pairs that were left out: their planes are the same, or one lies behind the other, or convex
+    /// bodies hide all.
     pub untouched: usize,
     /// Pairs that exchange nothing since they lie in one plane.
     pub coplanar: usize,
@@ -32,7 +32,7 @@ pub struct PlanSummary {
     pub back_facing: usize,
     /// Pairs that took the value of a congruent one.
     pub congruent: usize,
-    /// Pairs that were computed.
+    /// Pairs that were computed; past screens, also those that took the value of a congruent one.
     pub computed: usize,
     /// Pairs by route; congruent ones are counted with the route of the one that was computed.
     pub routes: BTreeMap<&'static str, usize>,

@@ -8,7 +8,9 @@
 //! ```
 //!
 //! A line that meets the inside of a solid passes two places of its boundary, and at most one of
-//! them lies in the plane that is left open; so it meets a surface.
+//! them lies in the plane that is left open; so it meets a surface. From outside it comes in through
+//! a side that it starts in front of: faces of which it starts behind are met later
+//! ([`Body::meets_later`]).
 //!
 //! **Not covered**: solids whose faces are joined in the middle of edges, or face inward: their
 //! surfaces count as sheets. Sheets in one plane are not joined.
@@ -19,10 +21,12 @@ use glam::DVec3;
 use std::collections::HashMap;
 
 /// The convex bodies of a scene, in a tree of boxes.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Bodies {
     bodies: Vec<Body>,
     tree: Boxes,
+    /// The solid that each surface is a face of.
+    solid_of: Vec<Option<usize>>,
 }
 
 /// A convex body: what is behind all its sides; a sheet lies in its plane.
@@ -30,6 +34,8 @@ pub(crate) struct Bodies {
 pub(crate) struct Body {
     /// The planes of the sides, fronts outward.
     sides: Vec<Plane>,
+    /// Whether the last side has no face.
+    is_open: bool,
     /// The plane of a sheet.
     sheet: Option<Plane>,
     bounds: [DVec3; 2],
@@ -39,7 +45,7 @@ type Edge = [[u64; 3]; 2];
 
 impl Bodies {
     /// The bodies of these outlines, in the order of their first surfaces.
-    pub(crate) fn of(outlines: &[Outline], noise: f64) -> Self {
+    pub(crate) fn of(outlines: &[&Outline], noise: f64) -> Self {
         let mut sides: HashMap<Edge, Vec<usize>> = HashMap::new();
         for (surface, outline) in outlines.iter().enumerate() {
             for edge in edges(outline) {
@@ -61,6 +67,7 @@ impl Bodies {
         };
         let mut known = vec![false; outlines.len()];
         let mut bodies = Vec::new();
+        let mut solid_of = vec![None; outlines.len()];
         for first in 0..outlines.len() {
             if known[first] {
                 continue;
@@ -69,7 +76,7 @@ impl Bodies {
             let (mut members, mut free, mut next) = (vec![first], Vec::new(), 0);
             while let Some(surface) = members.get(next).copied() {
                 next += 1;
-                for (edge, from) in edges(&outlines[surface]).zip(outlines[surface].corners()) {
+                for (edge, from) in edges(outlines[surface]).zip(outlines[surface].corners()) {
                     match joined(surface, &edge) {
                         None => free.push(*from),
                         Some(other) if !known[other] => {
@@ -80,8 +87,11 @@ impl Bodies {
                     }
                 }
             }
-            let faces: Vec<&Outline> = members.iter().map(|m| &outlines[*m]).collect();
+            let faces: Vec<&Outline> = members.iter().map(|m| outlines[*m]).collect();
             if let Some(solid) = Body::solid(&faces, &free, noise) {
+                for member in members {
+                    solid_of[member] = Some(bodies.len());
+                }
                 bodies.push(solid);
             } else {
                 bodies.extend(faces.into_iter().filter_map(Body::sheet));
@@ -89,7 +99,16 @@ impl Bodies {
         }
         let boxes = bodies.iter().enumerate();
         let tree = boxed(boxes.map(|(body, found)| (body, found.bounds)));
-        Self { bodies, tree }
+        Self {
+            bodies,
+            tree,
+            solid_of,
+        }
+    }
+
+    /// The solid that a surface is a face of.
+    pub(super) fn solid_of(&self, surface: usize) -> Option<&Body> {
+        self.solid_of[surface].map(|body| &self.bodies[body])
     }
 
     /// The bodies whose boxes a segment meets.
@@ -131,12 +150,14 @@ impl Body {
                 sides.push(*face.plane());
             }
         }
-        if !free.is_empty() {
+        let is_open = !free.is_empty();
+        if is_open {
             sides.push(open_side(free, corners(), noise)?);
         }
         // fewer bound no body
         (sides.len() > 3).then(|| Self {
             sides,
+            is_open,
             sheet: None,
             bounds: bounds(corners()),
         })
@@ -156,6 +177,7 @@ impl Body {
         let sides: Option<Vec<Plane>> = corners.iter().zip(next).map(side).collect();
         Some(Self {
             sides: sides?,
+            is_open: false,
             sheet: Some(*face.plane()),
             bounds: *face.bounds(),
         })
@@ -172,19 +194,56 @@ impl Body {
         self.is_beside([ones, others], noise) && ones.iter().all(cut)
     }
 
+    /// The sides that have a face, and the one that has none.
+    fn closed_and_open(&self) -> (&[Plane], Option<&Plane>) {
+        match self.sides.split_last() {
+            Some((open, closed)) if self.is_open => (closed, Some(open)),
+            _ => (&self.sides, None),
+        }
+    }
+
     /// Whether the hull of some corners is outside a solid, but for what it shares with its sides.
     fn is_outside(&self, corners: &[DVec3], noise: f64) -> bool {
         self.sides.iter().any(|side| is_over(side, corners, noise))
     }
 
     /// Whether both hulls are outside a solid, or on different sides of a sheet.
-    fn is_beside(&self, ends: [&[DVec3]; 2], noise: f64) -> bool {
+    pub(super) fn is_beside(&self, ends: [&[DVec3]; 2], noise: f64) -> bool {
         let Some(plane) = &self.sheet else {
             return ends.iter().all(|end| self.is_outside(end, noise));
         };
         let planes = [*plane, plane.reversed()];
         let [one, other] = ends.map(|end| planes.map(|plane| is_over(&plane, end, noise)));
         one[0] && other[1] || one[1] && other[0]
+    }
+
+    /// Whether the hull of some corners lies in the plane of a sheet, or in that of a side of a solid
+    /// and not outside of others: segments from it meet the body there, whether it hides or not.
+    pub(super) fn is_touched_by(&self, corners: &[DVec3], noise: f64) -> bool {
+        let lies_in = |plane: &Plane| {
+            let mut heights = corners.iter().map(|corner| plane.height(*corner));
+            heights.all(|height| height.abs() <= noise)
+        };
+        match &self.sheet {
+            Some(plane) => lies_in(plane),
+            None => self.sides.iter().any(lies_in) && !self.is_outside(corners, noise),
+        }
+    }
+
+    /// Whether all lines that leave some corners' hull to its front and meet a face of this solid
+    /// meet another face of it before: the hull is outside, behind the face, and behind the open
+    /// side.
+    ///
+    /// What lies in a side is outside if it faces outward; its lines start inside, if it does not.
+    pub(super) fn meets_later(&self, face: &Plane, from: (&[DVec3], DVec3), noise: f64) -> bool {
+        let (corners, normal) = from;
+        let is_behind = |side: &Plane| corners.iter().all(|c| side.height(*c) <= noise);
+        let is_outside = |side: &Plane| {
+            let is_in_front = corners.iter().all(|c| side.height(*c) >= -noise);
+            is_in_front && (!is_behind(side) || side.normal.dot(normal) > 0.0)
+        };
+        let (closed, open) = self.closed_and_open();
+        is_behind(face) && open.is_none_or(is_behind) && closed.iter().any(is_outside)
     }
 
     /// Whether a segment meets the body, or passes it by no more than `noise`.

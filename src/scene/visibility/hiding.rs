@@ -1,4 +1,4 @@
-//! Pairs of patches that see nothing of each other, as convex bodies stand between.
+//! Pairs of polygons that see nothing of each other, as convex bodies stand between.
 //!
 //! ```text
 //!   hidden  ⇐  some body cuts every segment from a corner of i⁺ to a corner of j⁺,
@@ -14,76 +14,61 @@
 //! and by bodies that are not convex.
 
 use super::bodies::Bodies;
-use super::surfaces::Surfaces;
-use crate::geometry::{Shaft, clipped};
+use crate::geometry::{Outline, Shaft, clipped};
 use crate::numeric::real;
-use crate::scene::Scene;
 use glam::DVec3;
 use std::collections::VecDeque;
 
 /// Most pairs of halves that are looked at: some microseconds each, less than an evaluation takes.
 const MOST_HALVES: usize = 48;
 
-/// The search for bodies that hide patches from each other, made ready.
+/// The search for bodies that hide polygons from each other, made ready.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Hiding<'a> {
-    surfaces: &'a Surfaces,
-    bodies: &'a Bodies,
-    noise: f64,
+pub(super) struct Hiding<'a> {
+    pub bodies: &'a Bodies,
+    pub noise: f64,
 }
 
 /// The ends of a shaft, or halves of them.
-type Ends = [Vec<DVec3>; 2];
+pub(super) type Ends = [Vec<DVec3>; 2];
 
 /// What bodies do to all segments between two ends.
 enum Cut {
     /// One of them cuts all.
     All,
-    /// Some cut the segment between the middles.
+    /// Some may cut the segment between the middles.
     Some,
     /// None cuts that.
     None,
 }
 
-impl<'a> Hiding<'a> {
-    /// The search among the bodies of a scene, which are found once.
-    pub(crate) fn of(scene: &'a Scene) -> Self {
-        Self {
-            surfaces: scene.outlined(),
-            bodies: scene.bodies(),
-            noise: scene.planes().noise(),
-        }
-    }
-
-    /// Tells whether it is certain that two patches, which see each other otherwise, see nothing
+impl Hiding<'_> {
+    /// Tells whether it is certain that two polygons, which see each other otherwise, see nothing
     /// of each other.
-    pub(crate) fn hides(&self, first: usize, second: usize) -> bool {
-        let [one, other] = [first.min(second), first.max(second)];
-        let [one, other] = [one, other].map(|patch| self.surfaces.outline(patch));
+    pub(super) fn hides(&self, one: &Outline, other: &Outline) -> bool {
         let noise = self.noise;
         if !(one.rises_above(other.plane(), noise) && other.rises_above(one.plane(), noise)) {
             return false;
         }
         // cheapest first: of most pairs that are not hidden, the middles see each other
-        let middles = [one, other].map(|outline| middle(outline.corners()));
-        let mut near = self.bodies.near(middles);
-        if !near.any(|body| body.cuts(middles, self.noise)) {
+        if let Cut::None = self.cut([one, other].map(Outline::corners), false) {
             return false;
         }
-        let Some(shaft) = Shaft::between(one, other, self.noise) else {
+        let Some(shaft) = Shaft::between(one, other, noise) else {
             return false;
         };
-        let may_be_halved = [one, other]
-            .iter()
-            .all(|outline| outline.pieces().len() == 1);
-        self.are_hidden(shaft.corners(), may_be_halved)
+        let is_whole = |outline: &Outline| outline.pieces().len() == 1;
+        self.are_hidden(shaft.corners(), is_whole(one) && is_whole(other))
     }
 
-    fn are_hidden(&self, ends: Ends, may_be_halved: bool) -> bool {
+    /// Tells whether it is certain that every segment between two hulls of corners meets a body.
+    ///
+    /// **Arguments** `may_be_halved`: whether the corners go around convex polygons.
+    pub(super) fn are_hidden(&self, ends: Ends, may_be_halved: bool) -> bool {
         let mut open = VecDeque::from([ends]);
         let mut left = MOST_HALVES;
         while let Some(ends) = open.pop_front() {
-            match self.cut(&ends) {
+            match self.cut(ends.each_ref().map(Vec::as_slice), true) {
                 Cut::All => {}
                 Cut::Some if may_be_halved && left >= 2 => {
                     left -= 2;
@@ -95,15 +80,21 @@ impl<'a> Hiding<'a> {
         true
     }
 
-    fn cut(&self, [ones, others]: &Ends) -> Cut {
-        let middles = [middle(ones), middle(others)];
+    fn cut(&self, ends: [&[DVec3]; 2], may_be_all: bool) -> Cut {
+        let middles = ends.map(middle);
         let mut is_cut = false;
         for body in self.bodies.near(middles) {
-            if body.cuts(middles, self.noise) {
-                is_cut = true;
-                if body.cuts_all([ones, others], self.noise) {
-                    return Cut::All;
-                }
+            // halves of what touches a body touch it, too
+            let is_touched = || ends.iter().any(|end| body.is_touched_by(end, self.noise));
+            if !body.cuts(middles, self.noise) || is_touched() {
+                continue;
+            }
+            is_cut = true;
+            if !may_be_all {
+                break;
+            }
+            if body.cuts_all(ends, self.noise) {
+                return Cut::All;
             }
         }
         if is_cut { Cut::Some } else { Cut::None }

@@ -7,8 +7,8 @@
 //!
 //! **Not covered**: the answers (overlap, blockers, convex rooms).
 
-use super::bodies::Bodies;
 use super::boxes::{BoxHull, Boxes, boxed};
+use super::screens::Screens;
 use crate::geometry::Outline;
 use crate::scene::planes::ScenePlanes;
 use crate::scene::{NamedPatch, Scene};
@@ -29,7 +29,7 @@ struct Parts {
     splits: OnceLock<Vec<bool>>,
     splitting: OnceLock<Vec<usize>>,
     surfaces: OnceLock<Surfaces>,
-    bodies: OnceLock<Bodies>,
+    screens: OnceLock<Screens>,
 }
 
 /// Equal scenes have equal surfaces, found or not.
@@ -197,9 +197,9 @@ impl Scene {
         surfaces.get_or_init(|| Surfaces::of(self))
     }
 
-    /// The convex bodies of all surfaces that can stand between two patches, found once.
-    pub(crate) fn bodies(&self) -> &Bodies {
-        let bodies = &self.prepared.0.bodies;
-        bodies.get_or_init(|| Bodies::of(&self.outlined().outlines, self.planes().noise()))
+    /// The screens of all surfaces, found once.
+    pub(crate) fn screens(&self) -> &Screens {
+        let screens = &self.prepared.0.screens;
+        screens.get_or_init(|| Screens::of(self))
     }
 }

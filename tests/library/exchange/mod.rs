@@ -8,5 +8,6 @@ mod points;
 mod promises;
 mod resolution;
 mod rows;
+mod screens;
 mod selections;
 mod tiles;

@@ -9,3 +9,4 @@ pub mod references;
 pub mod rooms;
 pub mod rounded_rooms;
 pub mod strategies;
+pub mod streets;
