@@ -13,12 +13,15 @@ use std::time::Instant;
 pub(crate) struct Pair(Vec<Polygon>);
 
 impl Pair {
-    fn of(case: &OccludedPair, map: impl Fn(DVec3) -> DVec3) -> Self {
+    /// The pair, moved; none if a polygon of it is then too small for its corners to be planar.
+    fn of(case: &OccludedPair, map: impl Fn(DVec3) -> DVec3) -> Option<Self> {
         let moved = |patch: &Patch| {
             let corners = patch.corners().iter().map(|corner| map(*corner));
-            Polygon::new(&Patch::try_new(corners.collect()).unwrap())
+            let patch = Patch::try_new(corners.collect()).ok()?;
+            Some(Polygon::new(&patch))
         };
-        Self(case.pair.iter().chain(&case.blockers).map(moved).collect())
+        let polygons = case.pair.iter().chain(&case.blockers).map(moved);
+        polygons.collect::<Option<_>>().map(Self)
     }
 
     /// The exchange area past the others, all that a call takes included.
@@ -107,13 +110,16 @@ impl Family {
         let is_taken =
             |case: &OccludedPair| self.blockers.is_none_or(|many| case.blockers.len() == many);
         let checked = |case: OccludedPair| {
-            let pair = Pair::of(&case, |corner| corner);
+            let pair = Pair::of(&case, |corner| corner).unwrap();
             let found = pair.past();
             let bare = pair.bare();
             let allowed = bare.error + found.error;
             assert!(found.value >= 0.0 && found.value <= bare.value + allowed);
             for shift in [8.0, -8.0] {
-                let moved = Pair::of(&case, |corner| corner + DVec3::splat(shift)).past();
+                let Some(moved) = Pair::of(&case, |corner| corner + DVec3::splat(shift)) else {
+                    continue;
+                };
+                let moved = moved.past();
                 let off = (moved.value - found.value).abs();
                 assert!(
                     off <= moved.error + found.error,
@@ -167,7 +173,7 @@ pub(crate) fn aside(count: usize, is_test: bool) {
                     let corners = blocker.corners().iter().map(|c| *c + 16.0 * DVec3::X);
                     *blocker = Patch::try_new(corners.collect()).unwrap();
                 }
-                Pair::of(&case, |corner| corner)
+                Pair::of(&case, |corner| corner).unwrap()
             })
             .collect();
         for pair in &pairs {

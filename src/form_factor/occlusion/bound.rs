@@ -203,7 +203,8 @@ impl Outline {
             if measured.side.is_through {
                 moved * log.min(1e3)
             } else {
-                moved * log.min(measured.length / measured.nearest[0])
+                // a corner that moves by δ sweeps over δ L/2 at most
+                moved * log.min(0.5 * measured.length / measured.nearest[0])
             }
         });
         self.speed * sides.sum::<f64>()

@@ -140,7 +140,7 @@ impl Polygon {
         {
             return other.exchange_area_past(self, occluders, tolerance);
         }
-        let whole = self.exchange_area(other, 0.25 * tolerance)?;
+        let whole = self.exchange_area(other, 0.1 * tolerance)?;
         if whole.exchange.value <= 0.0 {
             return Ok(whole);
         }
@@ -160,12 +160,12 @@ impl Polygon {
                 route: Route::Occluded,
             });
         }
-        let hidden = exchange(&setting, Wanted::Hidden, 0.1 * tolerance * value / square);
+        let hidden = exchange(&setting, Wanted::Hidden, 0.05 * tolerance * value / square);
         let mut best = ExchangeArea {
             value: value - hidden.value * square,
             error: error + hidden.error * square,
         };
-        if best.error > tolerance * best.value {
+        if best.error > tolerance * best.value && best.value < MOST_CANCELLED * value {
             let wanted = 0.2 * tolerance * best.value.max(1e-9 * value) / square;
             let seen = exchange(&setting, Wanted::Seen, wanted);
             if seen.error * square < best.error {
@@ -190,6 +190,9 @@ impl Polygon {
         })
     }
 }
+
+/// The share of the unoccluded value below which digits are lost by taking away what is hidden.
+const MOST_CANCELLED: f64 = 0.25;
 
 /// No finer relative tolerance is worked for.
 const FINEST: f64 = 4.0 * f64::EPSILON;
