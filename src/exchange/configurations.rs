@@ -10,7 +10,8 @@
 //! on it is rounded. The value is computed of the form, so that it does not depend on which
 //! configuration came first, and its bound holds for all of them.
 //!
-//! **Memory** [`MOST_KNOWN`] forms at most; more are computed and not kept.
+//! **Memory** [`MOST_KNOWN`] forms of [`MOST_SCREENS`] screens at most; others are computed and not
+//! kept.
 //!
 //! **Not covered**: other polygons; configurations that agree up to rounding.
 
@@ -22,8 +23,11 @@ use glam::DVec3;
 use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
 
-/// Most forms whose values are kept: some hundred bytes each.
+/// Most forms whose values are kept.
 const MOST_KNOWN: usize = 1 << 18;
+
+/// Most screens of a form that is kept, 56 bytes each.
+const MOST_SCREENS: usize = 8;
 
 /// Parts of the table, each with a lock of its own.
 const SHARES: usize = 64;
@@ -80,7 +84,8 @@ impl Configurations {
         let [one, other] = patches.map(|patch| self.patches[patch].as_ref());
         let ends = [one?, other?];
         let screens: Option<Vec<FlatBox>> = screens.iter().map(|k| self.screens[*k]).collect();
-        let form = form(ends.map(|end| *end), &screens?, tolerance);
+        let screens = screens?;
+        let form = form(ends.map(|end| *end), &screens, tolerance);
         let share = form.share();
         let lock = || {
             self.known[share]
@@ -94,7 +99,7 @@ impl Configurations {
         let found = form.exchange(tolerance, touching)?;
         if let Ok(answer) = &found {
             let mut known = lock();
-            if known.len() < MOST_KNOWN / SHARES {
+            if screens.len() <= MOST_SCREENS && known.len() < MOST_KNOWN / SHARES {
                 known.insert(form, *answer);
             }
         }

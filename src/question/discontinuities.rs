@@ -27,9 +27,9 @@ use glam::DVec3;
 /// };
 /// let answer = question.ask(&Unheard)?;
 /// let kinds: Vec<&str> = answer.lines.iter().map(|line| line.kind).collect();
-/// assert_eq!(kinds, ["lit", "umbra"]);
-/// // whole percents of an independent prototype
-/// assert_eq!((100.0 * answer.lines[1].kept).round(), 92.0);
+/// assert_eq!(kinds, ["umbra", "lit"]);
+/// // of the best cut's gain, in whole percents, as an independent program printed it
+/// assert_eq!((100.0 * answer.lines[0].kept).round(), 92.0);
 /// # Ok::<(), infoscene::question::QuestionError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -227,8 +227,8 @@ fn judged(
     let position = split.position_of(0.5 * (start + end));
     let [gain, square_gain] = split.gains(position)?;
     let [highest, square_highest] = split.highest_gains()?;
-    let kept = gain / highest.max(gain);
-    let square_kept = square_gain / square_highest.max(square_gain);
+    let kept = share(gain, highest.max(gain));
+    let square_kept = share(square_gain, square_highest.max(square_gain));
     Ok(DiscontinuityRecord {
         kind: line.kind().name(),
         sides: line.sides.map(view_name),
@@ -306,7 +306,8 @@ fn curve(
     positions.sort_by(f64::total_cmp);
     let gains = positions.iter().map(|at| split.gains(*at));
     let gains = gains.collect::<Result<Vec<_>, DiscretizeError>>()?;
-    let shares = |index: usize, highest: f64| gains.iter().map(|g| g[index] / highest).collect();
+    let shares =
+        |index: usize, highest: f64| gains.iter().map(|g| share(g[index], highest)).collect();
     Ok(GainCurve {
         axis: axis.name(),
         gains: shares(0, best.gain),
@@ -367,4 +368,9 @@ fn map(
         curves,
         outline,
     })
+}
+
+/// The share of a gain in the highest one; where nothing is gained it is none.
+fn share(gain: f64, highest: f64) -> f64 {
+    if highest > 0.0 { gain / highest } else { 0.0 }
 }

@@ -20,7 +20,7 @@ fn lines_of_discontinuity_have_their_keys() {
     assert_eq!(answer["may_have_curves"], false);
     let lines = answer["lines"].as_array().unwrap();
     assert_eq!(lines.len(), 2);
-    // c/(1 − h), and the whole percents of an independent prototype
+    // c/(1 − h), and the whole percents of an independent program
     let umbra = lines.iter().find(|line| line["kind"] == "umbra").unwrap();
     let x = umbra["ends"][0][0].as_f64().unwrap();
     assert!((x - 0.625).abs() < 1e-12);

@@ -65,7 +65,7 @@ impl HalfPlaneShadow {
     /// use infoscene::discretize::{CutMeasure, HalfPlaneShadow};
     /// let shadow = HalfPlaneShadow::try_new(0.5, 0.2)?;
     /// assert!((shadow.umbra_line(&1.0) - 0.625).abs() < 1e-15);
-    /// // an independent prototype printed 0.568324: on neither line
+    /// // an independent program printed 0.568324: on neither line
     /// let best = shadow.best_cut(CutMeasure::Information)?;
     /// assert!((best - 0.568_324).abs() < 0.5e-6);
     /// # Ok::<(), infoscene::discretize::DiscretizeError>(())

@@ -115,6 +115,9 @@ impl<'a> Roster<'a> {
         for member in &mut self.members {
             if placed[member.line].is_line {
                 slice.on_line(member);
+            } else {
+                // level for a moment: it may be met beside
+                slice.validity.is_certain &= sight.traces[member.line].is_level;
             }
             if !slice.validity.is_certain {
                 return None;

@@ -185,6 +185,13 @@ impl Outline {
         plain
     }
 
+    /// What a gap that the sides leave open changes of W.
+    pub(super) fn gap(&self, width: f64) -> f64 {
+        let logs = self.sides.iter().flat_map(|measured| measured.log);
+        let most = logs.filter(|log| log.is_finite()).fold(0.0, f64::max);
+        self.speed * width * (1.0 + most)
+    }
+
     /// What rounded corners change of W.
     pub(super) fn noise(&self, corners: &[Corner]) -> f64 {
         let noise = |corner: usize| {
@@ -197,19 +204,21 @@ impl Outline {
             corner.noise * unit
         };
         let sides = self.sides.iter().map(|measured| {
-            let [from, to] = measured.side.corners;
-            let moved = noise(from) + noise(to);
-            let log = 1.0 + measured.log[0];
+            let [from, to] = measured.side.corners.map(noise);
+            let [log, last] = measured.log.map(|log| 1.0 + log.min(MOST_LOG));
             if measured.side.is_through {
-                moved * log.min(1e3)
+                from * log + to * last
             } else {
                 // a corner that moves by δ sweeps over δ L/2 at most
-                moved * log.min(0.5 * measured.length / measured.nearest[0])
+                (from + to) * log.min(0.5 * measured.length / measured.nearest[0])
             }
         });
         self.speed * sides.sum::<f64>()
     }
 }
+
+/// A logarithm that no distance between doubles exceeds.
+const MOST_LOG: f64 = 1e3;
 
 /// The least distance of y from a side that is `height` below it.
 fn distance([from, to]: [DVec2; 2], height: f64) -> f64 {

@@ -32,7 +32,8 @@ pub(super) fn chord(region: &Region, line: usize, validity: &mut Validity) -> Op
     for half in halves.iter().filter(|half| half.line != line) {
         let other = validity.placed[half.line];
         if !other.is_line {
-            // a plane of sight that is level: all of P is on one side of it
+            // a plane of sight that is level: all of P is on one side of it, for a moment or always
+            validity.is_certain &= validity.sight.traces[half.line].is_level;
             if half.sign * validity.level_height(half.line) < 0.0 {
                 return None;
             }

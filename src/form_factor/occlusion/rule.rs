@@ -18,7 +18,7 @@ use super::sight::Sight;
 use crate::numeric::functions::elementary::angles;
 use crate::numeric::{GaussLegendre, LANES, Lanes, across, real, vector_value};
 use glam::DVec2;
-use smallvec::SmallVec;
+use smallvec::{SmallVec, smallvec};
 use std::sync::LazyLock;
 
 /// A boundary on a panel.
@@ -76,14 +76,29 @@ impl<'a> Panel<'a> {
     pub(super) fn is_closed(&self) -> bool {
         let runs = self.sides.iter().map(|side| {
             let [from, to] = side.corners.map(|corner| self.places[corner]);
-            to - from
-        });
-        let (open, length) = runs.fold((DVec2::ZERO, 0.0), |(sum, length), run| {
-            (sum + run, length + run.length())
+            from.distance(to)
         });
         let places = self.places.iter();
         let reach = places.map(|place| place.length()).fold(0.0, f64::max);
-        open.length() <= CLOSED * length + 64.0 * f64::EPSILON * reach
+        self.gap() <= CLOSED * runs.sum::<f64>() + 64.0 * f64::EPSILON * reach
+    }
+
+    /// The width of the gap between the sides at the middle; none if each corner that ends a side
+    /// begins another.
+    fn gap(&self) -> f64 {
+        let mut balance: SmallVec<[i32; 16]> = smallvec![0; self.corners.len()];
+        let mut open = DVec2::ZERO;
+        for side in &self.sides {
+            let [from, to] = side.corners;
+            balance[from] += 1;
+            balance[to] -= 1;
+            open += self.places[to] - self.places[from];
+        }
+        if balance.iter().all(|count| *count == 0) {
+            0.0
+        } else {
+            open.length()
+        }
     }
 
     /// The height at the middle.
@@ -107,7 +122,7 @@ impl<'a> Panel<'a> {
         let largest = vector_value!([f64::INFINITY; LANES], outline.largest(&reach));
         let (blocks, truncation) = rule(largest, self.half, wanted)?;
         let [value, size] = self.sums(GaussLegendre::with(blocks * LANES), outline.unit);
-        let noise = outline.noise(&self.corners);
+        let noise = outline.noise(&self.corners) + outline.gap(self.gap());
         Some(Share {
             value: self.half * value,
             truncation,

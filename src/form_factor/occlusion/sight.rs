@@ -77,6 +77,8 @@ pub(super) struct Trace {
     pub planar_size: f64,
     /// The size of the plane's normal.
     pub size: f64,
+    /// Whether the plane of sight is level all along, so that it meets P's plane nowhere.
+    pub is_level: bool,
 }
 
 impl Trace {
@@ -90,14 +92,17 @@ impl Trace {
             Some((alpha, _)) => [alpha, DVec2::ZERO],
             None => normal.map(DVec3::truncate),
         };
+        let planar_size = planar[0].length() + planar[1].length();
+        let size = normal[0].length() + normal[1].length();
         Self {
             normal,
             edge,
             space,
             is_fixed,
             planar,
-            planar_size: planar[0].length() + planar[1].length(),
-            size: normal[0].length() + normal[1].length(),
+            planar_size,
+            size,
+            is_level: edge.is_none() && planar_size <= LEVEL * size,
         }
     }
 }
@@ -334,7 +339,7 @@ impl<'a> Sight<'a> {
             gamma,
             origin: alpha * (gamma / (length * length)),
             direction: DVec2::new(alpha.y, -alpha.x) / length,
-            is_line: trace.edge.is_some() || length > 1e-14 * normal.length(),
+            is_line: trace.edge.is_some() || length > LEVEL * normal.length(),
         }
     }
 
@@ -372,3 +377,6 @@ impl<'a> Sight<'a> {
         }
     }
 }
+
+/// The slope below which a plane counts as level.
+const LEVEL: f64 = 1e-14;

@@ -1,19 +1,19 @@
-//! Convex bodies of a scene: solids whose faces are surfaces, and single convex surfaces.
+//! Convex bodies of a scene: solids whose faces are screens, and single convex screens.
 //!
 //! ```text
-//!   solid   surfaces joined along whole edges, each behind the planes of all others; edges that
+//!   solid   screens joined along whole edges, each behind the planes of all others; edges that
 //!           nothing joins lie in one plane, with the solid on one side (what stands on a floor has
 //!           no bottom)
-//!   sheet   one convex surface that is of no solid
+//!   sheet   one convex screen that is of no solid
 //! ```
 //!
 //! A line that meets the inside of a solid passes two places of its boundary, and at most one of
-//! them lies in the plane that is left open; so it meets a surface. From outside it comes in through
+//! them lies in the plane that is left open; so it meets a screen. From outside it comes in through
 //! a side that it starts in front of: faces of which it starts behind are met later
 //! ([`Body::meets_later`]).
 //!
 //! **Not covered**: solids whose faces are joined in the middle of edges, or face inward: their
-//! surfaces count as sheets. Sheets in one plane are not joined.
+//! screens count as sheets.
 
 use super::boxes::{BoxHull, Boxes, boxed};
 use crate::geometry::{Outline, Plane};
@@ -25,7 +25,7 @@ use std::collections::HashMap;
 pub(crate) struct Bodies {
     bodies: Vec<Body>,
     tree: Boxes,
-    /// The solid that each surface is a face of.
+    /// The solid that each screen is a face of.
     solid_of: Vec<Option<usize>>,
 }
 
@@ -106,9 +106,9 @@ impl Bodies {
         }
     }
 
-    /// The solid that a surface is a face of.
-    pub(super) fn solid_of(&self, surface: usize) -> Option<&Body> {
-        self.solid_of[surface].map(|body| &self.bodies[body])
+    /// The solid that a screen is a face of.
+    pub(super) fn solid_of(&self, screen: usize) -> Option<&Body> {
+        self.solid_of[screen].map(|body| &self.bodies[body])
     }
 
     /// The bodies whose boxes a segment meets.

@@ -19,7 +19,7 @@ use crate::numeric::real;
 use glam::DVec3;
 use std::collections::VecDeque;
 
-/// Most pairs of halves that are looked at: some microseconds each, less than an evaluation takes.
+/// Most pairs of halves that are looked at.
 const MOST_HALVES: usize = 48;
 
 /// The search for bodies that hide polygons from each other, made ready.

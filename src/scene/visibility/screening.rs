@@ -50,6 +50,8 @@ pub(crate) struct Screening<'a> {
     screens: &'a Screens,
     planes: &'a ScenePlanes,
     hiding: Hiding<'a>,
+    /// Whether all planes are exact: which side of them a corner is on is sure then.
+    is_exact: bool,
 }
 
 impl<'a> Screening<'a> {
@@ -64,6 +66,8 @@ impl<'a> Screening<'a> {
                 bodies: screens.bodies(),
                 noise: planes.noise(),
             },
+            is_exact: (0..screens.count())
+                .all(|screen| screens.screen(screen).outline.plane().tilt <= 0.0),
         }
     }
 
@@ -96,8 +100,7 @@ impl<'a> Screening<'a> {
         }
     }
 
-    /// Whether the groups of two patches see nothing of each other; of patches that are groups of
-    /// their own it is not asked.
+    /// Whether the groups of two patches see nothing of each other.
     fn are_groups_hidden(&self, patches: [usize; 2]) -> bool {
         let groups = patches.map(|patch| self.screens.group_of(patch));
         self.screens.verdict(groups, || {
@@ -124,6 +127,10 @@ impl<'a> Screening<'a> {
     fn first_met(&self, shaft: &Shaft, outlines: [&Outline; 2], near: &[usize]) -> Vec<usize> {
         let ends = shaft.corners();
         let enters = |screen: &usize| shaft.is_entered_by(&self.screens.screen(*screen).outline);
+        if !self.is_exact {
+            // what meets a line first may not be among those that are near
+            return near.iter().copied().filter(enters).collect();
+        }
         let planes = outlines.map(|outline| *outline.plane());
         let is_later =
             |screen: usize, end: usize| self.is_met_later(screen, (&ends[end], planes[end].normal));

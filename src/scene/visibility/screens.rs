@@ -36,9 +36,13 @@ pub(crate) struct Screens {
     verdicts: Vec<AtomicU8>,
 }
 
-/// The verdicts on a pair of groups: none yet, hidden, not hidden.
+/// No verdict on a pair of groups yet.
 const UNKNOWN: u8 = 0;
+
+/// The verdict that two groups see nothing of each other.
 const HIDDEN: u8 = 1;
+
+/// The verdict that they may.
 const OPEN: u8 = 2;
 
 /// Corners of the largest screen that is put together.
@@ -47,7 +51,7 @@ const MOST_CORNERS: usize = 8;
 /// Most surfaces of a group that are put together one by one: the work grows with their square.
 const MOST_PUT_TOGETHER: usize = 256;
 
-/// Most pairs of groups of which something is kept, a byte each.
+/// Most pairs of groups of which verdicts are kept, a byte each, all of them set aside at once.
 const MOST_VERDICTS: usize = 1 << 26;
 
 /// A polygon that hides what is behind it, from both sides.
@@ -203,8 +207,8 @@ impl Screens {
         &self.bodies
     }
 
-    /// The screens whose boxes meet the hull of two boxes, unless all patches are on one side of
-    /// their planes.
+    /// The screens whose boxes meet the hull of two boxes. Screens in planes that have all patches on
+    /// one side are not among them.
     pub(super) fn between(&self, ends: [&[DVec3; 2]; 2]) -> impl Iterator<Item = usize> {
         let hull = BoxHull::of(ends);
         let found = self.tree.locate_with_selection_function(hull);

@@ -254,7 +254,7 @@ fn lines_move_with_the_scene() {
     }
 }
 
-/// Best cuts of an independent prototype, on no line, which keep 10 to 35 % of the gain.
+/// Best cuts of an independent program, on no line, which keep 10 to 35 % of the gain.
 #[test]
 fn cuts_beside_the_lines_of_a_plate_are_those_of_the_prototype() {
     let plate = level("plate", [0.3, 0.62], [0.25, 0.55], 0.3, true);

@@ -6,7 +6,7 @@ use infoscene::geometry::SplitAxis;
 use infoscene::numeric::{Certificate, Interval, Scalar, tolerance};
 use infoscene::reference;
 
-/// Best cuts by an independent prototype, printed to six decimals, and the shares of the best gain
+/// Best cuts by an independent program, printed to six decimals, and the shares of the best gain
 /// that the umbra and the lit line keep, printed to whole percents.
 const PRINTED: [(f64, f64, f64, f64, f64); 3] = [
     (0.05, 0.517_962, 0.502_020, 99.0, 80.0),

@@ -402,3 +402,39 @@ fn what_is_beside_changes_nothing() {
     let answer = answer.unwrap();
     assert!(answer.exchange.value < bare.exchange.value - 1e-6);
 }
+
+/// A plane of sight that is level at the middle of a stretch, where the boundary is looked for
+/// first, settles nothing beside that place.
+#[test]
+fn a_plane_that_is_level_for_a_moment_settles_nothing() {
+    let patch = |corners: [[f64; 3]; 4]| {
+        let corners = corners.map(DVec3::from_array);
+        Patch::try_new(corners.into_iter().collect()).unwrap()
+    };
+    let floor = patch([
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [1.0, 1.0, 0.0],
+        [0.0, 1.0, 0.0],
+    ]);
+    // both upper corners of the wall's ends are at 1, so that y is at ½ half-way along its rims
+    let wall = patch([
+        [2.0, 0.1, 0.0],
+        [2.0, 0.4, 1.0],
+        [2.0, 0.9, 1.0],
+        [2.0, 0.6, 0.0],
+    ]);
+    let plate = patch([
+        [1.5, 0.2, 0.5],
+        [1.5, 0.8, 0.5],
+        [1.5, 0.8, 1.5],
+        [1.5, 0.2, 1.5],
+    ]);
+    let case = OccludedPair {
+        pair: [floor, wall],
+        blockers: vec![plate],
+    };
+    let found = of(&case);
+    assert!(found.error <= 1e-11 * found.value, "{found:?}");
+    second_road(&case).unwrap();
+}
