@@ -60,7 +60,7 @@ pub struct Claim {
     pub curve_axes: Option<[String; 2]>,
     /// Theorems of `proofs/Statements.v` that prove the claim as it stands, or its contrary.
     pub proof: Vec<Theorem>,
-    /// What lies between these theorems and the claim and is shown on paper only, by no machine.
+    /// The step from these theorems to the claim that is shown on paper only, by no machine.
     pub on_paper: Option<String>,
     /// The task.
     pub task: Task,
@@ -196,7 +196,7 @@ impl Entry {
         Ok(found)
     }
 
-    /// What there is to do.
+    /// The work: what is to be computed, if anything.
     fn task(&self) -> Result<Task, String> {
         let not_checked = self.not_checked.as_ref();
         match (self.computation, self.verdict, not_checked, &self.all_of) {

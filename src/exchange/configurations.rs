@@ -2,8 +2,8 @@
 //!
 //! ```text
 //!   configuration   two rectangles and rectangular screens, all along the coordinate axes
-//!   its form        the least of its images: reflected axes, exchanged axes, exchanged ends, shifted
-//!                   so that the first end begins at 0
+//!   its form        the least of its images: reflected axes, exchanged axes, exchanged ends,
+//!                   shifted so that the first end begins at 0
 //! ```
 //!
 //! Two configurations with one form are congruent exactly: an axis is shifted only if no difference

@@ -163,6 +163,15 @@ fn cuts_beside(scene: &Scene, line: &DiscontinuityLine) -> Result<(PatchSplit, f
     Ok((split, position))
 }
 
+/// The place at a share of the way from an end of the floor, the left or the right one, to a cut.
+fn on_the_way(position: f64, is_left: bool, share: f64) -> f64 {
+    if is_left {
+        share * position
+    } else {
+        1.0 - share * (1.0 - position)
+    }
+}
+
 /// Screens that stand on the floor: the gain of cuts through the lit part against that of the cut
 /// at `candidate` of the way to the line, where the lit form factors vary by at most 3/(2 + d).
 pub(crate) fn standing_screens_cut_along_their_line(
@@ -183,13 +192,7 @@ pub(crate) fn standing_screens_cut_along_their_line(
         let (split, position) = cuts_beside(&scene, line)?;
         // lit on the left, where positions begin, or on the right
         let is_left = line.sides[0] == View::Lit;
-        let at = |share: f64| {
-            if is_left {
-                share * position
-            } else {
-                1.0 - share * (1.0 - position)
-            }
-        };
+        let at = |share: f64| on_the_way(position, is_left, share);
         let own = split.gain(&[at(candidate)])?;
         let mut ratio: f64 = 0.0;
         for k in 1..16 {
@@ -256,13 +259,7 @@ pub(crate) fn hanging_screens_darken_most_at_the_umbra(
             if parts.flux(0, &dark)? > DARK * parts.whole_flux(0)? {
                 continue;
             }
-            let at = |share: f64| {
-                if is_left {
-                    share * position
-                } else {
-                    1.0 - share * (1.0 - position)
-                }
-            };
+            let at = |share: f64| on_the_way(position, is_left, share);
             let own = split.gain(&[at(candidate)])?;
             for k in 1..8 {
                 largest = larger(largest, split.gain(&[at(f64::from(k) / 8.0)])? / own);

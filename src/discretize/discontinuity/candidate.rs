@@ -18,7 +18,7 @@ impl Feature {
     }
 }
 
-/// What makes a line.
+/// The corner and edge, or the plane, that makes a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Generator {
     /// A vertex and an edge are seen in one.

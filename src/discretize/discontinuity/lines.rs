@@ -10,7 +10,7 @@ use super::section::Section;
 use crate::discretize::error::DiscretizeError;
 use glam::DVec3;
 
-/// What points beside a line see of the source.
+/// The part of the source that points beside a line see.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum View {
     /// Nothing.
@@ -53,10 +53,10 @@ impl LineKind {
 pub struct DiscontinuityLine {
     /// The ends, on the receiver.
     pub ends: [DVec3; 2],
-    /// What is seen beside it: on the left as one goes from the first end to the second, seen from
+    /// The views beside it: on the left as one goes from the first end to the second, seen from
     /// the receiver's front, and on the right.
     pub sides: [View; 2],
-    /// What makes it, one or more.
+    /// The pairs of corner and edge, or the planes, that make it, one or more.
     pub generators: Vec<Generator>,
 }
 
@@ -228,7 +228,7 @@ impl OccludedPair {
         Ok(())
     }
 
-    /// What is seen beside a place of a line; none if it is on the receiver's outline, or if
+    /// The views on either side of a place of a line; none if it is on the receiver's outline, or if
     /// nothing, or all, is seen on both sides.
     fn views(
         &self,

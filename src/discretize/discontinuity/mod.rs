@@ -7,7 +7,7 @@
 //!
 //! | question | answer |
 //! |---|---|
-//! | the lines of a receiver, with what is seen beside them and what makes them | [`OccludedPair::lines`] |
+//! | the lines of a receiver, the views beside them, what makes them | [`OccludedPair::lines`] |
 //! | the cut along a line, and the best cuts | [`PatchSplit`](crate::discretize::PatchSplit) |
 //! | a penumbra in closed form | [`HalfPlaneShadow`] |
 //! | the two measures of a cut | [`CutMeasure`](crate::discretize::CutMeasure) |
@@ -17,7 +17,7 @@
 //! | lines of sight through a vertex and an edge, where nothing hides them | `sights` |
 //! | blockers seen edge-on, and standing on the receiver | `traces` |
 //! | points at which blockers leave no way past | `contact` |
-//! | a plane with coordinates, ranges of its line, what makes it | `section`, `ranges`, `candidate` |
+//! | a plane with coordinates, ranges of its line, its makers | `section`, `ranges`, `candidate` |
 //! | all together, with what is seen beside | `lines` |
 //!
 //! **Not covered**: curves. Two blockers and more have conics, too, on which three edges are seen

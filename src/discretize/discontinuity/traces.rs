@@ -12,7 +12,7 @@ use super::section::{Section, ordered, snapped};
 use crate::geometry::{Patch, clipped, convex_pieces};
 use glam::{DVec2, DVec3};
 
-/// What is in the plane of a blocker, in front of receiver and source.
+/// The part of a scene in the plane of a blocker, in front of receiver and source.
 struct EdgeOn {
     /// Convex pieces of the blocker.
     own: Vec<Vec<DVec2>>,

@@ -232,7 +232,7 @@ fn distance([from, to]: [DVec2; 2], height: f64) -> f64 {
     ((from + share * run).length_squared() + height * height).sqrt()
 }
 
-/// A bound on the growth of the logarithm of a distance by a displacement, a share of that distance.
+/// A bound on the growth of the logarithm of a distance by a displacement, a share of it.
 #[inline(always)]
 fn widened(share: f64) -> f64 {
     let kappa = share * (2.0 + share);

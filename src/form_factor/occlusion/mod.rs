@@ -23,7 +23,7 @@
 //! | the pair in the frame of P, clipped, cut into convex faces, edges and corners shared | `setting` |
 //! | stretches of edges, and the faces through them, between which x looks past | `outer` |
 //! | planes of sight through y(t) and an edge, linear in t | `sight` |
-//! | the boundary of R at one t, and the range of t in which it has this shape | `chord`, `arrangement`, `validity` |
+//! | the boundary of R at one t, and where it keeps this shape | `chord`, `arrangement`, `validity` |
 //! | its corners as rational functions of t, Gauss rules with a-priori bounds | `corner`, `bound`, `rule` |
 //! | what displaced corners can change | `slack` |
 //! | from a point, in closed form | `point` |

@@ -45,15 +45,15 @@ pub struct Line {
 
 /// The page, and how much finer it is drawn.
 const PAGE: (u32, u32) = (480, 330);
-const FINER: u32 = 10;
+pub(super) const FINER: u32 = 10;
 /// A letter's height is 14; the library's size is 1.24 times that.
-const LETTERS: u32 = 174;
+pub(super) const LETTERS: u32 = 174;
 /// The margin around the figure, and the width of the vertical axis with its labels.
-const MARGIN: u32 = 12;
+pub(super) const MARGIN: u32 = 12;
 const LEFT: u32 = 70;
 /// Height of a row of the legend, and length of the sample of a line in it.
-const ROW: u32 = 20;
-const SAMPLE: i32 = 400;
+pub(super) const ROW: u32 = 20;
+pub(super) const SAMPLE: i32 = 400;
 const SOLID: i32 = i32::MAX;
 
 /// The look of a line: colour (of Okabe and Ito, distinct with any kind of sight), dash and gap,

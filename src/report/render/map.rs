@@ -6,6 +6,7 @@
 //!
 //! **Not here**: computing.
 
+use super::figure::{FINER, LETTERS, MARGIN, ROW, SAMPLE};
 use crate::report::ReportError;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
@@ -37,13 +38,8 @@ pub struct MappedLine {
     pub ends: [[f64; 2]; 2],
 }
 
-/// Width of the page, margin, row of the legend, and how much finer all is drawn.
+/// Width of the page.
 const WIDTH: u32 = 480;
-const MARGIN: u32 = 12;
-const ROW: u32 = 20;
-const FINER: u32 = 10;
-/// A letter's height is 14; the library's size is 1.24 times that.
-const LETTERS: u32 = 174;
 /// The longest side of the polygon on the page.
 const SIDE: f64 = 4560.0;
 /// What a rectangle reaches over its seams.
@@ -51,8 +47,6 @@ const SEAM: i32 = 10;
 /// Steps of grey, from dark to white.
 const STEPS: f64 = 20.0;
 const DARKEST: f64 = 60.0;
-/// Length of the sample of a line in the legend.
-const SAMPLE: i32 = 400;
 
 /// Colour (of Okabe and Ito), dash and gap of a kind of line.
 fn look(kind: &str) -> (RGBColor, [i32; 2]) {

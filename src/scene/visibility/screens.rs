@@ -5,9 +5,9 @@
 //!   screen   a group, if it is convex; else surfaces of it, put together as long as they are
 //! ```
 //!
-//! A wall of 8 × 8 facets is one screen, one with a window four. Where the facets meet nothing passes, so that screens hide
-//! what the surfaces hide. Parts of a base are in the group of the base, and hide no more than it
-//! does. A group with an opening comes as several, none of which has any (`regions`).
+//! A wall of 8 × 8 facets is one screen, one with a window four. Where the facets meet nothing passes,
+//! so that screens hide what the surfaces hide. Parts of a base are in the group of the base, and hide
+//! no more than it does. A group with an opening comes as several, none of which has any (`regions`).
 //!
 //! What is true of a group as a whole is true of its surfaces: of groups that see nothing of each
 //! other all pairs of surfaces are hidden.

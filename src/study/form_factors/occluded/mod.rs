@@ -4,8 +4,9 @@
 //! `known` has pairs with values from outside, `halfway` pairs that are known exactly, [`stability`]
 //! extreme ones; `point_rule` is what engines with the closed form of a point do, for comparison.
 //!
-//! Coordinates of the families are multiples of 2⁻³⁰ and parallelograms have exact corners, so that polygons are
-//! planar exactly, moves along the axes and halves of edges are exact, and what touches touches.
+//! Coordinates of the families are multiples of 2⁻³⁰ and parallelograms have exact corners, so that
+//! polygons are planar exactly, moves along the axes and halves of edges are exact, and what touches
+//! touches.
 
 mod draws;
 mod extreme;
