@@ -10,7 +10,7 @@
 //! on it is rounded. The value is computed of the form, so that it does not depend on which
 //! configuration came first, and its bound holds for all of them.
 //!
-//! **Memory** [`MOST_KNOWN`] forms of [`MOST_SCREENS`] screens at most; others are computed and not
+//! **Memory** forms of [`MOST_RECTANGLES`] rectangles together at most; others are computed and not
 //! kept.
 //!
 //! **Not covered**: other polygons; configurations that agree up to rounding.
@@ -23,11 +23,8 @@ use glam::DVec3;
 use std::collections::HashMap;
 use std::sync::{Mutex, PoisonError};
 
-/// Most forms whose values are kept.
-const MOST_KNOWN: usize = 1 << 18;
-
-/// Most screens of a form that is kept, 56 bytes each.
-const MOST_SCREENS: usize = 8;
+/// Most rectangles of the forms whose values are kept, 56 bytes each.
+const MOST_RECTANGLES: usize = 1 << 21;
 
 /// Parts of the table, each with a lock of its own.
 const SHARES: usize = 64;
@@ -37,7 +34,15 @@ const SHARES: usize = 64;
 pub(super) struct Configurations {
     patches: Vec<Option<FlatBox>>,
     screens: Vec<Option<FlatBox>>,
-    known: Vec<Mutex<HashMap<Form, Answer>>>,
+    known: Vec<Mutex<Known>>,
+}
+
+/// A part of the table.
+#[derive(Debug, Default)]
+struct Known {
+    answers: HashMap<Form, Answer>,
+    /// Number of rectangles of all its forms.
+    rectangles: usize,
 }
 
 /// A rectangle in words: its axis and side, then the bits of its ends.
@@ -92,15 +97,17 @@ impl Configurations {
                 .lock()
                 .unwrap_or_else(PoisonError::into_inner)
         };
-        let known = lock().get(&form).copied();
+        let known = lock().answers.get(&form).copied();
         if let Some(answer) = known {
             return Some(Ok(answer));
         }
         let found = form.exchange(tolerance, touching)?;
         if let Ok(answer) = &found {
             let mut known = lock();
-            if screens.len() <= MOST_SCREENS && known.len() < MOST_KNOWN / SHARES {
-                known.insert(form, *answer);
+            let rectangles = known.rectangles + 2 + screens.len();
+            if rectangles <= MOST_RECTANGLES / SHARES {
+                known.rectangles = rectangles;
+                known.answers.insert(form, *answer);
             }
         }
         Some(found)
