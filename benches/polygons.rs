@@ -10,7 +10,9 @@ mod textbook;
 use criterion::{Criterion, criterion_group, criterion_main};
 use glam::{DMat3, DVec3};
 use infoscene::exchange::{Congruence, ScenePairs};
-use infoscene::form_factor::{DEFAULT_TOLERANCE, Polygon, Route};
+use infoscene::form_factor::{
+    DEFAULT_TOLERANCE, Polygon, Route, point_form_factor, point_form_factor_with_gradient,
+};
 use infoscene::geometry::Patch;
 use infoscene::scene::{Occlusion, Scene};
 use rand::{Rng, SeedableRng};
@@ -249,6 +251,25 @@ fn routes(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// The form factor from a point to a quadrilateral, with and without its gradient.
+fn points(criterion: &mut Criterion) {
+    let middle = DVec3::new(0.3, 0.4, 1.0);
+    let corners = [[0.5, -0.5], [-0.5, -0.5], [-0.5, 0.5], [0.5, 0.5]];
+    let corners = corners.map(|[x, y]| middle + DVec3::new(x, y, 0.2 * x));
+    let face = Patch::try_new(corners.to_vec()).unwrap();
+    let [value, step] = [DVec3::ZERO, 1e-6 * DVec3::X]
+        .map(|point| point_form_factor(point, DVec3::Z, &face).unwrap());
+    let seen = || point_form_factor_with_gradient(black_box(DVec3::ZERO), DVec3::Z, &face).unwrap();
+    assert!((seen().value - value).abs() < 1e-14);
+    assert!((seen().gradient.x - (step - value) / 1e-6).abs() < 1e-5);
+    let mut group = criterion.benchmark_group("a point and a quadrilateral");
+    group.bench_function("value", |bencher| {
+        bencher.iter(|| point_form_factor(black_box(DVec3::ZERO), DVec3::Z, &face));
+    });
+    group.bench_function("value and gradient", |bencher| bencher.iter(seen));
+    group.finish();
+}
+
 /// All pairs of 600 squares inside a cube, on one thread.
 fn scenes(criterion: &mut Criterion) {
     let pool = rayon::ThreadPoolBuilder::new()
@@ -279,5 +300,5 @@ fn scenes(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, families, routes, scenes);
+criterion_group!(benches, families, points, routes, scenes);
 criterion_main!(benches);

@@ -25,6 +25,7 @@
 //! | the best grid on the faces of a box | [`discretize::BestGrid`] |
 //! | the best cuts across a gradient (§4.2) | [`discretize::GradientCut`] |
 //! | radiosity and importance, with bounds | [`RadiositySystem`] |
+//! | radiosity on a mesh that an oracle refines | [`hierarchy`] |
 //! | a claim of the paper, judged | [`claims::judge`] |
 //! | random chains for property tests | `chain::random::strategies` (feature `proptest`) |
 //!
@@ -44,14 +45,15 @@
 //!
 //! ```text
 //! numeric → geometry → form_factor → scene → exchange → transport → chain → information
-//!   → discretize → reference → claims → study → question → report
+//!   → discretize → hierarchy → reference → claims → study → question → report → python
 //! ```
 //!
 //! [`numeric`] has numbers that carry their errors, [`geometry`] polygons, [`form_factor`] one pair
 //! of polygons, [`scene`] what is there, [`exchange`] what its rows exchange, [`transport`] light
 //! in equilibrium, [`chain`] and [`information`] the paper's measures, [`discretize`] its best
-//! cuts. [`reference`](mod@reference) computes the same on slow roads of its own, [`claims`] judges
-//! the paper. The feature `report` adds studies, tables and figures, the feature `cli` the command.
+//! cuts, [`hierarchy`] light on meshes that are refined. [`reference`](mod@reference) computes the same on slow roads of its own, [`claims`] judges
+//! the paper. The feature `report` adds studies, tables and figures, the feature `cli` the command,
+//! the feature `python` the Python module that `pip install .` builds.
 //!
 //! # Conventions
 //!
@@ -67,8 +69,11 @@ pub mod discretize;
 pub mod exchange;
 pub mod form_factor;
 pub mod geometry;
+pub mod hierarchy;
 pub mod information;
 pub mod numeric;
+#[cfg(feature = "python")]
+pub mod python;
 pub mod question;
 pub mod reference;
 #[cfg(feature = "report")]

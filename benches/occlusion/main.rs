@@ -12,6 +12,7 @@
 //! timed.
 #![expect(clippy::unwrap_used, reason = "a bench may panic")]
 
+mod links;
 mod pairs;
 mod scenes;
 #[path = "../textbook/mod.rs"]
@@ -68,6 +69,9 @@ fn main() {
         if asked.has(name) {
             println!("{}", scenes::checked(name, &scene.0, scene.1));
         }
+    }
+    if asked.has(links::NAME) {
+        links::print(&scenes::furnished_room(), asked.is_test);
     }
     if asked.has(scenes::ASIDE) {
         scenes::aside(asked.is_test);

@@ -35,6 +35,18 @@ impl Pair {
         answer.unwrap().exchange
     }
 
+    /// The same over the points of the first of these polygons and along the edges of the other.
+    fn over(&self, [first, second]: [usize; 2]) -> ExchangeArea {
+        let polygons: Vec<&Polygon> = self.0[2..].iter().collect();
+        let occluders = Occluders {
+            polygons: &polygons,
+            touching: 0.0,
+        };
+        let [first, second] = [first, second].map(|end| &self.0[end]);
+        let answer = first.exchange_area_past_over(second, &occluders, DEFAULT_TOLERANCE);
+        answer.unwrap().exchange
+    }
+
     fn bare(&self) -> ExchangeArea {
         let answer = self.0[0].exchange_area(&self.0[1], DEFAULT_TOLERANCE);
         answer.unwrap().exchange
@@ -103,8 +115,8 @@ impl Family {
         all
     }
 
-    /// So many of its pairs; moved to another octant, where the pair is taken the other way round
-    /// and another integral is computed, each has the same value within the bounds.
+    /// So many of its pairs; each has the same value within the bounds when it is moved to another
+    /// octant, and by the integral over either polygon.
     pub(crate) fn checked_pairs(&self, count: usize) -> Vec<Pair> {
         let cases = (0..).map(|number| self.family.case(number).unwrap());
         let is_taken =
@@ -115,15 +127,13 @@ impl Family {
             let bare = pair.bare();
             let allowed = bare.error + found.error;
             assert!(found.value >= 0.0 && found.value <= bare.value + allowed);
-            for shift in [8.0, -8.0] {
-                let Some(moved) = Pair::of(&case, |corner| corner + DVec3::splat(shift)) else {
-                    continue;
-                };
-                let moved = moved.past();
-                let off = (moved.value - found.value).abs();
+            let moved = Pair::of(&case, |corner| corner - DVec3::splat(8.0));
+            let others = [pair.over([0, 1]), pair.over([1, 0])].into_iter();
+            for other in others.chain(moved.map(|moved| moved.past())) {
+                let off = (other.value - found.value).abs();
                 assert!(
-                    off <= moved.error + found.error,
-                    "{}: {found:?} {moved:?} {case:?}",
+                    off <= other.error + found.error,
+                    "{}: {found:?} {other:?} {case:?}",
                     self.name
                 );
             }

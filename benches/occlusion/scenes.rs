@@ -78,7 +78,7 @@ fn shell([x, y, z]: [Span; 3]) -> Vec<NamedPatch> {
 }
 
 /// A room with a table on four legs, a chest and a cupboard; closed, 99 patches.
-fn furnished_room() -> Scene {
+pub(crate) fn furnished_room() -> Scene {
     let room = [[0.0, 4.0], [0.0, 3.0], [0.0, 2.5]];
     let (mut feet, mut patches) = (Vec::new(), shell(room));
     for x in [[1.25, 1.375], [2.25, 2.375]] {

@@ -1,6 +1,6 @@
 //! One claim of the paper, as it stands in `data/paper/`.
 
-use super::{Computation, Inputs, OneSided, Theorem, Verdict};
+use super::{Computation, Formula, Inputs, OneSided, Theorem, Verdict};
 use crate::numeric::Interval;
 use std::collections::BTreeMap;
 
@@ -60,6 +60,8 @@ pub struct Claim {
     pub curve_axes: Option<[String; 2]>,
     /// Theorems of `proofs/Statements.v` that prove the claim as it stands, or its contrary.
     pub proof: Vec<Theorem>,
+    /// The formula that it is about.
+    pub formula: Formula,
     /// The step from these theorems to the claim that is shown on paper only, by no machine.
     pub on_paper: Option<String>,
     /// The task.
@@ -156,8 +158,14 @@ const fn yes() -> bool {
 }
 
 impl Entry {
-    /// The claim of this entry, whose theorems are among these.
-    pub(super) fn claim(self, theorems: &BTreeMap<String, Theorem>) -> Result<Claim, String> {
+    /// The claim of this entry, whose theorems and formula are among these.
+    pub(super) fn claim(
+        self,
+        theorems: &BTreeMap<String, Theorem>,
+        formulas: &BTreeMap<String, Formula>,
+    ) -> Result<Claim, String> {
+        let formula = formulas.get(&self.id).cloned();
+        let formula = formula.ok_or_else(|| format!("claim {}: it has no formula", self.id))?;
         let printed = self.number(self.printed.as_deref())?;
         let (proof, task) = (self.theorems(theorems)?, self.task()?);
         Ok(Claim {
@@ -168,6 +176,7 @@ impl Entry {
             complete: self.complete,
             curve_axes: self.curve,
             proof,
+            formula,
             on_paper: self.on_paper,
             task,
         })

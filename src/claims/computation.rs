@@ -2,8 +2,8 @@
 
 use super::{Case, ClaimError, Finding};
 use crate::claims::sections::{
-    appendix, continuous_limit, figure_5, regular_grids, section_2, section_3, section_3_light,
-    section_4_1, section_4_2, section_5, section_5_oracle, shadows,
+    appendix, continuous_limit, figure_5, refinement, regular_grids, section_2, section_3,
+    section_3_light, section_4_1, section_4_2, section_5, section_5_oracle, shadows,
 };
 
 macro_rules! computations {
@@ -27,6 +27,14 @@ macro_rules! computations {
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$variant => stringify!($function),)+
+                }
+            }
+
+            /// The file of its function in `src/claims/sections`, without the ending.
+            #[must_use]
+            pub const fn section(self) -> &'static str {
+                match self {
+                    $(Self::$variant => stringify!($section),)+
                 }
             }
 
@@ -116,6 +124,10 @@ computations! {
     PotentialIsPowerTimesRatio => section_5_oracle::potential_is_power_times_ratio,
     ExactGainCostsMore => section_5::exact_gain_costs_more,
     PrintedGainIsUnstable => section_5::printed_gain_is_unstable,
+    KernelsEstimateTheGradient => refinement::kernels_estimate_the_gradient,
+    FullGainBeatsPotential => refinement::full_gain_beats_potential,
+    OracleBeatsUniformMeshes => refinement::oracle_beats_uniform_meshes,
+    InformationCutsHaveLeastError => refinement::information_cuts_have_least_error,
     UnlistedPremisesFollow => appendix::unlisted_premises_follow,
     Equation9 => appendix::equation_9,
     Equation10 => appendix::equation_10,

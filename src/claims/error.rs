@@ -5,6 +5,7 @@ use crate::discretize::DiscretizeError;
 use crate::exchange::ExchangeError;
 use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
+use crate::hierarchy::HierarchyError;
 use crate::numeric::NumericError;
 use crate::scene::SceneError;
 use crate::transport::TransportError;
@@ -67,6 +68,9 @@ pub enum ClaimError {
     /// A chain was refused.
     #[error(transparent)]
     Chain(#[from] ChainError),
+    /// A refinement was refused.
+    #[error(transparent)]
+    Hierarchy(#[from] HierarchyError),
     /// A discretization was refused.
     #[error(transparent)]
     Discretize(#[from] DiscretizeError),

@@ -2,6 +2,7 @@
 
 use super::ClaimError;
 use std::collections::BTreeMap;
+use std::fmt;
 
 /// One input: a number or a switch.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Deserialize)]
@@ -73,6 +74,19 @@ impl Inputs {
             .named
             .extend(changes.map(|(name, input)| (name.clone(), *input)));
         changed
+    }
+}
+
+impl fmt::Display for Inputs {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (index, (name, input)) in self.named.iter().enumerate() {
+            let comma = if index == 0 { "" } else { ", " };
+            match input {
+                Input::Switch(is_on) => write!(f, "{comma}{name} = {is_on}")?,
+                Input::Number(value) => write!(f, "{comma}{name} = {value}")?,
+            }
+        }
+        Ok(())
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::ClaimError;
 use super::claim::{Claim, Entry, Task};
+use super::formula::formulas;
 use super::theorem::theorems;
 
 const FILES: [(&str, &str); 6] = [
@@ -45,12 +46,16 @@ pub fn registry() -> Result<Vec<Claim>, ClaimError> {
         file: "proved_theorems.toml",
         reason,
     })?;
+    let formulas = formulas().map_err(|reason| ClaimError::InvalidData {
+        file: "formulas.toml",
+        reason,
+    })?;
     let mut claims: Vec<Claim> = Vec::new();
     for (file, text) in FILES {
         let invalid = |reason: String| ClaimError::InvalidData { file, reason };
         let entries: File = toml::from_str(text).map_err(|error| invalid(error.to_string()))?;
         for entry in entries.claim {
-            let claim = entry.claim(&theorems).map_err(invalid)?;
+            let claim = entry.claim(&theorems, &formulas).map_err(invalid)?;
             if claims.iter().any(|other| other.id == claim.id) {
                 return Err(invalid(format!("claim {} stands there twice", claim.id)));
             }

@@ -4,8 +4,12 @@ use super::Answer;
 use super::output::{Output, check_place, finished, replace_with, say};
 use super::progress::Bar;
 use super::scene::ScenePairsArguments;
-use infoscene::question::{FormFactorMatrix, FormFactors, MatrixEntries, PatchName, Unreached};
-use infoscene::report::{MatrixFormat, MatrixWriter, write_form_factors};
+use super::store::shard;
+use infoscene::exchange::Shard;
+use infoscene::question::{
+    FormFactorMatrix, FormFactors, MatrixEntries, PatchName, StoreFormFactors, Unreached,
+};
+use infoscene::report::{MatrixFormat, MatrixWriter, store_report, write_form_factors};
 use std::error::Error;
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -29,6 +33,17 @@ pub(super) struct FormFactor {
     /// Write the matrix of the bounds on the errors here, in any of these formats but .vf.
     #[arg(long, value_name = "OUT")]
     bounds: Option<PathBuf>,
+    /// Write the whole matrix and its bounds into this folder, as a group of Zarr arrays that may
+    /// be larger than memory; nothing is listed.
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["from", "to", "matrix", "bounds"])]
+    store: Option<PathBuf>,
+    /// Go on with the matrix that is in the folder already.
+    #[arg(long, requires = "store")]
+    resume: bool,
+    /// Compute one of N shares of it, as 3/16: shares may run at once, on any machines that share
+    /// the folder.
+    #[arg(long, value_name = "K/N", requires = "store", value_parser = shard)]
+    shard: Option<Shard>,
     #[command(flatten)]
     output: Output,
 }
@@ -36,6 +51,9 @@ pub(super) struct FormFactor {
 impl FormFactor {
     pub(super) fn answer(&self) -> Answer {
         self.output.check()?;
+        if let Some(folder) = &self.store {
+            return self.fill(folder);
+        }
         let files = self.matrices()?;
         let question = FormFactors {
             scene: self.scene.source(),
@@ -64,6 +82,22 @@ impl FormFactor {
             )?)
         })?;
         Ok(finished(unreached.as_ref()))
+    }
+
+    /// Fills a store.
+    fn fill(&self, folder: &Path) -> Answer {
+        let question = StoreFormFactors {
+            scene: self.scene.source(),
+            tolerance: self.scene.tolerance(),
+            congruence: self.scene.congruence(),
+            folder: folder.to_owned(),
+            resume: self.resume,
+            shard: self.shard.unwrap_or_default(),
+        };
+        let answer = question.ask(&Bar::default())?;
+        say(&answer.notes);
+        self.output.write(&store_report(&answer)?)?;
+        Ok(finished(answer.unreached.as_ref()))
     }
 
     /// The files for matrices, which can be written.

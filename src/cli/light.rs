@@ -30,7 +30,7 @@ enum ChainName {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum ChannelName {
+pub(super) enum ChannelName {
     /// Red.
     R,
     /// Green.

@@ -6,8 +6,9 @@
 use infoscene::chain::ChainError;
 use infoscene::claims::ClaimError;
 use infoscene::discretize::DiscretizeError;
-use infoscene::exchange::ExchangeError;
+use infoscene::exchange::{ExchangeError, StoreError};
 use infoscene::geometry::GeometryError;
+use infoscene::hierarchy::HierarchyError;
 use infoscene::question::{PatchValueError, QuestionError};
 use infoscene::scene::SceneError;
 use infoscene::scene::files::{Fault, FileError, FileErrors, NotExpressible, OpenError};
@@ -50,6 +51,9 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
             "reflectance" => "; --reflectance gives one",
             _ => "; --emittance gives one, all=0 to all",
         });
+    }
+    if let Some(StoreError::NotEmpty { .. }) = error.downcast_ref() {
+        return Some("; --resume goes on with it");
     }
     if let Some(ExchangeError::TurnedAway) = error.downcast_ref() {
         return Some("; --reverse does");
@@ -97,6 +101,7 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
         QuestionError::TooManyPairs { .. } => {
             Some(": choose with --from or --to, --matrix writes all")
         }
+        QuestionError::NoLinearEstimate => Some(", by --elements or --links"),
         QuestionError::SeveralCutsEnclosed { .. } => Some("; leave out --parts"),
         _ => None,
     }
@@ -135,6 +140,12 @@ fn cause<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'stati
         _ => {}
     }
     match error.downcast_ref() {
+        Some(HierarchyError::Scene(inner)) => return Some(inner),
+        Some(HierarchyError::Transport(inner)) => return Some(inner),
+        Some(HierarchyError::Exchange(inner)) => return Some(inner),
+        _ => {}
+    }
+    match error.downcast_ref() {
         Some(StudyError::Scene(inner)) => return Some(inner),
         Some(StudyError::Exchange(inner)) => return Some(inner),
         Some(StudyError::Chain(inner)) => return Some(inner),
@@ -147,11 +158,17 @@ fn cause<'e>(error: &'e (dyn Error + 'static)) -> Option<&'e (dyn Error + 'stati
         Some(QuestionError::Open(inner)) => return Some(inner),
         Some(QuestionError::Scene(inner)) => return Some(inner),
         Some(QuestionError::NotExpressible(inner)) => return Some(inner),
-        Some(QuestionError::Exchange(inner)) => return Some(inner),
+        Some(
+            QuestionError::Exchange(inner) | QuestionError::Store(StoreError::Exchange(inner)),
+        ) => {
+            return Some(inner);
+        }
+        Some(QuestionError::Store(inner)) => return Some(inner),
         Some(QuestionError::Chain(inner)) => return Some(inner),
         Some(QuestionError::Transport(inner)) => return Some(inner),
         Some(QuestionError::Discretize(inner)) => return Some(inner),
         Some(QuestionError::Claim(inner)) => return Some(inner),
+        Some(QuestionError::Hierarchy(inner)) => return Some(inner),
         Some(QuestionError::Study(inner)) => return Some(inner),
         Some(QuestionError::PatchValue(PatchValueError::Scene(inner))) => return Some(inner),
         _ => {}

@@ -20,10 +20,14 @@ mod output;
 mod point;
 mod progress;
 mod radiosity;
+mod refine;
+mod report;
+mod report_folder;
 mod reproduce;
 mod sample;
 mod scene;
 mod split;
+mod store;
 mod study;
 
 use clap::{CommandFactory, Parser, Subcommand, value_parser};
@@ -46,6 +50,8 @@ struct Arguments {
 enum Question {
     /// Compute the paper's claims and judge them.
     Reproduce(reproduce::Reproduce),
+    /// Write everything as tables, figures and one page into a folder.
+    Report(report::Report),
     /// Print the curve of a figure as points, or draw it.
     Curve(curve::Curve),
     /// Find the cut of a patch that gains the most mutual information.
@@ -69,8 +75,12 @@ enum Question {
     Sample(sample::Sample),
     /// Solve for the radiosities of a scene, and the importances.
     Radiosity(radiosity::Radiosity),
+    /// Solve for the radiosities of a scene on a mesh that an oracle refines.
+    Refine(refine::Refine),
     /// Tell the state of a scene: fronts, free edges, overlap, what stands in the way.
     Check(check::Check),
+    /// Look after a matrix of form factors in a folder.
+    Store(store::Store),
     /// Write a scene in another format.
     Convert(convert::Convert),
     /// Throw random refinements at Theorem 1.
@@ -125,6 +135,7 @@ fn with_threads(threads: Option<u16>) -> Result<(), Box<dyn Error>> {
 fn answer(question: Question) -> Answer {
     match question {
         Question::Reproduce(question) => question.answer(),
+        Question::Report(question) => question.answer(),
         Question::Curve(question) => question.answer(),
         Question::Split(question) => question.answer(),
         Question::Discontinuities(question) => question.answer(),
@@ -135,7 +146,9 @@ fn answer(question: Question) -> Answer {
         Question::Measure(question) => question.answer(),
         Question::Sample(question) => question.answer(),
         Question::Radiosity(question) => question.answer(),
+        Question::Refine(question) => question.answer(),
         Question::Check(question) => question.answer(),
+        Question::Store(question) => question.answer(),
         Question::Convert(question) => question.answer(),
         #[cfg(feature = "proptest")]
         Question::Fuzz(question) => question.answer(),

@@ -1,7 +1,8 @@
-//! The progress bar of a question.
+//! The progress bar of a question, and lines of progress.
 
 use indicatif::{ProgressBar, ProgressStyle};
 use infoscene::exchange::Progress;
+use std::io::{IsTerminal, stderr};
 use std::sync::{Mutex, PoisonError};
 
 /// A progress bar, drawn on a terminal only, that goes when all units of work are finished.
@@ -35,6 +36,12 @@ impl Progress for Bar {
         if bar.position() >= *units {
             bar.finish_and_clear();
             *slot = None;
+        }
+    }
+
+    fn tell(&self, state: &str) {
+        if stderr().is_terminal() {
+            eprintln!("infoscene: {state}");
         }
     }
 }

@@ -9,8 +9,9 @@ use infoscene::scene::files::NonPlanarFaces;
 #[derive(Debug, clap::Args)]
 pub(super) struct SceneArgument {
     /// A scene file (Wavefront .obj, View3D .vs3 or .stl), or a built-in scene: two-squares,
-    /// three-squares, cube:N, box:X,Y,Z, tetrahedron, octahedron, dodecahedron, icosahedron or
-    /// cornell-box.
+    /// three-squares, cube:N, box:X,Y,Z, tetrahedron, octahedron, dodecahedron, icosahedron,
+    /// cornell-box, cornell-box-blocks, lit-cube, lit-cube-edge, lit-hall, lit-wings, shaded-cube,
+    /// shaded-cube-low, shaded-cube-sharp or lit-table.
     scene: String,
     /// Split faces that are not planar into triangles; when a scene is converted, also those of
     /// more corners than the format holds.

@@ -15,7 +15,7 @@ pub(super) struct Study {
     /// Fewer cases and repetitions for the timings.
     #[arg(long)]
     quick: bool,
-    /// Draw the study of refinements or of accuracy, too, into an SVG file.
+    /// Draw the study of refinements, of accuracy or of oracles, too, into an SVG file.
     #[arg(long, value_name = "PATH")]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -45,6 +45,10 @@ enum Subject {
     /// Fig. 5 read as estimates from random lines.
     #[value(name = "figure-5")]
     Figure5,
+    /// Error of hierarchical radiosity against elements, links and run time, for every oracle.
+    Oracles,
+    /// How measures of information rank random meshes, against their error.
+    Information,
 }
 
 impl From<Subject> for StudySubject {
@@ -60,15 +64,21 @@ impl From<Subject> for StudySubject {
             Subject::Refinement => Self::Refinement,
             Subject::Sampling => Self::Sampling,
             Subject::Figure5 => Self::Figure5,
+            Subject::Oracles => Self::Oracles,
+            Subject::Information => Self::Information,
         }
     }
 }
 
 impl Study {
     pub(super) fn answer(&self) -> Answer {
-        let has_figure = matches!(self.subject, Subject::Refinement | Subject::Accuracy);
+        let has_figure = matches!(
+            self.subject,
+            Subject::Refinement | Subject::Accuracy | Subject::Oracles
+        );
         if self.figure.is_some() && !has_figure {
-            return Err("only the studies of refinements and of accuracy have a figure".into());
+            let which = "only the studies of refinements, of accuracy and of oracles have a figure";
+            return Err(which.into());
         }
         self.output.check()?;
         if let Some(path) = &self.figure {

@@ -40,8 +40,9 @@
 //! Where coordinates are rounded, [`ScenePairs::resolution_error`] bounds what that can change of
 //! an exchange area; it stands beside the error of the computation and is never mixed with it.
 //!
-//! [`Closure`] asks whether the rows of form factors sum to one; [`PassSummary`] counts pairs by
-//! route and reports the pair that is farthest from its tolerance.
+//! [`Closure`] asks whether the rows of form factors sum to one, [`MatrixLaws`] which laws a matrix
+//! from anywhere breaks; [`PassSummary`] counts pairs by route and reports the pair that is farthest
+//! from its tolerance.
 //!
 //! # The pairs that are not computed
 //!
@@ -71,11 +72,14 @@
 //!
 //! [`ScenePoints`] sees the rows from single points, past all that stands in the way.
 //!
+//! [`MatrixStore`] keeps a matrix that is larger than memory in a folder, tile by tile.
+//!
 //! **Not covered**: reflection on the way, which is transport's.
 
 mod closure;
 mod configurations;
 mod error;
+mod matrix_laws;
 mod passes;
 mod plan;
 mod points;
@@ -88,10 +92,12 @@ mod rows;
 mod scene_pairs;
 mod selection;
 mod sights;
+mod store;
 mod tolerance;
 
 pub use closure::{Closure, RowSum};
 pub use error::ExchangeError;
+pub use matrix_laws::{BrokenLaw, MatrixLaws, MatrixLawsError};
 pub use passes::matrix::ExchangeAreas;
 pub use passes::row_sums::TileSums;
 pub use passes::rows::Entry;
@@ -103,7 +109,7 @@ pub use plan::counts::{
 pub use points::{PointRow, ScenePoints};
 pub use progress::{Progress, Unheard};
 pub use resolution_errors::ResolutionErrors;
-pub(crate) use row_pair::per_area;
 pub use scene_pairs::ScenePairs;
 pub use selection::Selection;
+pub use store::{MatrixStore, Shard, StoreError, StoreFilled, StoreState, check_store};
 pub use tolerance::Tolerance;

@@ -29,6 +29,9 @@ pub trait Progress: Sync {
 
     /// Reports that so many more units of work are finished; any thread may call it.
     fn advance(&self, finished: usize);
+
+    /// Reports the state of a computation whose length is not known before, in one line.
+    fn tell(&self, _state: &str) {}
 }
 
 impl<F: Fn(usize) + Sync> Progress for F {

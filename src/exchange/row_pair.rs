@@ -44,6 +44,16 @@ pub(crate) fn per_area(exchange: f64, area: f64) -> f64 {
     if area > 0.0 { exchange / area } else { 0.0 }
 }
 
+impl Answer {
+    /// The form factor from a row of this area, with the bound on its rounding and the quotient's,
+    /// and the bound on its error.
+    pub(crate) fn quotient(&self, [area, bound]: [f64; 2]) -> [f64; 2] {
+        let value = per_area(self.exchange.value, area);
+        let error = per_area(self.exchange.error, area) + per_area(bound, area) * value;
+        [value, error]
+    }
+}
+
 /// A sum over pairs of polygons.
 struct Sum {
     value: f64,

@@ -22,7 +22,7 @@ impl ExchangeArea {
     pub const GRADE: Grade = Grade::Bound;
 
     /// The exchange area of two polygons that do not face each other.
-    pub(super) const NOTHING: Self = Self {
+    pub(crate) const NOTHING: Self = Self {
         value: 0.0,
         error: 0.0,
     };

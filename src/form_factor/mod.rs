@@ -17,6 +17,7 @@
 //! | point to polygon | Lambert's formula, with a Gauss rule over one polygon | `gauss/lambert` |
 //! | kernel | Gauss rules over both polygons | `gauss/kernel` |
 //! | points past others | arcs about what is visible | `occlusion/point` |
+//! | points, with the gradient | Lambert's formula and its derivative | `point` |
 //!
 //! `clipped_pair` removes the part of each polygon behind the other's plane and measures the rest;
 //! `chooser` chooses the route. `occlusion` takes away what other polygons hide. [`LogMeans`] are
@@ -83,6 +84,7 @@ mod exchange_area;
 mod gauss;
 mod logarithms;
 mod occlusion;
+mod point;
 mod polygon;
 // hidden: tests and benchmarks reach its closed forms, a user takes `RectanglePair`
 #[doc(hidden)]
@@ -98,6 +100,8 @@ pub use gauss::lambert::{point_form_factor, point_kernel};
 pub use logarithms::LogMeans;
 pub use occlusion::{Occluders, point_form_factor_past};
 pub(crate) use occlusion::{Sight, Viewpoint};
+pub(crate) use point::{Plate, PointView, Seen};
+pub use point::{PointFactor, point_form_factor_with_gradient};
 pub use polygon::Polygon;
 pub use rectangles::corner_sum::Exchange;
 pub(crate) use rectangles::derivatives::EdgeSlopes;

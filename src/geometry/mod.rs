@@ -21,7 +21,7 @@ pub use patch::Patch;
 pub use polygon::centroid::centroid;
 pub(crate) use polygon::clip::{ClippedCorner, clip, clipped};
 pub(crate) use polygon::containment::{
-    NotContained, check_contained, distance_from_plane, is_inside,
+    NotContained, check_contained, distance_from_patch, distance_from_plane, is_inside,
 };
 pub(crate) use polygon::convex_pieces::convex_pieces;
 pub(crate) use polygon::convexity::is_convex;

@@ -14,6 +14,7 @@
 //! | roots and maxima with proof | [`certified_roots`], [`certified_maximum`] |
 //! | stationary points with proof | [`certified_stationary_point`] |
 //! | integrals | [`GaussLegendre`], [`integral`] |
+//! | rank correlation | [`rank_correlation`] |
 //! | accuracy promises | [`tolerance`] |
 //!
 //! # Numbers you can trust
@@ -57,6 +58,7 @@ pub mod functions;
 mod integrate;
 pub mod interval;
 mod parallel;
+mod rank_correlation;
 mod scalar;
 mod scaled;
 mod solve;
@@ -89,6 +91,7 @@ pub use integrate::tanh_sinh::integral;
 pub use interval::Interval;
 pub use interval::precise::Precise;
 pub(crate) use parallel::{parallel_map, try_parallel_map};
+pub use rank_correlation::rank_correlation;
 pub use scalar::Scalar;
 pub(crate) use scaled::{Scaled, common_scale};
 pub use solve::certified::maximum::{
@@ -98,6 +101,8 @@ pub use solve::certified::roots::{
     CertifiedRoot, CertifiedRoots, IntervalFunction, certified_roots,
 };
 pub use solve::certified::stationary_point::{VectorFunction, certified_stationary_point};
+pub(crate) use solve::conjugate_gradients::conjugate_gradients;
+pub(crate) use solve::gmres::gmres;
 pub use solve::maximum::{Maximum, maximum, maximum_of_many};
 pub(crate) use solve::maximum::{is_higher, maximum_by_derivatives};
 pub use solve::root::{Root, root};

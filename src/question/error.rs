@@ -6,7 +6,8 @@ use super::point_file::PointFileError;
 use crate::chain::ChainError;
 use crate::claims::ClaimError;
 use crate::discretize::DiscretizeError;
-use crate::exchange::ExchangeError;
+use crate::exchange::{ExchangeError, StoreError};
+use crate::hierarchy::HierarchyError;
 use crate::scene::files::{NotExpressible, OpenError};
 use crate::scene::{Channel, SceneError};
 use crate::transport::TransportError;
@@ -23,7 +24,7 @@ pub enum QuestionError {
     NoLightMeant,
     /// A chain of coloured light was asked for, and no channel was named.
     #[error(
-        "patch {row} ({name}) is coloured, and each channel of its light has a chain of its own: \
+        "patch {row} ({name}) is coloured, and each channel of its light is computed by itself: \
          name one"
     )]
     ChannelNotNamed {
@@ -78,12 +79,27 @@ pub enum QuestionError {
     /// The exchange of the scene's rows was refused.
     #[error(transparent)]
     Exchange(#[from] ExchangeError),
+    /// A folder cannot take or show a matrix.
+    #[error(transparent)]
+    Store(#[from] StoreError),
     /// A chain was refused.
     #[error(transparent)]
     Chain(#[from] ChainError),
     /// A radiosity system was refused.
     #[error(transparent)]
     Transport(#[from] TransportError),
+    /// A refinement was refused.
+    #[error(transparent)]
+    Hierarchy(#[from] HierarchyError),
+    /// An error that no refinement reaches was asked for.
+    #[error("no refinement reaches an error of {error}: it must be > 0")]
+    GoalOutOfRange {
+        /// The error.
+        error: f64,
+    },
+    /// The error of a linear solution was to be reached.
+    #[error("the error of a linear solution is not estimated: ask for elements or links")]
+    NoLinearEstimate,
     /// A cut or a grid was refused.
     #[error(transparent)]
     Discretize(#[from] DiscretizeError),

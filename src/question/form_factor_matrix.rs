@@ -8,7 +8,7 @@
 //! areas of one row give a row of the matrix and a column, whichever a file wants.
 
 use super::unreached::Unreached;
-use crate::exchange::{ExchangeAreas, ExchangeError, PassSummary, ScenePairs, per_area};
+use crate::exchange::{ExchangeAreas, ExchangeError, PassSummary, ScenePairs};
 use crate::form_factor::Answer;
 use crate::scene::{Scene, SceneError};
 
@@ -41,15 +41,6 @@ pub struct MatrixLine<'a> {
     areas: &'a [[f64; 2]],
 }
 
-/// A form factor from a row of this area, and the bound on its error.
-pub(super) fn quotient(answer: &Answer, [area, bound]: [f64; 2]) -> [f64; 2] {
-    let value = per_area(answer.exchange.value, area);
-    [
-        value,
-        per_area(answer.exchange.error, area) + per_area(bound, area) * value,
-    ]
-}
-
 /// The area of each row, with the bound on its rounding and that of a quotient by it.
 pub(super) fn areas(pairs: &ScenePairs<'_>) -> Vec<[f64; 2]> {
     let areas = pairs.areas().iter().zip(pairs.area_bounds());
@@ -58,7 +49,7 @@ pub(super) fn areas(pairs: &ScenePairs<'_>) -> Vec<[f64; 2]> {
 
 impl MatrixEntries {
     fn of(self, answer: &Answer, area: [f64; 2]) -> f64 {
-        let [value, bound] = quotient(answer, area);
+        let [value, bound] = answer.quotient(area);
         match self {
             Self::FormFactors => value,
             Self::Bounds => bound,

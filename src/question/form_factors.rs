@@ -3,7 +3,7 @@
 //! **Memory** All pairs are held up to [`FormFactors::MOST_HELD`] rows; beyond that one row at a
 //! time.
 
-use super::form_factor_matrix::{FormFactorMatrix, areas, quotient};
+use super::form_factor_matrix::{FormFactorMatrix, areas};
 use super::scene::{SceneSource, ignored_note};
 use super::unreached::Unreached;
 use super::{PatchName, QuestionError};
@@ -94,7 +94,7 @@ impl FormFactorRecord {
         answer: &Answer,
         [of_exchange, of_area]: [f64; 2],
     ) -> Self {
-        let [value, error] = quotient(answer, area);
+        let [value, error] = answer.quotient(area);
         let change = (of_exchange + value * of_area) / (area[0] - of_area).max(0.0);
         let most = value.max(1.0 - value);
         Self {

@@ -56,7 +56,7 @@ impl Light {
     ) -> Result<RadiositySolution, QuestionError> {
         let reflectances = self.materials.reflectances(scene)?;
         if self.chain == SceneChain::Importance {
-            let channel = self.channel_of(scene, [&reflectances, &[]])?;
+            let channel = channel_meant(self.channel, scene, [&reflectances, &[]])?;
             let direct = values(&self.importance, scene)?;
             let found = room(exchange, &reflectances, channel)
                 .and_then(|room| room.importance(&direct))
@@ -64,7 +64,7 @@ impl Light {
             return Ok(found.reflected);
         }
         let emittances = self.materials.emittances(scene)?;
-        let channel = self.channel_of(scene, [&reflectances, &emittances])?;
+        let channel = channel_meant(self.channel, scene, [&reflectances, &emittances])?;
         room(exchange, &reflectances, channel)
             .and_then(|room| room.radiosity(&in_channel(&emittances, channel)))
             .map_err(|source| self.refused(source))
@@ -77,21 +77,21 @@ impl Light {
             None => source.into(),
         }
     }
+}
 
-    /// The channel that is meant; any one if all are the same.
-    fn channel_of(
-        &self,
-        scene: &Scene,
-        colours: [&[Channels<f64>]; 2],
-    ) -> Result<Channel, QuestionError> {
-        let coloured = colours.into_iter().find_map(first_coloured);
-        match (self.channel, coloured) {
-            (None, Some(row)) => Err(QuestionError::ChannelNotNamed {
-                row,
-                name: scene.group_names()[row].to_owned(),
-            }),
-            (named, _) => Ok(named.unwrap_or(Channel::Red)),
-        }
+/// The channel that is meant; any one if all are the same.
+pub(super) fn channel_meant(
+    named: Option<Channel>,
+    scene: &Scene,
+    colours: [&[Channels<f64>]; 2],
+) -> Result<Channel, QuestionError> {
+    let coloured = colours.into_iter().find_map(first_coloured);
+    match (named, coloured) {
+        (None, Some(row)) => Err(QuestionError::ChannelNotNamed {
+            row,
+            name: scene.group_names()[row].to_owned(),
+        }),
+        (named, _) => Ok(named.unwrap_or(Channel::Red)),
     }
 }
 

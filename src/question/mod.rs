@@ -28,15 +28,23 @@ mod patch_values;
 mod point_file;
 mod points;
 mod radiosity;
+mod refine;
+mod refined;
+#[cfg(feature = "report")]
+mod report;
+#[cfg(feature = "report")]
+mod reported;
 mod reproduce;
 mod sample;
 mod sampled_information;
 mod scene;
 mod split;
+mod store;
 #[cfg(feature = "report")]
 mod study;
 #[cfg(feature = "report")]
 mod study_rows;
+mod unfolded;
 mod unreached;
 
 pub use check::{BlockedRecord, Check, CheckAnswer, FreeEdgeRecord, PatchMark};
@@ -64,13 +72,21 @@ pub use patch_values::{PatchValue, PatchValueError};
 pub use point_file::{PointFileError, SurfacePoint};
 pub use points::{PointRecord, PointSource, Points, PointsAnswer, SeenPatch, SeenRecord};
 pub use radiosity::{PatchLight, Radiosity, RadiosityAnswer};
+pub use refine::{NetWish, Refine};
+pub use refined::{LitElement, RefineAnswer, RefineStep, RefinedPatch};
+#[cfg(feature = "report")]
+pub use report::Report;
+#[cfg(feature = "report")]
+pub use reported::{Machine, PartTime, ReportAnswer, ReportedClaim, ReportedScene, ReportedStudy};
 pub use reproduce::{JudgedClaim, Reproduce, ReproduceAnswer};
 pub use sample::{Sample, SampleAnswer};
 pub use sampled_information::SampledInformation;
 pub use scene::{SceneOrigin, SceneSource, TURNED_AWAY};
 pub use split::{Split, SplitAnswer, SplitEnclosures};
+pub use store::{CheckStore, StoreAnswer, StoreFormFactors};
 #[cfg(feature = "report")]
 pub use study::{Study, StudyAnswer, StudySubject};
 #[cfg(feature = "report")]
 pub use study_rows::{DirectionRecord, LimitRecord, ProfileRecord};
+pub use unfolded::{MeshNet, NetCell, NetWall};
 pub use unreached::Unreached;

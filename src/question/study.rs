@@ -12,6 +12,8 @@ use crate::study::form_factors::accuracy::{AccuracyRow, accuracy};
 use crate::study::form_factors::extreme_pairs::{StabilityRow, route_stability};
 use crate::study::form_factors::occluded::stability::occluded_stability;
 use crate::study::gain::stability::gain_stability;
+use crate::study::hierarchy::information::{InformationRow, information};
+use crate::study::hierarchy::oracles::{OracleRow, oracles};
 use crate::study::light::stability::transport_stability;
 use crate::study::light::walks::walk_variance;
 use crate::study::lines::figure_5::{Figure5Row, figure_5};
@@ -63,6 +65,11 @@ pub enum StudySubject {
     Sampling,
     /// Fig. 5 read as estimates from random lines.
     Figure5,
+    /// Error of hierarchical radiosity against elements, links, form factors and run time, for
+    /// every oracle.
+    Oracles,
+    /// The rank correlation of measures of information with the error over random meshes.
+    Information,
 }
 
 /// The rows of a study, under its name.
@@ -91,6 +98,10 @@ pub enum StudyAnswer {
     /// A row for each grid of the figure.
     #[serde(rename = "figure-5")]
     Figure5(Vec<Figure5Row>),
+    /// A row for each room, oracle and mesh.
+    Oracles(Vec<OracleRow>),
+    /// A row for each room and measure.
+    Information(Vec<InformationRow>),
 }
 
 impl Study {
@@ -123,6 +134,8 @@ impl Study {
             StudySubject::Refinement => StudyAnswer::Refinement(refinements(self.quick)?),
             StudySubject::Sampling => StudyAnswer::Sampling(sampling(self.quick)?),
             StudySubject::Figure5 => StudyAnswer::Figure5(figure_5(self.quick)?),
+            StudySubject::Oracles => StudyAnswer::Oracles(oracles(self.quick)?),
+            StudySubject::Information => StudyAnswer::Information(information(self.quick)?),
         })
     }
 

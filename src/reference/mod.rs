@@ -6,8 +6,9 @@
 //! to twenty digits and more. [`fixed_float`] has its numbers. [`exact_gain`] encloses the gain of
 //! a refinement from the definition. [`exchange_area_past`] integrates what points see past
 //! polygons that stand in the way, and [`past_halfway_plates`] has the exact value where these
-//! are half-way between two squares.
+//! are half-way between two squares. [`BoxRadiosity`] is the radiosity of a box at any point.
 
+mod box_room;
 pub mod exchange;
 pub mod fixed_float;
 mod gain;
@@ -15,6 +16,7 @@ mod halfway;
 mod occluded;
 mod truth;
 
+pub use box_room::{BoxRadiosity, BoxRoomError, ElementMoments, relative_error};
 pub use gain::exact_gain;
 pub use halfway::past_halfway_plates;
 pub use occluded::exchange_area_past;

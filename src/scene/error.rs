@@ -13,9 +13,10 @@ pub enum SceneError {
     Empty,
     /// The name is not one of the built-in scenes.
     #[error(
-        "there is no built-in scene \"{name}\": use cornell-box, two-squares, three-squares, \
-         cube:N (N from 1 to {largest}), box:X,Y,Z, tetrahedron, octahedron, dodecahedron or \
-         icosahedron, or the path of a file that ends in .obj, .vs3 or .stl"
+        "there is no built-in scene \"{name}\": use cornell-box, cornell-box-blocks, two-squares, three-squares, \
+         cube:N (N from 1 to {largest}), box:X,Y,Z, tetrahedron, octahedron, dodecahedron, \
+         icosahedron, lit-cube, lit-cube-edge, lit-hall, lit-wings, shaded-cube, \
+         shaded-cube-low, shaded-cube-sharp or lit-table, or the path of a file that ends in .obj, .vs3 or .stl"
     )]
     UnknownName {
         /// The name as given.

@@ -98,6 +98,15 @@ impl Material {
         })
     }
 
+    /// The material of numbers that are known to be in range: those of built-in scenes.
+    pub(super) const fn known(reflectance: f64, emittance: f64) -> Self {
+        debug_assert!(reflectance >= 0.0 && reflectance <= 1.0 && emittance >= 0.0);
+        Self {
+            reflectance,
+            emittance,
+        }
+    }
+
     /// The fraction of the arriving power that leaves again, in `[0, 1]`.
     #[must_use]
     pub const fn reflectance(&self) -> f64 {

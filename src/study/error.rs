@@ -6,6 +6,7 @@ use crate::discretize::DiscretizeError;
 use crate::exchange::ExchangeError;
 use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
+use crate::hierarchy::HierarchyError;
 use crate::scene::SceneError;
 use crate::transport::TransportError;
 
@@ -34,6 +35,9 @@ pub enum StudyError {
     /// A room's light.
     #[error(transparent)]
     Transport(#[from] TransportError),
+    /// A room's refinement.
+    #[error(transparent)]
+    Hierarchy(#[from] HierarchyError),
     /// A pair's exact value.
     #[error("{case}: {source}")]
     FormFactor {

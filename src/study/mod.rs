@@ -5,6 +5,8 @@
 //! * [`gain`]: the digits that naive forms of the gain lose; `gain::fuzz` (feature `proptest`)
 //!   throws random refinements at Theorem 1 and at the gain's promised accuracy.
 //! * [`light`]: the digits that solvers keep of stiff radiosities; the variance of random walks.
+//! * [`hierarchy`]: the oracles of refinement, on equal terms; information against error over random
+//!   meshes.
 //! * [`cuts`]: the cuts of §4.2 followed to their limits, for other radiosities, and turned.
 //! * [`lines`]: estimates from random lines, and fig. 5 read as one of them.
 //! * [`enclosures`]: the cost of certainty. [`mod@refinement`]: discrete mutual information on its
@@ -19,6 +21,7 @@ pub mod enclosures;
 mod error;
 pub mod form_factors;
 pub mod gain;
+pub mod hierarchy;
 pub mod light;
 pub mod lines;
 pub mod refinement;

@@ -1,10 +1,9 @@
 //! Bounds on what the errors of exchange areas bring to a solution: `M x − g(x) ≥ θ g(B)` gives
 //! `|B* − B| ≤ x/θ`, as the head of [`system`](super::system) derives.
 
-use super::conjugate_gradients::conjugate_gradients;
 use super::solve::{MOST_ITERATIONS, REDUCTION, leading};
 use super::{ExchangeOperator, RadiositySystem};
-use crate::numeric::real;
+use crate::numeric::{conjugate_gradients, real};
 
 /// A bound on the relative rounding of radiosities as `f64`, and of their products.
 const ROUNDED: f64 = 4.0 * f64::EPSILON;

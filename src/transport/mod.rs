@@ -46,7 +46,6 @@
 //!
 //! **Not covered**: occlusion beyond the form factors given; reflection that is not diffuse.
 
-mod conjugate_gradients;
 mod dense;
 mod error;
 mod form_factor_errors;

@@ -1,8 +1,7 @@
 //! Solution of the equations of [`RadiositySystem`], with a bound on its error.
 
-use super::conjugate_gradients::conjugate_gradients;
 use super::{ExchangeOperator, Importance, RadiositySolution, RadiositySystem, TransportError};
-use crate::numeric::{DoubleDouble, SQUARED_EPSILON, Scalar, Scaled, real};
+use crate::numeric::{DoubleDouble, SQUARED_EPSILON, Scalar, Scaled, conjugate_gradients, real};
 
 /// A smaller relative error than this is lost in the rounding of the answer.
 const GOAL: f64 = f64::EPSILON / 64.0;

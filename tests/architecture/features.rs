@@ -50,6 +50,41 @@ fn features_only_add() {
     assert!(seen >= 15, "only {seen} conditions are seen");
 }
 
+/// The features and dependencies that a feature of `Cargo.toml` turns on.
+fn turned_on<'m>(manifest: &'m str, feature: &str) -> Vec<&'m str> {
+    let features = manifest.split("\n[features]").nth(1).unwrap();
+    let features = features.split("\n[").next().unwrap();
+    // a list may run over several lines
+    let (_, list) = features
+        .split_once(&format!("\n{feature} = ["))
+        .unwrap_or_default();
+    let names = list.split(']').next().unwrap_or("");
+    names.split('"').skip(1).step_by(2).collect()
+}
+
+#[test]
+fn only_who_asks_for_python_compiles_for_it() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let manifest = fs::read_to_string(root.join("Cargo.toml")).unwrap();
+    let python = turned_on(&manifest, "python");
+    assert_eq!(python, ["dep:numpy", "dep:pyo3", "dep:pythonize"]);
+    for feature in ["default", "cli", "report", "proptest"] {
+        let on = turned_on(&manifest, feature);
+        assert!(!on.is_empty(), "{feature} is not seen");
+        let asks = on
+            .iter()
+            .any(|name| *name == "python" || python.contains(name));
+        assert!(!asks, "{feature} turns on {on:?}");
+    }
+    for name in python {
+        let name = name.trim_start_matches("dep:");
+        let line = manifest
+            .lines()
+            .find(|line| line.starts_with(&format!("{name} = ")));
+        assert!(line.unwrap().contains("optional = true"), "{name}");
+    }
+}
+
 #[test]
 fn code_that_depends_on_a_feature_is_seen() {
     let sound = "#[cfg(feature = \"a\")]\n#[error(transparent)]\nStudy(u8),\n\

@@ -219,7 +219,7 @@ fn every_format_is_written() {
     );
     let short = stdout(&["reproduce", "fig2-parallel-cut", "--format", "latex"]);
     assert!(
-        short.contains("\\begin{tabular}{lp{0.4\\linewidth}llll}"),
+        short.contains("\\begin{tabular}{lp{0.4\\linewidth}r@{.}lrll}"),
         "{short}"
     );
     assert!(stdout(&["reproduce", "fig2-parallel-cut"]).contains("0.399201026045"));

@@ -18,12 +18,15 @@ mod light;
 mod materials;
 mod matrices;
 mod points;
+mod refining;
 mod refusals;
+mod reports;
 mod resolution;
 mod sampling;
 mod scene_files;
 mod scene_options;
 mod scenes;
+mod stores;
 mod studies;
 mod summed_rows;
 

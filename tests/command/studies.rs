@@ -270,3 +270,22 @@ fn refinement_study_is_a_table_and_a_figure() {
         .assert()
         .code(2);
 }
+
+/// Meshes whose radiosity is farther from even have less error, nearly by Pythagoras; rows are
+/// complete.
+#[test]
+fn information_study_ranks_random_meshes() {
+    let answer = json(&["study", "information", "--quick"]);
+    assert_eq!(answer["study"], "information");
+    let rows = rows(&answer);
+    assert_eq!(rows.len(), 2 * 4);
+    for row in rows {
+        let ranks = number(row, "rank_correlation");
+        assert!((-1.0..=1.0).contains(&ranks), "{row}");
+        if row["method"] == "order-2 divergence" {
+            assert!(ranks < -0.95, "{row}");
+        }
+        assert!(number(row, "least_error") < number(row, "largest_error"));
+        assert!(number(row, "meshes") >= 30.0 && number(row, "seconds") > 0.0);
+    }
+}

@@ -21,6 +21,7 @@ mod discretize;
 mod exchange;
 mod form_factor;
 mod geometry;
+mod hierarchy;
 mod information;
 mod numeric;
 mod question;

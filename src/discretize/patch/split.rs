@@ -342,6 +342,10 @@ impl PatchSplit {
     }
 
     /// The relative position of the cut through a point of the patch's plane.
+    ///
+    /// **Arguments** `point`: any point; what it is off the plane does not matter.
+    /// **Returns** a number in `(0, 1)` for a point inside the patch, 0 and 1 on its borders, and
+    /// beyond these outside; dimensionless.
     #[must_use]
     pub fn position_of(&self, point: DVec3) -> f64 {
         self.lines.position(point)

@@ -45,7 +45,6 @@ struct Measured {
     side: BoundarySide,
     /// `|v·ΔX|`; for a line through y `|v·X|` of both ends.
     along: [f64; 2],
-    length: f64,
     /// The least distance from y; of a line through y those of both ends.
     nearest: [f64; 2],
     farthest: f64,
@@ -78,7 +77,6 @@ impl Outline {
             Measured {
                 side: *side,
                 along,
-                length: run.length(),
                 nearest,
                 farthest: (squares[0].max(squares[1]) + height * height).sqrt(),
                 log: [0.0; 2],
@@ -192,28 +190,43 @@ impl Outline {
         self.speed * width * (1.0 + most)
     }
 
-    /// What rounded corners change of W.
-    pub(super) fn noise(&self, corners: &[Corner]) -> f64 {
+    /// How far rounding moves the corners of each side, at most, on a panel of this half: along, and
+    /// across the side, in sums of both ends. Where a side may touch y, and on lines through y, it is
+    /// in the second answer: what it changes of W.
+    ///
+    /// A side whose corners move by δ, and by η across it, sweeps over
+    /// `½ (L + δ0 + δ1)(η0 + η1)` at most; its ends alone change W by δ (1 + |ln r|). The height is
+    /// off, too: by 2u of itself, as much for all corners.
+    pub(super) fn shifts(&self, corners: &[Corner], half: f64) -> (Vec<[f64; 2]>, f64) {
+        let tilt = half * self.rise;
+        let highest = self.height + tilt;
         let noise = |corner: usize| {
-            let corner = &corners[corner];
-            let unit = if corner.is_per_height {
-                self.height
+            let (corner, drift) = (&corners[corner], &self.drifts[corner]);
+            let (unit, place, tilted) = if corner.is_per_height {
+                (highest, drift.place, drift.place * tilt)
             } else {
-                1.0
+                (1.0, 0.0, 0.0)
             };
-            corner.noise * unit
+            let lifted = f64::EPSILON * highest * (1.0 + place);
+            let [moved, across] = [corner.noise, corner.beside].map(|noise| noise * unit + lifted);
+            [moved, across, drift.displacement(half) * unit + tilted]
         };
-        let sides = self.sides.iter().map(|measured| {
+        let mut rest = 0.0;
+        let shifts = self.sides.iter().map(|measured| {
             let [from, to] = measured.side.corners.map(noise);
-            let [log, last] = measured.log.map(|log| 1.0 + log.min(MOST_LOG));
+            let [log, last] = measured.log.map(|log| 2.0 + log.min(MOST_LOG));
             if measured.side.is_through {
-                from * log + to * last
-            } else {
-                // a corner that moves by δ sweeps over δ L/2 at most
-                (from + to) * log.min(0.5 * measured.length / measured.nearest[0])
+                rest += self.speed * (from[0] * log + to[0] * last);
+                return [0.0; 2];
             }
+            let moved = from[0] + to[0];
+            if measured.nearest[0] > 2.0 * moved + from[2].max(to[2]) + tilt {
+                return [moved, from[1] + to[1]];
+            }
+            rest += self.speed * moved * log;
+            [0.0; 2]
         });
-        self.speed * sides.sum::<f64>()
+        (shifts.collect(), rest)
     }
 }
 

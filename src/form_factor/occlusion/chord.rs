@@ -8,7 +8,7 @@
 //! A plane of sight cuts two sides of a convex cone or none; which, the heights of its corners over
 //! the plane tell.
 
-use super::sight::{HalfPlane, Region};
+use super::region::{HalfPlane, Region};
 use super::validity::{NONE, Place, Validity};
 use smallvec::SmallVec;
 

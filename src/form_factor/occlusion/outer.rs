@@ -10,26 +10,12 @@
 //! the pages of a book, and x looks past them. A face of Q among them is what is to be seen, the
 //! others are in the way; where there is none of Q, Q is behind, on both sides.
 
+use super::pages::{Page, Part, Wanted, sectors, spread, states};
+use super::region::Region;
 use super::setting::{Face, Setting};
-use super::sight::{Region, Sight};
+use super::sight::Sight;
+use super::trace::Stretch;
 use glam::DVec3;
-use std::f64::consts::{PI, TAU};
-
-/// The set whose exchange is computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Wanted {
-    /// The part that is hidden, of all that would be seen.
-    Hidden,
-    /// The part that is seen.
-    Seen,
-}
-
-/// The part of a region that counts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Part {
-    InShadow,
-    Lit,
-}
 
 /// A set of points of P whose boundary is integrated over.
 #[derive(Debug, Clone)]
@@ -45,13 +31,8 @@ pub(super) struct Outer<'a> {
     pub sight: Sight<'a>,
     pub shadows: Vec<Region>,
     pub pieces: Vec<Piece>,
-}
-
-/// A page of the book: a face through the stretch.
-#[derive(Debug, Clone, Copy)]
-struct Page {
-    angle: f64,
-    is_second: bool,
+    /// How far the stretch is from its exact place at most.
+    pub displaced: f64,
 }
 
 /// The range of a line in which a face touches it.
@@ -67,6 +48,7 @@ struct Contact {
 struct Book<'a> {
     setting: &'a Setting,
     ends: [&'a Face; 2],
+    line: usize,
     origin: DVec3,
     direction: DVec3,
     contacts: Vec<Contact>,
@@ -98,6 +80,7 @@ impl<'a> Book<'a> {
         let mut book = Self {
             setting,
             ends,
+            line,
             origin: start,
             direction: (end - start).normalize(),
             contacts: Vec::new(),
@@ -199,6 +182,9 @@ impl<'a> Book<'a> {
         }
         breaks.sort_by(f64::total_cmp);
         breaks.dedup_by(|next, last| *next - *last <= touching);
+        if let Some(last) = breaks.last_mut() {
+            *last = high;
+        }
         let pairs = breaks.windows(2).map(|pair| [pair[0], pair[1]]);
         pairs
             .filter(|[from, to]| {
@@ -210,16 +196,15 @@ impl<'a> Book<'a> {
 
     fn outer(&self, from: f64, to: f64, wanted: Wanted) -> Option<Outer<'a>> {
         let setting = self.setting;
-        let point = |at: f64| {
-            let mut point = self.origin + at * self.direction;
-            if point.z.abs() <= setting.touching {
-                point.z = 0.0;
-            }
-            point
-        };
-        let (start, end) = (point(from), point(to));
-        let along = end - start;
-        if along.truncate().length() <= setting.displaced {
+        let line = setting.lines[self.line].ends;
+        let line = line.map(|corner| setting.corners[corner]);
+        let length = line[0].distance(line[1]);
+        let stretch = Stretch::of(line, [from / length, to / length]);
+        let (stretch, lowered) = stretch.levelled(setting.touching);
+        let displaced = setting.lines[self.line].displaced + lowered;
+        let (start, along) = (stretch.start, stretch.along);
+        // an edge that stands on P's plane, up to the rounding of its ends
+        if along.truncate().length() <= setting.displaced.max(2.0 * f64::EPSILON) {
             return None;
         }
         let middle = 0.5 * (from + to);
@@ -228,11 +213,11 @@ impl<'a> Book<'a> {
             contacts.filter(|contact| contact.range[0] < middle && middle < contact.range[1])
         };
         let is_on_second = contacts().any(|contact| contact.is_second);
-        let is_level = start.z == 0.0 && end.z == 0.0;
+        let is_level = start.z == 0.0 && along.z == 0.0;
         if !is_on_second && (is_level || self.is_in_second) {
             return None;
         }
-        let mut sight = Sight::new(setting, start, along, is_level);
+        let mut sight = Sight::new(setting, self.line, stretch, is_level);
         let (east, north) = self.across();
         let pages = contacts().flat_map(|contact| {
             let inward = contact.inward.into_iter().flatten();
@@ -242,6 +227,7 @@ impl<'a> Book<'a> {
             })
         });
         let pages: Vec<Page> = pages.collect();
+        let spread = spread(&pages, setting.touching);
         let [first, second] = self.ends;
         let mut base = Region {
             cones: vec![sight.cone(first, -1.0)],
@@ -255,11 +241,17 @@ impl<'a> Book<'a> {
             }
         }
         let mut pieces = Vec::new();
-        for (angle, bounds) in self.sectors(&pages, start) {
+        let corners = first.corners();
+        let corners: Vec<DVec3> = corners
+            .map(|corner| setting.corners[corner] - start)
+            .collect();
+        for (angle, bounds) in sectors(&pages, &corners, (east, north), setting.touching) {
             let mut region = base.clone();
-            region
-                .halves
-                .extend(bounds.into_iter().map(|normal| sight.through(normal)));
+            region.halves.extend(
+                bounds
+                    .into_iter()
+                    .map(|normal| sight.through(normal, spread)),
+            );
             if region.is_flat() {
                 continue;
             }
@@ -304,10 +296,12 @@ impl<'a> Book<'a> {
             pieces.retain(|piece| piece.part == Part::Lit);
         }
         sight.measure();
+        let displaced = displaced + sight.leaves;
         (!pieces.is_empty()).then_some(Outer {
             sight,
             shadows,
             pieces,
+            displaced,
         })
     }
 
@@ -315,76 +309,5 @@ impl<'a> Book<'a> {
     fn across(&self) -> (DVec3, DVec3) {
         let east = self.direction.any_orthonormal_vector();
         (east, self.direction.cross(east))
-    }
-
-    /// The sectors around the line in which points of P lie, between the planes of pages: an angle
-    /// in each, and the inward normals of what bounds it.
-    fn sectors(&self, pages: &[Page], start: DVec3) -> Vec<(f64, Vec<DVec3>)> {
-        let (east, north) = self.across();
-        let corners = self.ends[0]
-            .corners()
-            .map(|corner| self.setting.corners[corner] - start);
-        let corners: Vec<DVec3> = corners.collect();
-        let touching = self.setting.touching;
-        let direction = |angle: f64| angle.cos() * east + angle.sin() * north;
-        let mut planes: Vec<f64> = pages.iter().map(|page| page.angle.rem_euclid(PI)).collect();
-        planes.sort_by(f64::total_cmp);
-        planes.dedup_by(|next, last| (*next - *last).abs() < 1e-12);
-        let mut angles = planes.clone();
-        angles.extend(planes.iter().map(|angle| angle + PI));
-        angles.extend(planes.first().map(|first| first + TAU));
-        let between = angles.windows(2).map(|pair| {
-            let bounds = if planes.len() == 1 {
-                vec![direction(pair[0] + 0.5 * PI)]
-            } else {
-                vec![direction(pair[0] + 0.5 * PI), direction(pair[1] - 0.5 * PI)]
-            };
-            (0.5 * (pair[0] + pair[1]), bounds)
-        });
-        let is_met = |(_, bounds): &(f64, Vec<DVec3>)| {
-            let met = |normal: &DVec3| corners.iter().any(|corner| corner.dot(*normal) > touching);
-            bounds.iter().all(met)
-        };
-        let mut met: Vec<(f64, Vec<DVec3>)> = between.filter(is_met).collect();
-        for (_, bounds) in &mut met {
-            let cuts = |normal: &DVec3| corners.iter().any(|c| c.dot(*normal) < -touching);
-            bounds.retain(cuts);
-        }
-        met
-    }
-}
-
-/// The parts that count for a point at an angle, with their signs.
-fn states(pages: &[Page], angle: f64, is_on_second: bool, wanted: Wanted) -> [(Part, f64); 2] {
-    // the turn from the point to each page, by way of the left or of the right
-    let side = |is_left: bool| {
-        let turns = pages.iter().map(move |page| {
-            let turn = if is_left {
-                angle - page.angle
-            } else {
-                page.angle - angle
-            };
-            (turn.rem_euclid(TAU), page.is_second)
-        });
-        turns.filter(|(turn, _)| *turn > 0.0 && *turn < PI)
-    };
-    let count = |holds: bool| if holds { 1.0 } else { 0.0 };
-    let state = |is_left: bool| {
-        if !is_on_second {
-            let is_hidden = side(is_left).next().is_some();
-            return [1.0, count(is_hidden)];
-        }
-        let seen = side(is_left).find(|(_, is_second)| *is_second);
-        let Some((depth, _)) = seen else {
-            return [0.0, 0.0];
-        };
-        let is_hidden = side(is_left).any(|(turn, is_second)| !is_second && turn < depth);
-        [1.0, count(is_hidden)]
-    };
-    let ([left, left_hidden], [right, right_hidden]) = (state(true), state(false));
-    let (whole, hidden) = (left - right, left_hidden - right_hidden);
-    match wanted {
-        Wanted::Hidden => [(Part::InShadow, whole), (Part::Lit, hidden)],
-        Wanted::Seen => [(Part::InShadow, 0.0), (Part::Lit, whole - hidden)],
     }
 }

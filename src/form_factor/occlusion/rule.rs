@@ -10,11 +10,13 @@
 //!
 //! On an edge in P's plane the sides on lines through y have `(v·X1) ln|X1| − (v·X0) ln|X0|`.
 
-use super::arrangement::{Arrangement, Segment};
+use super::arrangement::Arrangement;
 use super::bound::{BoundarySide, Outline};
 use super::corner::Corner;
+use super::covers::Segment;
 use super::share::Share;
 use super::sight::Sight;
+use super::trace::Middle;
 use crate::numeric::functions::elementary::angles;
 use crate::numeric::{GaussLegendre, LANES, Lanes, across, real, vector_value};
 use glam::DVec2;
@@ -25,8 +27,7 @@ use std::sync::LazyLock;
 #[derive(Debug)]
 pub(super) struct Panel<'a> {
     sight: &'a Sight<'a>,
-    middle: f64,
-    half: f64,
+    middle: Middle,
     corners: Vec<Corner>,
     /// Their places at the middle.
     places: Vec<DVec2>,
@@ -39,17 +40,16 @@ impl<'a> Panel<'a> {
         arrangement: &Arrangement,
         [from, to]: [f64; 2],
     ) -> Self {
-        let middle = 0.5 * (from + to);
+        let middle = sight.middle(0.5 * (from + to), 0.5 * (to - from));
         let most = 2 * arrangement.segments.len();
         let mut panel = Self {
             sight,
             middle,
-            half: 0.5 * (to - from),
             corners: Vec::with_capacity(most),
             places: Vec::with_capacity(most),
             sides: Vec::with_capacity(most),
         };
-        let height = panel.height();
+        let height = middle.height();
         let mut named: SmallVec<[[usize; 2]; 16]> = SmallVec::new();
         for Segment { line, from, to } in &arrangement.segments {
             let corners = [*from, *to].map(|other| {
@@ -57,7 +57,7 @@ impl<'a> Panel<'a> {
                 let known = named.iter().position(|known| *known == pair);
                 known.unwrap_or_else(|| {
                     named.push(pair);
-                    let corner = Corner::at_crossing(sight, pair, middle);
+                    let corner = Corner::at_crossing(sight, pair, &middle);
                     panel.places.push(corner.at(0.0, height));
                     panel.corners.push(corner);
                     named.len() - 1
@@ -101,42 +101,42 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// The height at the middle.
-    fn height(&self) -> f64 {
-        self.sight.start.z + self.middle * self.sight.along.z
-    }
-
     /// The integral over the panel; none if no rule is certain enough.
     pub(super) fn integral(&self, wanted: f64) -> Option<Share> {
         if self.sides.is_empty() {
             return Some(Share::default());
         }
+        let half = self.middle.half;
         let outline = &Outline::new(
             (&self.corners, &self.places),
             &self.sides,
             self.sight.along.truncate(),
-            [self.height(), self.sight.along.z],
+            [self.middle.height(), self.sight.along.z],
             self.sight.is_level,
         );
-        let reach = RATIOS.map(|ratio| ratio * self.half);
+        let reach = RATIOS.map(|ratio| ratio * half);
         let largest = vector_value!([f64::INFINITY; LANES], outline.largest(&reach));
-        let (blocks, truncation) = rule(largest, self.half, wanted)?;
-        let [value, size] = self.sums(GaussLegendre::with(blocks * LANES), outline.unit);
-        let noise = outline.noise(&self.corners) + outline.gap(self.gap());
-        Some(Share {
-            value: self.half * value,
+        let (blocks, truncation) = rule(largest, half, wanted)?;
+        let (shifts, rest) = outline.shifts(&self.corners, half);
+        let rule = GaussLegendre::with(blocks * LANES);
+        let [value, lost] = self.sums(rule, &shifts, outline.unit);
+        let noise = rest + outline.gap(self.gap());
+        let rounding = half * (UNIT * lost + 2.0 * noise);
+        // of corners that nothing bounds smaller panels may tell more
+        rounding.is_finite().then_some(Share {
+            value: half * value,
             truncation,
-            rounding: self.half * (8.0 * f64::EPSILON * size + 2.0 * noise),
+            rounding,
         })
     }
 
-    /// The rule's sums of W and of the magnitudes of its terms.
-    fn sums(&self, rule: &GaussLegendre, unit: f64) -> [f64; 2] {
+    /// The rule's sums of W and of its rounding, in units of u.
+    fn sums(&self, rule: &GaussLegendre, shifts: &[[f64; 2]], unit: f64) -> [f64; 2] {
         let (corners, sides) = (self.corners.as_slice(), self.sides.as_slice());
-        let (start, rise) = (self.height(), self.sight.along.z);
+        let (start, rise) = (self.middle.height(), self.sight.along.z);
         let v = self.sight.along.truncate();
         let inverse = 1.0 / (unit * unit);
-        let (half, lanes) = (self.half, rule.lanes.as_slice());
+        let (half, lanes) = (self.middle.half, rule.lanes.as_slice());
         let mut places = vec![[[0.0; LANES]; 3]; corners.len()];
         let places = places.as_mut_slice();
         let sums = vector_value!([[0.0; LANES]; 2], {
@@ -150,12 +150,12 @@ impl<'a> Panel<'a> {
                 for (place, corner) in places.iter_mut().zip(corners) {
                     *place = corner.lanes(&tau, &height, inverse);
                 }
-                for side in sides {
+                for (side, shift) in sides.iter().zip(shifts) {
                     let ends = side.corners.map(|corner| places[corner]);
-                    let terms = potential(ends, &height, [v.x, v.y], side.is_through);
+                    let terms = potential(ends, &height, [v.x, v.y], *shift, side.is_through);
                     for l in 0..LANES {
                         sums[0][l] += weights[l] * terms[0][l];
-                        sums[1][l] += weights[l] * terms[1][l];
+                        sums[1][l] += weights[l] * terms[1][l] + sums[0][l].abs();
                     }
                 }
             }
@@ -165,16 +165,30 @@ impl<'a> Panel<'a> {
     }
 }
 
-/// The terms of W of one side, and their magnitudes, from its ends `[x, y, ln r]`.
+/// The terms of W of one side, and their rounding in units of u, from its ends `[x, y, ln r]`.
+///
+/// With `s_i = X_i·u`, `l_i = s_i ln |X_i|` and `T = l_1 − l_0 + d θ`:
+///
+/// ```text
+///   u is scaled by 4u and turned by 2u at most: 4u |l_1 − l_0|, 2u (length + |s_0| θ)
+///   s is a sum of two products                  2u (|x u_x| + |y u_y|) |ln|
+///   ln |X| of a square within 4u                u (2 |s| + 2 |l|), and u |l| for the product
+///   d, in d θ and in sin θ                      4u (|x u_y| + |y u_x|) θ + 15u d θ with the angle
+///   T, and its product with v·u                 10u |v| |T|
+/// ```
+///
+/// A side whose corners are `moved`, and by `across` the side, sweeps over half of its length times
+/// the latter.
 #[inline(always)]
 fn potential(
     [from, to]: [[Lanes; 3]; 2],
     height: &Lanes,
     v: [f64; 2],
+    [moved, across]: [f64; 2],
     is_through: bool,
 ) -> [Lanes; 2] {
     let (mut beside, mut length) = ([0.0; LANES], [0.0; LANES]);
-    let mut direction = [[0.0; LANES]; 2];
+    let (mut aside, mut direction) = ([0.0; LANES], [[0.0; LANES]; 2]);
     let mut points = [[0.0; 2]; LANES];
     for l in 0..LANES {
         let (a, b) = ([from[0][l], from[1][l]], [to[0][l], to[1][l]]);
@@ -188,27 +202,54 @@ fn potential(
         };
         direction[0][l] = run[0] * inverse;
         direction[1][l] = run[1] * inverse;
-        let aside = a[0] * direction[1][l] - a[1] * direction[0][l];
-        beside[l] = (aside * aside + height[l] * height[l]).sqrt();
+        let parts = [a[0] * direction[1][l], a[1] * direction[0][l]];
+        let square = (parts[0] - parts[1]) * (parts[0] - parts[1]);
+        aside[l] = parts[0].abs() + parts[1].abs();
+        beside[l] = (square + height[l] * height[l]).sqrt();
         let along = a[0] * b[0] + a[1] * b[1] + height[l] * height[l];
         points[l] = [beside[l] * length[l], along];
     }
     let turns = angles(points);
-    let (mut sum, mut size) = ([0.0; LANES], [0.0; LANES]);
+    let speed = (v[0] * v[0] + v[1] * v[1]).sqrt();
+    let (mut sum, mut lost) = ([0.0; LANES], [0.0; LANES]);
     for l in 0..LANES {
         let u = [direction[0][l], direction[1][l]];
-        let start = (from[0][l] * u[0] + from[1][l] * u[1]) * from[2][l];
-        let end = (to[0][l] * u[0] + to[1][l] * u[1]) * to[2][l];
-        let turn = if is_through {
-            0.0
+        let [near, far] = [&from, &to].map(|end| [end[0][l] * u[0], end[1][l] * u[1]]);
+        let places = [near[0] + near[1], far[0] + far[1]];
+        let (start, end) = (places[0] * from[2][l], places[1] * to[2][l]);
+        let angle = if is_through { 0.0 } else { turns[l] };
+        let turn = beside[l] * angle;
+        let total = end - start + turn;
+        sum[l] = (v[0] * u[0] + v[1] * u[1]) * total;
+        let summed = (near[0].abs() + near[1].abs()) * from[2][l].abs()
+            + (far[0].abs() + far[1].abs()) * to[2][l].abs();
+        let inner = if places[0] * places[1] > 0.0 {
+            places[0].abs().min(places[1].abs())
         } else {
-            beside[l] * turns[l]
+            0.0
         };
-        let along = v[0] * u[0] + v[1] * u[1];
-        sum[l] = along * (end - start + turn);
-        size[l] = along.abs() * (end.abs() + start.abs() + turn + length[l]);
+        // a side without length has no direction: it is as far away as its end
+        let square = if length[l] > 0.0 {
+            beside[l] * beside[l] + inner * inner
+        } else {
+            from[0][l] * from[0][l] + from[1][l] * from[1][l] + height[l] * height[l]
+        };
+        let nearest = square.sqrt() - moved;
+        let swept = if across > 0.0 {
+            (length[l] + moved) * across / nearest
+        } else {
+            0.0
+        };
+        lost[l] = speed
+            * (10.0 * total.abs()
+                + 4.0 * (end - start).abs()
+                + 3.0 * (end.abs() + start.abs())
+                + 2.0 * (summed + places[0].abs() + places[1].abs() + length[l])
+                + 4.0 * (aside[l] + places[0].abs()) * angle
+                + 15.0 * turn
+                + swept / f64::EPSILON);
     }
-    [sum, size]
+    [sum, lost]
 }
 
 /// The gap that rounding may leave in a boundary, of its length.
@@ -235,8 +276,12 @@ fn rule(largest: Lanes, half: f64, wanted: f64) -> Option<(usize, f64)> {
     })
 }
 
+/// The error of one operation, relatively.
+const UNIT: f64 = 0.5 * f64::EPSILON;
+
 /// Radii of discs, in halves of a panel.
 const RATIOS: Lanes = [1.15, 1.3, 1.7, 2.4, 3.5, 5.0, 8.0, 14.0];
 
-/// Most blocks of nodes of a rule.
-const MOST: usize = 3;
+/// Most blocks of nodes of a rule: as a panel takes as long as some blocks to be set up, two of them
+/// with few nodes take longer than one with many.
+const MOST: usize = 5;

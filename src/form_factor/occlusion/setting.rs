@@ -11,9 +11,10 @@
 //!
 //! Corners are rounded once, from 106 bits, as they are put into the frame.
 
+use super::frame::{Frame, Plane, Set};
 use super::occluders::Occluders;
 use crate::form_factor::Polygon;
-use crate::geometry::{Vector, are_apart, clipped, convex_pieces};
+use crate::geometry::{are_apart, convex_pieces};
 use crate::numeric::{DoubleDouble, Scalar, power_of_two_below};
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -25,6 +26,8 @@ pub(super) struct Line {
     pub ends: [usize; 2],
     /// All corners on it.
     pub through: Vec<usize>,
+    /// How far edges on it are from their exact places at most.
+    pub displaced: f64,
 }
 
 /// A side of a face.
@@ -60,6 +63,8 @@ impl Face {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Setting {
     pub corners: Vec<DVec3>,
+    /// How far each corner is from its exact place at most.
+    pub moved: Vec<f64>,
     pub lines: Vec<Line>,
     /// The parts of P, in z = 0.
     pub first: Vec<Face>,
@@ -68,7 +73,7 @@ pub(super) struct Setting {
     pub screens: Vec<Face>,
     /// The distance up to which things count as meeting.
     pub touching: f64,
-    /// A bound on the displacement of corners.
+    /// The largest of the displacements.
     pub displaced: f64,
     /// A bound on what faces hide that are too thin to be kept.
     pub lost: f64,
@@ -81,43 +86,45 @@ pub(super) struct Setting {
 impl Setting {
     pub(super) fn of([first, second]: [&Polygon; 2], occluders: &Occluders) -> Self {
         let frame = Frame::of(first);
-        let placed = |polygon: &Polygon| -> Vec<DVec3> {
+        let placed = |polygon: &Polygon| -> Vec<[DoubleDouble; 3]> {
             let corners = polygon.shape.corners.iter();
-            corners.map(|corner| frame.place(*corner)).collect()
+            corners.map(|corner| frame.place(*corner).0).collect()
         };
-        let (mut floor, ceiling) = (placed(first), placed(second));
-        for corner in &mut floor {
-            corner.z = 0.0;
-        }
-        let ends = floor.iter().chain(&ceiling);
-        let reach = ends.fold(0.0f64, |reach, corner| {
-            reach.max(corner.abs().max_element())
-        });
+        let (floor, ceiling) = (placed(first), placed(second));
+        let ends = floor.iter().chain(&ceiling).flatten();
+        let reach = ends.fold(0.0f64, |reach, value| reach.max(value.to_f64().abs()));
         let unit = power_of_two_below(reach);
         let rounding = 64.0 * f64::EPSILON * (reach / unit);
         let mut setting = Self {
             touching: rounding.max(occluders.touching / unit),
-            displaced: f64::EPSILON * (reach / unit),
             most: 2.0 * (PI * first.area()).sqrt() / unit,
             unit,
             ..Self::default()
         };
-        let scaled = |corners: Vec<DVec3>| corners.into_iter().map(|c| c / unit).collect();
-        let (floor, ceiling): (Vec<DVec3>, Vec<DVec3>) = (scaled(floor), scaled(ceiling));
+        let set = |corner: [DoubleDouble; 3]| Set {
+            place: DVec3::from_array(corner.map(|value| value.to_f64() / unit)),
+            displaced: DVec3::from_array(corner.map(|value| value.low() / unit)).length(),
+        };
+        let scaled = |corners: Vec<[DoubleDouble; 3]>| corners.into_iter().map(set).collect();
+        let (mut floor, ceiling): (Vec<Set>, Vec<Set>) = (scaled(floor), scaled(ceiling));
+        for corner in &mut floor {
+            corner.displaced += corner.place.z.abs();
+            corner.place.z = 0.0;
+        }
         let up = Plane {
             normal: DVec3::Z,
             offset: 0.0,
         };
-        let normal = frame.turned(second.precise_normal);
+        let normal = frame.turned(second.precise_normal).to_doubles();
         let down = Plane {
             normal,
-            offset: normal.dot(ceiling[0]),
+            offset: normal.dot(ceiling[0].place),
         };
         setting.first = setting.faces(&floor, DVec3::Z, &[down]);
         setting.second = setting.faces(&ceiling, normal, &[up]);
         for screen in occluders.polygons {
-            let corners = scaled(placed(screen));
-            let normal = frame.turned(screen.precise_normal);
+            let corners: Vec<Set> = scaled(placed(screen));
+            let normal = frame.turned(screen.precise_normal).to_doubles();
             let faces = setting.faces(&corners, normal, &[up, down]);
             setting.screens.extend(faces);
         }
@@ -149,16 +156,22 @@ impl Setting {
     }
 
     /// The convex faces of a polygon in front of some planes.
-    fn faces(&mut self, corners: &[DVec3], normal: DVec3, planes: &[Plane]) -> Vec<Face> {
-        let mut pieces: Vec<Vec<DVec3>> = convex_pieces(corners, normal);
+    fn faces(&mut self, corners: &[Set], normal: DVec3, planes: &[Plane]) -> Vec<Face> {
+        let places: Vec<DVec3> = corners.iter().map(|corner| corner.place).collect();
+        let set = |place: DVec3| {
+            let known = corners.iter().find(|corner| corner.place == place);
+            let displaced = known.map_or(0.0, |corner| corner.displaced);
+            Set { place, displaced }
+        };
+        let pieces = convex_pieces(&places, normal).into_iter();
+        let mut pieces: Vec<Vec<Set>> = pieces
+            .map(|piece| piece.into_iter().map(set).collect())
+            .collect();
         for plane in planes {
             for piece in std::mem::take(&mut pieces) {
                 let moved = plane.nearest(&piece, self.touching);
                 match plane.front_of(&piece, self.touching) {
-                    Some(front) => {
-                        self.displaced = self.displaced.max(moved);
-                        pieces.push(front);
-                    }
+                    Some(front) => pieces.push(front),
                     None => self.lost += 2.0 * moved * perimeter(&piece),
                 }
             }
@@ -169,7 +182,7 @@ impl Setting {
             .collect()
     }
 
-    fn face(&mut self, corners: &[DVec3], normal: DVec3) -> Option<Face> {
+    fn face(&mut self, corners: &[Set], normal: DVec3) -> Option<Face> {
         let mut names: Vec<usize> = corners.iter().map(|c| self.corner(*c)).collect();
         names.dedup();
         while names.len() > 1 && names.first() == names.last() {
@@ -191,14 +204,20 @@ impl Setting {
     }
 
     /// The name of a corner.
-    fn corner(&mut self, place: DVec3) -> usize {
+    fn corner(&mut self, corner: Set) -> usize {
+        let Set { place, displaced } = corner;
         let is_here = |known: &DVec3| (*known - place).abs().max_element() <= self.touching;
-        if let Some(name) = self.corners.iter().position(is_here) {
-            self.displaced = self.displaced.max(self.corners[name].distance(place));
-            return name;
-        }
-        self.corners.push(place);
-        self.corners.len() - 1
+        let name = if let Some(name) = self.corners.iter().position(is_here) {
+            let moved = displaced + self.corners[name].distance(place);
+            self.moved[name] = self.moved[name].max(moved);
+            name
+        } else {
+            self.corners.push(place);
+            self.moved.push(displaced);
+            self.corners.len() - 1
+        };
+        self.displaced = self.displaced.max(self.moved[name]);
+        name
     }
 
     /// A side, on a line that is known or new.
@@ -235,6 +254,7 @@ impl Setting {
         self.lines.push(Line {
             ends: corners,
             through: Vec::new(),
+            displaced: 0.0,
         });
         Side {
             line: self.lines.len() - 1,
@@ -252,105 +272,18 @@ impl Setting {
                 let beside = (*point - start).cross(direction).length();
                 if beside <= self.touching {
                     line.through.push(corner);
-                    self.displaced = self.displaced.max(beside);
+                    line.displaced = line.displaced.max(beside + self.moved[corner]);
                 }
             }
         }
     }
 }
 
-#[derive(Debug, Clone, Copy)]
-struct Plane {
-    normal: DVec3,
-    offset: f64,
-}
-
-impl Plane {
-    /// The largest height over the plane that counts as none.
-    fn nearest(&self, piece: &[DVec3], touching: f64) -> f64 {
-        let heights = piece
-            .iter()
-            .map(|c| (self.normal.dot(*c) - self.offset).abs());
-        heights
-            .filter(|height| *height <= touching)
-            .fold(0.0, f64::max)
-    }
-
-    /// The part of a convex polygon in front of the plane; none if it does not rise above it.
-    fn front_of(&self, piece: &[DVec3], touching: f64) -> Option<Vec<DVec3>> {
-        let height = |corner: &DVec3| {
-            let height = self.normal.dot(*corner) - self.offset;
-            if height.abs() <= touching {
-                0.0
-            } else {
-                height
-            }
-        };
-        let heights: Vec<f64> = piece.iter().map(height).collect();
-        if heights.iter().all(|height| *height <= 0.0) {
-            return None;
-        }
-        let flat = |mut corner: DVec3, height: f64| {
-            // P's plane is met exactly
-            if height == 0.0 && self.normal == DVec3::Z {
-                corner.z = 0.0;
-            }
-            corner
-        };
-        let level = piece.iter().zip(&heights).map(|(c, h)| flat(*c, *h));
-        let level: Vec<DVec3> = level.collect();
-        if heights.iter().all(|height| *height >= 0.0) {
-            return Some(level);
-        }
-        let between = |from: DVec3, to: DVec3, share: f64| flat(from.lerp(to, share), 0.0);
-        Some(clipped(&level, &heights, between))
-    }
-}
-
-/// The frame of a polygon: its first corner, two directions in its plane, its normal.
-struct Frame {
-    origin: Vector<DoubleDouble>,
-    axes: [Vector<DoubleDouble>; 3],
-}
-
-impl Frame {
-    fn of(polygon: &Polygon) -> Self {
-        let zero = DoubleDouble::from(0.0);
-        let one = zero.constant(1.0);
-        let unit = |vector: Vector<DoubleDouble>| vector.times(one / vector.length());
-        let corners = &polygon.shape.corners;
-        let normal = polygon.precise_normal;
-        let origin = Vector::lifted(corners[0], zero);
-        let flat = polygon.normal.abs();
-        let along = if flat.max_element() >= 1.0 {
-            // the plane of two coordinates: they stay as they are
-            let axis = if flat.x >= 1.0 { DVec3::Y } else { DVec3::X };
-            Vector::lifted(axis, zero)
-        } else {
-            let along = Vector::lifted(corners[1], zero).minus(origin);
-            unit(along.minus(normal.times(along.dot(normal))))
-        };
-        Self {
-            origin,
-            axes: [along, normal.cross(along), normal],
-        }
-    }
-
-    fn place(&self, point: DVec3) -> DVec3 {
-        let from_origin = Vector::lifted(point, DoubleDouble::from(0.0)).minus(self.origin);
-        self.turned(from_origin)
-    }
-
-    fn turned(&self, vector: Vector<DoubleDouble>) -> DVec3 {
-        DVec3::from_array(self.axes.map(|axis| vector.dot(axis).to_f64()))
-    }
-}
-
-fn perimeter(corners: &[DVec3]) -> f64 {
+fn perimeter(corners: &[Set]) -> f64 {
     let next = corners.iter().cycle().skip(1);
     corners
         .iter()
         .zip(next)
-        .map(|(from, to)| from.distance(*to))
+        .map(|(from, to)| from.place.distance(to.place))
         .sum()
 }

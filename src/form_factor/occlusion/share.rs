@@ -14,6 +14,6 @@ impl Share {
     pub(super) fn add(&mut self, other: Self) {
         self.value += other.value;
         self.truncation += other.truncation;
-        self.rounding += other.rounding;
+        self.rounding += other.rounding + 0.5 * f64::EPSILON * self.value.abs();
     }
 }

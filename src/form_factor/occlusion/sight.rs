@@ -10,119 +10,21 @@
 //! γ that is linear in t, n = (h α, γ). Planes that hold the whole stretch have a constant normal;
 //! those that coincide are one line.
 
+use super::region::{Cone, HalfPlane};
 use super::setting::{Face, Setting};
 use super::share::Share;
+use super::trace::{LEVEL, Middle, Placed, Stretch, Trace};
 use glam::{DVec2, DVec3};
-
-/// One side of a line: `sign · (α·ξ − c) ≥ 0`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct HalfPlane {
-    pub line: usize,
-    pub sign: f64,
-}
-
-/// A convex face, seen from y.
-#[derive(Debug, Clone)]
-pub(super) struct Cone {
-    pub corners: Vec<usize>,
-    /// The half-planes of the sides from each corner to the next.
-    pub sides: Vec<HalfPlane>,
-}
-
-/// The intersection of cones and half-planes.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Region {
-    pub cones: Vec<Cone>,
-    pub halves: Vec<HalfPlane>,
-}
-
-impl Region {
-    pub(super) fn sides(&self) -> impl Iterator<Item = &HalfPlane> {
-        self.cones
-            .iter()
-            .flat_map(|cone| &cone.sides)
-            .chain(&self.halves)
-    }
-
-    /// Whether two sides leave nothing of the region but a piece of a line.
-    pub(super) fn is_flat(&self) -> bool {
-        let mut sides = self.sides();
-        sides.any(|side| {
-            self.sides()
-                .any(|o| o.line == side.line && o.sign * side.sign < 0.0)
-        })
-    }
-
-    /// Whether a line is one of those around the region, and which side of it that is on.
-    pub(super) fn side_of(&self, line: usize) -> Option<f64> {
-        self.sides()
-            .find(|half| half.line == line)
-            .map(|half| half.sign)
-    }
-}
-
-/// A line in P's plane, as seen from y.
-#[derive(Debug, Clone)]
-pub(super) struct Trace {
-    /// The normal of the plane of sight, `n0 + t n1`.
-    pub normal: [DVec3; 2],
-    /// The constant α, and γ = `γ0 + t γ1`, of an edge in P's plane.
-    pub edge: Option<(DVec2, [f64; 2])>,
-    /// The edges' line in space; none for a plane that holds the stretch.
-    space: Option<usize>,
-    /// Whether the plane holds the stretch.
-    is_fixed: bool,
-    /// The normal of the line in P's plane but for a positive factor, linear in t, and its size.
-    pub planar: [DVec2; 2],
-    pub planar_size: f64,
-    /// The size of the plane's normal.
-    pub size: f64,
-    /// Whether the plane of sight is level all along, so that it meets P's plane nowhere.
-    pub is_level: bool,
-}
-
-impl Trace {
-    fn new(
-        normal: [DVec3; 2],
-        edge: Option<(DVec2, [f64; 2])>,
-        space: Option<usize>,
-        is_fixed: bool,
-    ) -> Self {
-        let planar = match edge {
-            Some((alpha, _)) => [alpha, DVec2::ZERO],
-            None => normal.map(DVec3::truncate),
-        };
-        let planar_size = planar[0].length() + planar[1].length();
-        let size = normal[0].length() + normal[1].length();
-        Self {
-            normal,
-            edge,
-            space,
-            is_fixed,
-            planar,
-            planar_size,
-            size,
-            is_level: edge.is_none() && planar_size <= LEVEL * size,
-        }
-    }
-}
-
-/// A line at one t: `α·X = γ`, its place nearest to y and its direction, the positive side on the
-/// left.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Placed {
-    pub alpha: DVec2,
-    pub gamma: f64,
-    pub origin: DVec2,
-    pub direction: DVec2,
-    /// Whether it is a line at all, and not at infinity.
-    pub is_line: bool,
-}
 
 /// A stretch y(t) and the lines of sight from it.
 #[derive(Debug, Clone)]
 pub(super) struct Sight<'a> {
     setting: &'a Setting,
+    /// The line that the stretch is on.
+    line: usize,
+    stretch: Stretch,
+    /// How far the stretch leaves planes that are taken to hold it.
+    pub leaves: f64,
     pub start: DVec3,
     pub along: DVec3,
     /// Whether the stretch lies in P's plane.
@@ -134,11 +36,14 @@ pub(super) struct Sight<'a> {
 }
 
 impl<'a> Sight<'a> {
-    pub(super) fn new(setting: &'a Setting, start: DVec3, along: DVec3, is_level: bool) -> Self {
+    pub(super) fn new(setting: &'a Setting, line: usize, stretch: Stretch, is_level: bool) -> Self {
         Self {
             setting,
-            start,
-            along,
+            line,
+            leaves: 0.0,
+            start: stretch.start,
+            along: stretch.along,
+            stretch,
             is_level,
             traces: Vec::new(),
             known: vec![None; setting.lines.len()],
@@ -167,8 +72,10 @@ impl<'a> Sight<'a> {
     }
 
     /// The half-plane of points to which a normal of a plane through the stretch points.
-    pub(super) fn through(&mut self, normal: DVec3) -> HalfPlane {
-        let (line, sign) = self.fixed(normal);
+    ///
+    /// **Arguments** `error`: of the normal.
+    pub(super) fn through(&mut self, normal: DVec3, error: f64) -> HalfPlane {
+        let (line, sign) = self.fixed(normal, error);
         HalfPlane { line, sign }
     }
 
@@ -177,42 +84,66 @@ impl<'a> Sight<'a> {
             return known;
         }
         let ends = self.setting.lines[space].ends;
-        let [a, b] = ends.map(|corner| self.setting.corners[corner] - self.start);
-        // a × (b − a): of short edges far away a × b would lose digits
-        let normal = [a.cross(b - a), (b - a).cross(self.along)];
-        let edge = (a.z + self.start.z == 0.0 && b.z + self.start.z == 0.0).then(|| {
-            let run = (b - a).truncate();
-            let gamma = [a.truncate().perp_dot(run), normal[1].z];
-            (DVec2::new(run.y, -run.x), gamma)
-        });
-        let middle = normal[0] + 0.5 * normal[1];
+        let [a, b] = ends.map(|corner| self.setting.corners[corner]);
+        let trace = Trace::of_edge(&self.stretch, [a, b], space);
+        let touching = self.setting.touching;
+        let middle = trace.normal[0] + 0.5 * trace.normal[1];
         let length = middle.length();
-        let is_fixed = middle.dot(self.along).abs() <= self.setting.touching * length;
-        let through = edge.filter(|(alpha, [gamma, slope])| {
-            self.is_level && gamma.abs() + slope.abs() <= self.setting.touching * alpha.length()
+        // how far the stretch leaves the plane
+        let leaves = middle.dot(self.along).abs() / length;
+        let is_level_edge = self.is_level && trace.edge.is_some();
+        let through = trace.edge.filter(|(alpha, [gamma, slope])| {
+            self.is_level && gamma.abs() + slope.abs() <= touching * alpha.length()
         });
-        let found = if let Some((alpha, _)) = through {
-            self.fixed(alpha.normalize().extend(0.0))
-        } else if is_fixed && !(self.is_level && edge.is_some()) {
-            self.fixed(middle / length)
+        let found = if let Some((alpha, [gamma, slope])) = through {
+            let error = (gamma.abs() + slope.abs()) / alpha.length() / self.along.length();
+            self.fixed(alpha.normalize().extend(0.0), f64::EPSILON + error)
+        } else if leaves <= touching && !is_level_edge {
+            self.leaves = self.leaves.max(leaves);
+            let unit = middle / length;
+            let edge = b - a;
+            let sine = edge.cross(self.along).length() / (edge.length() * self.along.length());
+            if sine <= PARALLEL {
+                let lines = [self.line.min(space), self.line.max(space)];
+                let lines = lines.map(|line| self.setting.lines[line].ends);
+                let ends = lines.map(|ends| ends.map(|corner| self.setting.corners[corner]));
+                let normal = Trace::plane_of(ends);
+                let normal = normal.dot(unit).signum() * normal;
+                self.fixed(
+                    if normal.is_finite() { normal } else { unit },
+                    2.0 * f64::EPSILON,
+                )
+            } else {
+                let [start, slope] = trace.error;
+                let turned = (start + 0.5 * slope + 0.5 * leaves * edge.length()) / length;
+                self.fixed(unit, 2.0 * f64::EPSILON + turned)
+            }
         } else {
-            self.traces
-                .push(Trace::new(normal, edge, Some(space), false));
+            self.traces.push(trace);
             (self.traces.len() - 1, 1.0)
         };
         self.known[space] = Some(found);
         found
     }
 
-    fn fixed(&mut self, normal: DVec3) -> (usize, f64) {
-        for (line, trace) in self.traces.iter().enumerate() {
-            if trace.is_fixed && trace.normal[0].cross(normal).length() <= self.setting.touching {
+    fn fixed(&mut self, normal: DVec3, error: f64) -> (usize, f64) {
+        for (line, trace) in self.traces.iter_mut().enumerate() {
+            if !trace.is_fixed {
+                continue;
+            }
+            let apart = trace.normal[0].cross(normal).length();
+            if apart <= self.setting.touching {
+                trace.error[0] = trace.error[0].max(error + apart);
                 return (line, trace.normal[0].dot(normal).signum());
             }
         }
-        self.traces
-            .push(Trace::new([normal, DVec3::ZERO], None, None, true));
+        self.traces.push(Trace::fixed(normal, error));
         (self.traces.len() - 1, 1.0)
+    }
+
+    /// y in the middle of a panel.
+    pub(super) fn middle(&self, t: f64, half: f64) -> Middle {
+        self.stretch.middle(t, half)
     }
 
     /// Measures the heights of corners over the planes of sight of all lines.
@@ -283,7 +214,7 @@ impl<'a> Sight<'a> {
     /// largest in a disc around y: at most `2 √(π A_P)`.
     pub(super) fn unsettled(&self, width: f64) -> Share {
         Share {
-            truncation: self.setting.most * self.along.length() * width,
+            truncation: self.setting.most * self.along.truncate().length() * width,
             ..Share::default()
         }
     }
@@ -291,31 +222,19 @@ impl<'a> Sight<'a> {
     /// A gap in which W is taken as it is beside it: it changes by at most K times the width.
     ///
     /// The integrand `n·(v × (y − x))/r²` changes by at most `3 |v|²/r²` and the lines of the
-    /// boundary sweep over at most their speed times their length; r is at least h.
+    /// boundary sweep over at most their speed times their length; r is at least h. Lines that
+    /// miss P all along the gap sweep over nothing.
     pub(super) fn bridge(&self, from: f64, to: f64) -> Share {
         let width = to - from;
-        let height = self.point(from).z.min(self.point(to).z);
         let unsettled = self.unsettled(width);
         if width <= 0.0 {
             return Share::default();
         }
+        let height = self.point(from).z.min(self.point(to).z);
         let speed = self.along.length();
         let reach = self.setting.most;
-        let lines = self.traces.iter().enumerate().map(|(line, trace)| {
-            let (alpha, _) = self.line_at(line, from);
-            let change = match trace.edge {
-                Some((_, [_, slope])) => slope.abs(),
-                None => {
-                    let [_, slope] = trace.normal;
-                    let normal = trace.normal[0] + from * slope;
-                    slope.truncate().length() * reach
-                        + height * slope.z.abs()
-                        + self.along.z.abs() * normal.z.abs()
-                }
-            };
-            change / alpha.length()
-        });
-        let swept: f64 = lines.filter(|speed| speed.is_finite()).sum();
+        let lines = (0..self.traces.len()).filter(|line| self.may_meet(*line, [from, to]));
+        let swept: f64 = lines.map(|line| self.speed_of(line, [from, to])).sum();
         let change = speed * (swept * reach + 3.0 * speed * reach * reach / height) / height;
         let truncation = (change * width * width).min(unsettled.truncation);
         Share {
@@ -325,6 +244,46 @@ impl<'a> Sight<'a> {
                 truncation
             },
             ..unsettled
+        }
+    }
+
+    /// Whether a line may meet P somewhere in a range of t: the heights of P's corners over its
+    /// plane are linear in t.
+    fn may_meet(&self, line: usize, [from, to]: [f64; 2]) -> bool {
+        let corners = self.setting.first.iter().flat_map(Face::corners);
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+        for corner in corners {
+            let [start, end] = self.ends_of_height(line, corner);
+            for height in [from, to].map(|t| start + t * (end - start)) {
+                (least, most) = (least.min(height), most.max(height));
+            }
+        }
+        least <= 0.0 && most >= 0.0
+    }
+
+    /// The most that the places of a line in P move by for each unit of t in a range.
+    fn speed_of(&self, line: usize, [from, to]: [f64; 2]) -> f64 {
+        let trace = &self.traces[line];
+        let reach = self.setting.most;
+        let height = self.point(from).z.max(self.point(to).z);
+        let (change, turn) = match trace.edge {
+            Some((_, [_, slope])) => (slope.abs(), 0.0),
+            None => {
+                let [_, slope] = trace.normal;
+                let normal = trace.normal[0] + from * slope;
+                let turn = slope.truncate().length();
+                let level = normal.z.abs() + (to - from) * slope.z.abs();
+                let rise = height * slope.z.abs() + self.along.z.abs() * level;
+                (turn * reach + rise, turn)
+            }
+        };
+        // the least slope of the plane in the range
+        let (alpha, _) = self.line_at(line, from);
+        let slope = alpha.length() - (to - from) * turn;
+        if slope > 0.0 {
+            change / slope
+        } else {
+            f64::INFINITY
         }
     }
 
@@ -378,5 +337,5 @@ impl<'a> Sight<'a> {
     }
 }
 
-/// The slope below which a plane counts as level.
-const LEVEL: f64 = 1e-14;
+/// Edges at less than this angle are seen in the plane between them.
+const PARALLEL: f64 = 1e-6;

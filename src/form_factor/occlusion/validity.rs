@@ -9,7 +9,9 @@
 //! The range is cut at the zeros next to t. What is zero all along, up to rounding, is a tie, and
 //! either order will do; what cannot be told from zero at t alone makes the comparison uncertain.
 
-use super::sight::{Cone, Placed, Region, Sight};
+use super::region::{Cone, Region};
+use super::sight::Sight;
+use super::trace::Placed;
 use glam::DVec2;
 use smallvec::SmallVec;
 

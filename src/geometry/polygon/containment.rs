@@ -88,11 +88,22 @@ pub(crate) fn distance_from_plane(inner: &Patch, outer: &Patch) -> f64 {
 
 /// Is a point of a polygon's plane inside the outline?
 pub(crate) fn is_inside(point: DVec3, polygon: &Patch) -> bool {
+    depth_in_plane(point, polygon) > 0.0
+}
+
+/// The distance of a point from a polygon.
+pub(crate) fn distance_from_patch(point: DVec3, polygon: &Patch) -> f64 {
+    let height = (point - polygon.corners()[0]).dot(polygon.normal());
+    height.hypot((-depth_in_plane(point, polygon)).max(0.0))
+}
+
+/// The distance of a point's projection from the outline, > 0 inside and < 0 outside.
+fn depth_in_plane(point: DVec3, polygon: &Patch) -> f64 {
     let across = polygon.normal().any_orthonormal_vector();
     let up = polygon.normal().cross(across);
     let flat = |corner: DVec3| DVec2::new((corner - point).dot(across), (corner - point).dot(up));
     let corners: Vec<DVec2> = polygon.corners().iter().map(|c| flat(*c)).collect();
-    depth(DVec2::ZERO, &corners) > 0.0
+    depth(DVec2::ZERO, &corners)
 }
 
 fn edges(polygon: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> {

@@ -96,6 +96,10 @@ pub struct FlatBox {
 
 impl FlatBox {
     /// The box that a patch is; `None` if it is not exactly one.
+    ///
+    /// **Arguments** `patch`: of any number of corners and any orientation.
+    /// **Returns** a box whose ends are the patch's coordinates themselves, unrounded; one of its
+    /// three lengths is 0, the others are positive.
     #[must_use]
     pub fn of(patch: &Patch) -> Option<Self> {
         let [u, v] = Rectangle::try_from(patch).ok()?.axes()?;

@@ -331,11 +331,29 @@ pub fn angles<const N: usize>(points: [[f64; 2]; N]) -> [f64; N] {
 #[inline(always)]
 #[must_use]
 pub fn angle_over_sine(cosine: f64) -> f64 {
-    const C: [f64; 15] = ANGLE_OVER_SINE;
     let z = 1.0 - cosine;
     let w = z * z;
-    let odd = C[1] + w * (C[3] + w * (C[5] + w * (C[7] + w * (C[9] + w * (C[11] + w * C[13])))));
-    let even =
-        w * (C[2] + w * (C[4] + w * (C[6] + w * (C[8] + w * (C[10] + w * (C[12] + w * C[14]))))));
-    C[0] + (z * odd + even)
+    let [odd, even] = angle_over_sine_series(w);
+    ANGLE_OVER_SINE[0] + (z * odd + w * even)
+}
+
+/// `(θ/sin θ − 1)/(1 − cos θ)` from `1 − cos θ`, for angles up to 60°: ⅓ at 0, where the quotient
+/// has no digits.
+///
+/// **Accuracy** some ε, and as much as the argument is off.
+#[inline(always)]
+#[must_use]
+pub fn angle_over_sine_rise(z: f64) -> f64 {
+    let [odd, even] = angle_over_sine_series(z * z);
+    odd + z * even
+}
+
+/// The sums of every other term of the series of `(θ/sin θ − 1)/z` in `w = z²`, z = 1 − cos θ.
+#[inline(always)]
+fn angle_over_sine_series(w: f64) -> [f64; 2] {
+    const C: [f64; 15] = ANGLE_OVER_SINE;
+    [
+        C[1] + w * (C[3] + w * (C[5] + w * (C[7] + w * (C[9] + w * (C[11] + w * C[13]))))),
+        C[2] + w * (C[4] + w * (C[6] + w * (C[8] + w * (C[10] + w * (C[12] + w * C[14]))))),
+    ]
 }

@@ -103,7 +103,7 @@ fn row(claim: &JudgedClaim) -> Vec<String> {
 }
 
 /// The number with the digits that are certain, and its error.
-fn number_and_error(claim: &JudgedClaim) -> [String; 2] {
+pub(crate) fn number_and_error(claim: &JudgedClaim) -> [String; 2] {
     let (Some(value), Some(error)) = (claim.computed, claim.error) else {
         return ["", ""].map(str::to_owned);
     };
@@ -156,5 +156,6 @@ pub fn curve_figure(answer: &CurveAnswer) -> Figure {
         x,
         y,
         lines: vec![line],
+        ..Figure::default()
     }
 }

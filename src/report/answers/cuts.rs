@@ -202,6 +202,7 @@ pub fn cuts_figure(answer: &CutsAnswer) -> Figure {
             is_logarithmic: false,
         },
         lines,
+        ..Figure::default()
     }
 }
 

@@ -111,6 +111,7 @@ pub fn gain_figure(answer: &DiscontinuitiesAnswer, axis: &str) -> Option<Figure>
         x: axis(format!("cut, share of the patch along {}", curve.axis)),
         y: axis("share of the best cut's".to_owned()),
         lines,
+        ..Figure::default()
     })
 }
 

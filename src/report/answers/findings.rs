@@ -6,6 +6,7 @@
 //!
 //! **Not here**: proofs, which the page cites.
 
+use super::findings_refinement::refinement;
 use crate::claims::{ClaimError, Judgement, Printed};
 use crate::discretize::{
     BestGrid, BoxGrid, ContactShadow, CutMeasure, GradientCut, GradientLimit, HalfPlaneShadow,
@@ -62,6 +63,7 @@ pub fn findings_page(judgements: &[Judgement]) -> Result<String, PageError> {
     penumbrae(&claims, &mut texts)?;
     limits(&mut texts)?;
     profile_cuts(&mut texts)?;
+    refinement(judgements, &mut texts)?;
     texts.filled(TEMPLATE)
 }
 

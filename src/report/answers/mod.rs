@@ -1,7 +1,7 @@
 //! Answers as tables and records, a file for each question.
 //!
-//! `measure` and `sampled` answer `infoscene measure`, `check`, `form_factors`, `grid`, `points`
-//! and `radiosity` the questions of these names, `cuts` the question `cut`, `claims` the question
+//! `measure` and `sampled` answer `infoscene measure`, `check`, `form_factors`, `grid`, `points`,
+//! `radiosity`, `refine` and `store` the questions of these names, `cuts` the question `cut`, `claims` the question
 //! `reproduce`; `refinement` and `studies` answer `study`. `claims_page`, `findings` and `trusted`
 //! are the generated pages of `data/report`. Formats are in `render`, computing is in the rooms
 //! before this one.
@@ -12,6 +12,7 @@ pub(crate) mod claims_page;
 pub(crate) mod cuts;
 pub(crate) mod discontinuities;
 pub(crate) mod findings;
+mod findings_refinement;
 pub(crate) mod form_factors;
 #[cfg(feature = "proptest")]
 pub(crate) mod fuzz;
@@ -19,7 +20,9 @@ pub(crate) mod grid;
 pub(crate) mod measure;
 pub(crate) mod points;
 pub(crate) mod radiosity;
+pub(crate) mod refine;
 pub(crate) mod sampled;
 pub(crate) mod split;
+pub(crate) mod store;
 pub(crate) mod studies;
 pub(crate) mod trusted;

@@ -96,6 +96,12 @@ impl Report {
         })
     }
 
+    /// The table for people.
+    #[must_use]
+    pub const fn table(&self) -> &Table {
+        &self.table
+    }
+
     /// Adds a name under `key`, before the list of records in JSON.
     #[must_use]
     pub const fn entitled(mut self, key: &'static str, name: &'static str) -> Self {

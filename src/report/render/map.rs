@@ -6,7 +6,7 @@
 //!
 //! **Not here**: computing.
 
-use super::figure::{FINER, LETTERS, MARGIN, ROW, SAMPLE};
+use super::units::{FINER, LETTERS, MARGIN, ROW, SAMPLE};
 use crate::report::ReportError;
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;

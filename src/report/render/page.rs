@@ -22,6 +22,9 @@ pub enum PageError {
     /// A table.
     #[error(transparent)]
     Report(#[from] crate::report::ReportError),
+    /// A template cannot be filled.
+    #[error("a template cannot be filled: {0}")]
+    Template(#[from] minijinja::Error),
     /// A number is not certain to the decimals that its place shows.
     #[error("\"{name}\" is {value} ± {error:e}: {decimals} decimals are not certain")]
     Uncertain {

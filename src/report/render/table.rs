@@ -29,6 +29,38 @@ const STYLE: TableStyle = TableStyle::new()
     .bottom_border(LineStyle::none().fill('─').junction('─'));
 
 impl Table {
+    /// Whether each column has numbers only, which belong to the right.
+    pub(crate) fn numeric_columns(&self) -> Vec<bool> {
+        let is_number = |cell: &str| cell.is_empty() || cell.parse::<f64>().is_ok();
+        let is_numeric = |index: usize| {
+            let mut cells = self.rows.iter().filter_map(|row| row.get(index));
+            cells.all(|cell| is_number(cell))
+        };
+        (0..self.columns.len()).map(is_numeric).collect()
+    }
+
+    /// The place of each column's texts in LaTeX.
+    fn places(&self) -> Vec<Place> {
+        let is_numeric = self.numeric_columns();
+        let has_decimals = |index: usize| {
+            let mut cells = self.rows.iter().filter_map(|row| row.get(index));
+            let is_plain = |cell: &String| cell.is_empty() || !cell.contains(['e', 'E']);
+            cells.clone().all(is_plain) && cells.any(|cell| cell.contains('.'))
+        };
+        let place = |(index, is_numeric): (usize, bool)| {
+            if self.wrapped == Some(index) {
+                Place::Wrapped
+            } else if !is_numeric {
+                Place::Left
+            } else if has_decimals(index) {
+                Place::Decimal
+            } else {
+                Place::Right
+            }
+        };
+        is_numeric.into_iter().enumerate().map(place).collect()
+    }
+
     /// The table with box-drawing lines, for a terminal.
     #[must_use]
     pub fn to_terminal(&self) -> String {
@@ -76,20 +108,11 @@ impl Table {
     /// where it would not fit on a page.
     #[must_use]
     pub fn to_latex(&self) -> String {
-        let line = |cells: &mut dyn Iterator<Item = &str>| {
-            let cells: Vec<String> = cells.map(latex::escaped).collect();
-            format!("{} \\\\\n", cells.join(" & "))
-        };
+        let places = self.places();
         let is_long = self.rows.len() > ROWS_PER_PAGE;
         let environment = if is_long { "longtable" } else { "tabular" };
-        let kind = |index| {
-            if self.wrapped == Some(index) {
-                r"p{0.4\linewidth}"
-            } else {
-                "l"
-            }
-        };
-        let kinds: String = (0..self.columns.len()).map(kind).collect();
+        let kinds: String = places.iter().map(|place| place.kind()).collect();
+        let line = |cells: Vec<String>| format!("{} \\\\\n", cells.join(" & "));
         let mut text = "% \\usepackage{booktabs}".to_owned();
         text += if is_long {
             ", \\usepackage{longtable}\n"
@@ -97,19 +120,63 @@ impl Table {
             "\n"
         };
         text += &format!("\\begin{{{environment}}}{{{kinds}}}\n\\toprule\n");
-        text += &line(&mut self.columns.iter().copied());
+        let heads = self.columns.iter().zip(&places);
+        text += &line(heads.map(|(name, place)| place.heading(name)).collect());
         text += "\\midrule\n";
         if is_long {
             text += "\\endhead\n";
         }
         for row in &self.rows {
-            text += &line(&mut row.iter().map(String::as_str));
+            let cells = row.iter().zip(&places);
+            text += &line(cells.map(|(cell, place)| place.cell(cell)).collect());
         }
         text += &format!("\\bottomrule\n\\end{{{environment}}}\n");
         for (name, note) in &self.notes {
             text += &format!("% {}: {}\n", latex::escaped(name), latex::escaped(note));
         }
         text
+    }
+}
+
+/// The place of a column's texts in LaTeX.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Place {
+    Left,
+    Wrapped,
+    Right,
+    /// Numbers with their decimal points below each other, in two columns.
+    Decimal,
+}
+
+impl Place {
+    const fn kind(self) -> &'static str {
+        match self {
+            Self::Left => "l",
+            Self::Wrapped => r"p{0.4\linewidth}",
+            Self::Right => "r",
+            Self::Decimal => "r@{.}l",
+        }
+    }
+
+    fn heading(self, name: &str) -> String {
+        match self {
+            Self::Decimal => format!("\\multicolumn{{2}}{{l}}{{{}}}", latex::escaped(name)),
+            _ => latex::escaped(name),
+        }
+    }
+
+    fn cell(self, text: &str) -> String {
+        let signed = |text: &str| match text.strip_prefix('-') {
+            Some(rest) => format!("$-${rest}"),
+            None => text.to_owned(),
+        };
+        match (self, text.split_once('.')) {
+            (Self::Left | Self::Wrapped, _) => latex::escaped(text),
+            (Self::Decimal, Some((whole, part))) => format!("{} & {part}", signed(whole)),
+            // without its decimals a number would be given the column's point
+            (Self::Decimal, None) => format!("\\multicolumn{{2}}{{l}}{{{}}}", signed(text)),
+            (Self::Right, _) => signed(text),
+        }
     }
 }
 

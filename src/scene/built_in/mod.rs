@@ -1,5 +1,5 @@
-//! Scenes by name: those of the paper, the insides of regular solids and boxes, and a well-known
-//! room.
+//! Scenes by name: those of the paper, the insides of regular solids and boxes, lit rooms, and a
+//! well-known one.
 //!
 //! ```text
 //!   two-squares     fig. 2   unit squares at 90° with a common edge
@@ -8,15 +8,19 @@
 //!   tetrahedron, octahedron, dodecahedron, icosahedron   the insides of the regular solids
 //!   box:X,Y,Z       the inside of a box with these edges
 //!   cornell-box     not of the paper: the empty room of Cornell University, from
-//!                   data/scenes/cornell-box.obj
+//!                   data/scenes/cornell-box.obj; with its two blocks, cornell-box-blocks
+//!   lit-cube, lit-cube-edge, lit-hall, lit-wings, shaded-cube, shaded-cube-low, shaded-cube-sharp,
+//!   lit-table
+//!                   not of the paper: rooms with a light, the last four with plates
 //! ```
 //!
 //! Open this file for the names and the paper's squares, `boxes` for boxes with or without a grid
-//! on their faces, `solids` for the regular solids.
+//! on their faces, `solids` for the regular solids, `lit_rooms` for rooms with a light.
 //!
-//! **Not covered**: scenes with anything inside the room.
+//! **Not covered**: furnished rooms.
 
 pub(crate) mod boxes;
+mod lit_rooms;
 pub(crate) mod solids;
 
 use super::{NamedPatch, Scene, SceneError, files};
@@ -24,6 +28,7 @@ use crate::geometry::{Patch, Rectangle, SplitAxis};
 use crate::numeric::real;
 use crate::scene::visibility::surfaces::Prepared;
 use glam::DVec3;
+use lit_rooms::lit_room;
 use solids::regular_solid;
 use std::sync::Arc;
 
@@ -32,7 +37,9 @@ const LARGEST_CUBE: usize = 256;
 
 impl Scene {
     /// A built-in scene: `two-squares`, `three-squares`, `cube:N`, `box:X,Y,Z`, `tetrahedron`,
-    /// `octahedron`, `dodecahedron`, `icosahedron` or `cornell-box`.
+    /// `octahedron`, `dodecahedron`, `icosahedron`, `cornell-box`,
+    /// `cornell-box-blocks`, or a lit room: `lit-cube`, `lit-cube-edge`, `lit-hall`, `lit-wings`,
+    /// `shaded-cube`, `shaded-cube-low`, `shaded-cube-sharp` or `lit-table`.
     ///
     /// In the first two, patch 0 is the one that the paper cuts; its axis u runs away from the
     /// edge it shares with patch 1.
@@ -50,10 +57,11 @@ impl Scene {
         match name {
             "two-squares" => Self::floor_and_wall(1.0),
             "three-squares" => corner(),
-            "cornell-box" => files::cornell_box(),
+            "cornell-box" => files::cornell_box(false),
+            "cornell-box-blocks" => files::cornell_box(true),
             _ => {
-                if let Some(solid) = regular_solid(name) {
-                    return solid;
+                if let Some(scene) = regular_solid(name).or_else(|| lit_room(name)) {
+                    return scene;
                 }
                 let edges = name.strip_prefix("box:").map(|edges| edges.split(','));
                 let edges =

@@ -185,6 +185,32 @@ pub enum Fault {
         /// Whole facets in the file.
         held: usize,
     },
+    /// A face of a mesh in arrays names a vertex that is not there.
+    #[error(
+        "corner {corner} is vertex {vertex}, and there are {vertices}: count them from 0, up to {}",
+        vertices.saturating_sub(1)
+    )]
+    NotAVertex {
+        /// The corner of the face, from 0.
+        corner: usize,
+        /// The vertex as given.
+        vertex: i64,
+        /// The number of vertices.
+        vertices: usize,
+    },
+    /// The offsets of a mesh in arrays do not divide the corners into faces.
+    #[error(
+        "offset {place} is {offset}: offsets begin with 0, do not decrease, and end with the \
+         number of corners, {corners}"
+    )]
+    NotAnOffset {
+        /// The place of the offset, from 0.
+        place: usize,
+        /// The offset as given.
+        offset: i64,
+        /// The number of corners of all faces.
+        corners: usize,
+    },
 }
 
 /// The remedy of a shape, as far as the geometry does not name it itself.

@@ -20,7 +20,7 @@
 //! their numbers, `faces` for the way from an outline to patches, `rows` for their rows, `remarks`
 //! for what is mended or ignored, `unknown_materials` for notes on these, `last_place` for the
 //! decimals of coordinates, `decimal` for emissivities, `plain` for what OBJ and STL cannot say,
-//! and `error` for the refusals.
+//! `mesh` for faces that come in arrays, and `error` for the refusals.
 //!
 //! All readers are our own: the libraries for OBJ and STL keep coordinates in 32 bits or cut
 //! polygons into triangles, and none says in which line a number is wrong, or which patch is not
@@ -31,6 +31,7 @@ pub(crate) mod error;
 pub(crate) mod faces;
 mod fault;
 pub(crate) mod last_place;
+pub(crate) mod mesh;
 pub(crate) mod obj;
 pub(crate) mod plain;
 pub(crate) mod remarks;
@@ -42,6 +43,7 @@ pub(crate) mod view3d;
 
 pub use error::{FileError, FileErrors, NotExpressible, OpenError};
 pub use fault::Fault;
+pub use mesh::MeshArrays;
 use obj::library;
 pub use obj::read_obj;
 pub(crate) use obj::writer::left_out_of_obj;
@@ -172,12 +174,19 @@ pub fn read(path: &Path, reading: impl Into<Reading>) -> Result<LoadedScene, Fil
     }
 }
 
-/// The empty Cornell box, from the file that comes with the source.
-pub(crate) fn cornell_box() -> Result<Scene, SceneError> {
-    let source = Source::new(
-        "cornell-box.obj",
-        include_str!("../../../data/scenes/cornell-box.obj"),
-    );
+/// The Cornell box, empty or with its two blocks, from the files that come with the source.
+pub(crate) fn cornell_box(with_blocks: bool) -> Result<Scene, SceneError> {
+    let (name, text) = if with_blocks {
+        (
+            "cornell-box-blocks",
+            include_str!("../../../data/scenes/cornell-box-blocks.obj"),
+        )
+    } else {
+        (
+            "cornell-box",
+            include_str!("../../../data/scenes/cornell-box.obj"),
+        )
+    };
     let materials = |_: &str| {
         Ok(Source::new(
             "cornell-box.mtl",
@@ -188,10 +197,10 @@ pub(crate) fn cornell_box() -> Result<Scene, SceneError> {
         resolution: Some(0.0),
         ..Reading::default()
     };
-    match read_obj(&source, &materials, exact) {
+    match read_obj(&Source::new(name, text), &materials, exact) {
         Ok(loaded) => Ok(loaded.scene),
         Err(error) => Err(SceneError::BuiltIn {
-            name: "cornell-box",
+            name,
             reason: error.to_string(),
         }),
     }

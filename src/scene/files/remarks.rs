@@ -44,14 +44,26 @@ impl Tally {
     }
 }
 
+/// The places of a file.
+#[derive(Debug, Clone, Copy, Default)]
+enum Unit {
+    /// Lines, from 1.
+    #[default]
+    Line,
+    /// Facets, from 0.
+    Facet,
+    /// Faces, from 0.
+    Face,
+}
+
 /// The remarks about one file.
 #[derive(Debug, Default)]
 pub(crate) struct Remarks {
     kinds: BTreeMap<Remark, Tally>,
     words: Vec<(String, Tally)>,
     more_words: Option<Tally>,
-    /// Whether places are numbers of facets, and not lines.
-    is_of_facets: bool,
+    /// The places that are counted, such as lines.
+    unit: Unit,
 }
 
 impl Remarks {
@@ -67,7 +79,15 @@ impl Remarks {
     /// Remarks about a file without lines, whose places are the numbers of facets.
     pub(crate) fn of_facets() -> Self {
         Self {
-            is_of_facets: true,
+            unit: Unit::Facet,
+            ..Self::default()
+        }
+    }
+
+    /// Remarks about a mesh in arrays, whose places are the numbers of faces.
+    pub(crate) fn of_faces() -> Self {
+        Self {
+            unit: Unit::Face,
             ..Self::default()
         }
     }
@@ -115,7 +135,11 @@ impl Remarks {
     /// The remarks as sentences, each with the name of the file.
     pub(crate) fn into_notes(self, file: &Path) -> Vec<String> {
         let ignored = self.ignored();
-        let unit = if self.is_of_facets { "facet" } else { "line" };
+        let unit = match self.unit {
+            Unit::Line => "line",
+            Unit::Facet => "facet",
+            Unit::Face => "face",
+        };
         let kinds = self.kinds.iter();
         let kinds = kinds.map(|(kind, tally)| sentence(*kind, *tally, unit));
         let all = kinds.chain(ignored);

@@ -250,6 +250,9 @@ impl Body {
     pub(super) fn cuts(&self, [from, to]: [DVec3; 2], noise: f64) -> bool {
         if let Some(plane) = &self.sheet {
             let [above, below] = [from, to].map(|end| plane.height(end));
+            if above.min(below) > noise || above.max(below) < -noise {
+                return false;
+            }
             // an end on the plane, up to noise, is where it is met
             let at = (above / (above - below)).clamp(0.0, 1.0);
             let met = from.lerp(to, at);

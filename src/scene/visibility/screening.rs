@@ -75,7 +75,8 @@ impl<'a> Screening<'a> {
     pub(crate) fn between(&self, first: usize, second: usize) -> Screened {
         let noise = self.planes.noise();
         let patches = [first.min(second), first.max(second)];
-        if self.are_groups_hidden(patches) {
+        let are_groups_hidden = self.are_groups_hidden(patches);
+        if are_groups_hidden == Some(true) {
             return Screened::Wholly;
         }
         let [one, other] = patches.map(|patch| self.surfaces.outline(patch));
@@ -86,7 +87,9 @@ impl<'a> Screening<'a> {
         if near.is_empty() {
             return Screened::Nothing;
         }
-        if self.hiding.hides(one, other) {
+        // the patches may be groups of their own
+        let is_told = are_groups_hidden.is_some() && patches.iter().all(|p| self.is_group(*p));
+        if !is_told && self.hiding.hides(one, other) {
             return Screened::Wholly;
         }
         let Some(shaft) = Shaft::between(one, other, noise) else {
@@ -100,8 +103,14 @@ impl<'a> Screening<'a> {
         }
     }
 
-    /// Whether the groups of two patches see nothing of each other.
-    fn are_groups_hidden(&self, patches: [usize; 2]) -> bool {
+    /// Whether a patch is all of its group.
+    fn is_group(&self, patch: usize) -> bool {
+        let group = self.screens.group(self.screens.group_of(patch));
+        group.corners() == self.surfaces.outline(patch).corners()
+    }
+
+    /// Whether the groups of two patches see nothing of each other, if verdicts are kept.
+    fn are_groups_hidden(&self, patches: [usize; 2]) -> Option<bool> {
         let groups = patches.map(|patch| self.screens.group_of(patch));
         self.screens.verdict(groups, || {
             let [one, other] = groups.map(|group| self.screens.group(group));

@@ -20,6 +20,7 @@ use crate::geometry::{Outline, Patch, is_convex};
 use crate::scene::regions::{Mesh, Region, without_straight_corners};
 use crate::scene::{NamedPatch, Scene};
 use glam::DVec3;
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU8, Ordering};
 
 /// The screens of a scene, the groups that they are pieces of, and the bodies that they bound.
@@ -32,8 +33,9 @@ pub(crate) struct Screens {
     bodies: Bodies,
     /// The screens that can stand between two patches.
     tree: Boxes,
-    /// What is known of pairs of groups, if these are fewer than the surfaces.
-    verdicts: Vec<AtomicU8>,
+    /// What is known of pairs of groups, if these are fewer than the surfaces: of each with those
+    /// before it and itself, from when the first of these pairs is asked for.
+    verdicts: Vec<OnceLock<Box<[AtomicU8]>>>,
 }
 
 /// No verdict on a pair of groups yet.
@@ -51,7 +53,7 @@ const MOST_CORNERS: usize = 8;
 /// Most surfaces of a group that are put together one by one: the work grows with their square.
 const MOST_PUT_TOGETHER: usize = 256;
 
-/// Most pairs of groups of which verdicts are kept, a byte each, all of them set aside at once.
+/// Most pairs of groups of which verdicts are kept, a byte each.
 const MOST_VERDICTS: usize = 1 << 26;
 
 /// A polygon that hides what is behind it, from both sides.
@@ -118,8 +120,7 @@ impl Screens {
         found.tree = boxed(screens.map(|(index, screen)| (index, *screen.outline.bounds())));
         let groups = found.groups.len();
         if groups < surfaces.len() && groups * groups <= 2 * MOST_VERDICTS {
-            let pairs = groups * (groups + 1) / 2;
-            found.verdicts = (0..pairs).map(|_| AtomicU8::new(UNKNOWN)).collect();
+            found.verdicts = (0..groups).map(|_| OnceLock::new()).collect();
         }
         found
     }
@@ -175,21 +176,25 @@ impl Screens {
         &self.screens[index]
     }
 
-    /// Whether two groups see nothing of each other, which is found out once; false where nothing
+    /// Whether two groups see nothing of each other, which is found out once; none where nothing
     /// is kept.
-    pub(super) fn verdict(&self, groups: [usize; 2], are_hidden: impl Fn() -> bool) -> bool {
+    pub(super) fn verdict(
+        &self,
+        groups: [usize; 2],
+        are_hidden: impl Fn() -> bool,
+    ) -> Option<bool> {
         let (low, high) = (groups[0].min(groups[1]), groups[0].max(groups[1]));
-        let Some(verdict) = self.verdicts.get(high * (high + 1) / 2 + low) else {
-            return false;
-        };
-        match verdict.load(Ordering::Relaxed) {
+        let row = self.verdicts.get(high)?;
+        let row = row.get_or_init(|| (0..=high).map(|_| AtomicU8::new(UNKNOWN)).collect());
+        let verdict = &row[low];
+        Some(match verdict.load(Ordering::Relaxed) {
             UNKNOWN => {
                 let found = are_hidden();
                 verdict.store(if found { HIDDEN } else { OPEN }, Ordering::Relaxed);
                 found
             }
             known => known == HIDDEN,
-        }
+        })
     }
 
     /// The group of a surface.

@@ -3,6 +3,7 @@
 
 mod coverage;
 mod enclosures;
+mod reported;
 mod tables;
 mod verdicts;
 

@@ -2,6 +2,7 @@
 
 mod bases;
 mod closure;
+mod matrix_laws;
 mod occluded;
 mod plan;
 mod points;
@@ -10,4 +11,5 @@ mod resolution;
 mod rows;
 mod screens;
 mod selections;
+mod stores;
 mod tiles;

@@ -8,6 +8,7 @@ mod extreme_polygons;
 mod far_rectangles;
 mod independent_roads;
 mod occlusion;
+mod point_gradients;
 mod polygon_invariance;
 mod reciprocity;
 mod rectangle_invariance;

@@ -12,5 +12,6 @@ mod interval_ends;
 mod intervals;
 mod optimisers;
 mod parallel_maps;
+mod rank_correlations;
 mod series;
 mod units;

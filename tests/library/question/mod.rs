@@ -2,6 +2,7 @@
 
 mod cut;
 mod grid;
+mod nets;
 mod patch_names;
 mod reproduce;
 mod scenes;

@@ -1,5 +1,6 @@
 //! The slow roads that judge the others.
 
+mod box_radiosity;
 mod exchange;
 mod fixed_float;
 mod halfway;

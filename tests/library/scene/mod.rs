@@ -6,6 +6,8 @@ mod files;
 mod fronts;
 mod joined;
 mod joints;
+mod lit_rooms;
+mod mesh_arrays;
 mod overlap;
 mod parts;
 mod refusals;

@@ -2,10 +2,13 @@
 //!
 //! `measurements` has studies with one number per row, `routes` those that set several methods side
 //! by side, `gradient_cuts` the reach of the cuts of §4.2, `refinement` the approach to the
-//! continuous value, `sampling` the estimates from random lines and fig. 5.
+//! continuous value, `sampling` the estimates from random lines and fig. 5,
+//! `oracles` the refinement of meshes, `information` the ranks of random ones.
 
 mod gradient_cuts;
+mod information;
 mod measurements;
+mod oracles;
 mod refinement;
 mod routes;
 mod sampling;
@@ -33,15 +36,18 @@ pub fn study_report(answer: &StudyAnswer) -> Result<Report, ReportError> {
         StudyAnswer::Refinement(rows) => refinement::refinements_report(rows),
         StudyAnswer::Sampling(rows) => sampling::sampling_report(rows),
         StudyAnswer::Figure5(rows) => sampling::figure_5_report(rows),
+        StudyAnswer::Oracles(rows) => oracles::oracles_report(rows),
+        StudyAnswer::Information(rows) => information::information_report(rows),
     }
 }
 
-/// The figure of a study; none but the studies of refinements and of accuracy has one.
+/// The figure of a study; none but those of refinements, of accuracy and of oracles has one.
 #[must_use]
 pub fn study_figure(answer: &StudyAnswer) -> Option<Figure> {
     match answer {
         StudyAnswer::Refinement(rows) => Some(refinement::refinements_figure(rows)),
         StudyAnswer::Accuracy(rows) => Some(routes::accuracy_figure(rows)),
+        StudyAnswer::Oracles(rows) => Some(oracles::oracles_figure(rows)),
         _ => None,
     }
 }

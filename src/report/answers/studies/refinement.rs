@@ -90,5 +90,6 @@ pub(crate) fn refinements_figure(rows: &[RefinementRow]) -> Figure {
         x: axis("patches"),
         y: axis("mutual information lost, bits"),
         lines: lines.collect(),
+        ..Figure::default()
     }
 }

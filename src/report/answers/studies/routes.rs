@@ -149,6 +149,7 @@ pub(crate) fn accuracy_figure(rows: &[AccuracyRow]) -> Figure {
         x: axis("seconds for a pair"),
         y: axis("relative error, root mean square"),
         lines: lines.collect(),
+        ..Figure::default()
     }
 }
 

@@ -3,3 +3,4 @@
 mod laws;
 mod points;
 mod reference_values;
+mod slits;

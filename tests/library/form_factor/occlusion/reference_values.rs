@@ -73,6 +73,33 @@ static FOUND: LazyLock<Vec<[[f64; 2]; 2]>> = LazyLock::new(|| {
         .collect()
 });
 
+/// The same for the integrals over the points of either polygon, of which one is what is asked for
+/// in both orders.
+#[test]
+fn bounds_hold_of_the_integrals_over_either_polygon() {
+    for case in &cases() {
+        let all: Vec<Polygon> = case.polygons.iter().map(Polygon::new).collect();
+        let others: Vec<&Polygon> = all[2..].iter().collect();
+        let occluders = Occluders {
+            polygons: &others,
+            touching: 0.0,
+        };
+        let over = |from: usize, to: usize| {
+            let answer = all[from].exchange_area_past_over(&all[to], &occluders, DEFAULT_TOLERANCE);
+            answer.unwrap().exchange
+        };
+        let found = [over(0, 1), over(1, 0)];
+        let exact = case.value * all[0].area();
+        for exchange in found {
+            let off = (exchange.value - exact).abs();
+            let known = (case.uncertainty + 4.0 * f64::EPSILON) * exact;
+            assert!(off <= exchange.error + known, "{}: {found:?}", case.id);
+        }
+        let chosen = all[0].exchange_area_past(&all[1], &occluders, DEFAULT_TOLERANCE);
+        assert!(found.contains(&chosen.unwrap().exchange), "{}", case.id);
+    }
+}
+
 /// `|F − exact| ≤ error + uncertainty`, for each pair both ways round.
 #[test]
 fn bounds_hold_on_pairs_past_others() {

@@ -1,11 +1,11 @@
 //! Conjugate gradients with the diagonal as preconditioner.
 
 /// The result of an iteration.
-pub(super) struct Iterated {
+pub(crate) struct Iterated {
     /// The approximate solution.
-    pub(super) solution: Vec<f64>,
+    pub(crate) solution: Vec<f64>,
     /// Products with the matrix.
-    pub(super) iterations: usize,
+    pub(crate) iterations: usize,
 }
 
 /// An approximate solution of `M x = b` for a symmetric positive definite M: `√(r·D⁻¹r)` falls by
@@ -13,7 +13,7 @@ pub(super) struct Iterated {
 /// good it is, others must find out.
 ///
 /// **Arguments** `product`: x ↦ M x; `diagonal` of M, > 0, or 0 where x is 0 for good.
-pub(super) fn conjugate_gradients(
+pub(crate) fn conjugate_gradients(
     product: impl Fn(&[f64]) -> Vec<f64>,
     diagonal: &[f64],
     right_side: &[f64],

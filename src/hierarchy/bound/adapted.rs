@@ -1,0 +1,135 @@
+//! Cells that are small where the residual costs most, and the norms that they give.
+//!
+//! A fluctuation counts by its square over the damping of its cell, which small cells raise near
+//! edges. So the cells that bring most of the energy are cut, and measured again.
+
+use super::cells::{Cells, LeafPart};
+use super::dark::Dark;
+use super::minorant::{Couplings, Minorant, Split};
+use super::piece::Integrals;
+use super::residual::{FUNCTIONS, Measured};
+use super::sight::Sight;
+use crate::hierarchy::{Element, HierarchyError, Lighting, Tree};
+use crate::numeric::real;
+
+/// Cells of about one size, to begin with.
+const EVEN: usize = 160;
+/// Cells in the end, about.
+const BUDGET: usize = 400;
+/// The factor by which their number grows in a round, at most.
+const GROWTH: f64 = 1.35;
+
+/// The functions on pieces: the leaves in which these lie, and their elements.
+pub(super) type Measure<'m> = dyn Fn(&[(usize, &Element)]) -> Vec<[Measured; FUNCTIONS]> + 'm;
+
+/// The cells, their pieces and the operator.
+#[derive(Debug, Clone)]
+pub(super) struct Adapted {
+    cells: Cells,
+    pieces: Vec<LeafPart>,
+    minorant: Minorant,
+}
+
+impl Adapted {
+    /// The cells for functions of which the first is what costs, and all of them on the pieces.
+    ///
+    /// # Errors
+    /// [`HierarchyError::Element`]; [`HierarchyError::NotDamped`].
+    pub(super) fn try_new(
+        tree: &Tree,
+        light: &Lighting,
+        sight: &Sight,
+        measure: &Measure<'_>,
+    ) -> Result<(Self, Vec<[Measured; FUNCTIONS]>), HierarchyError> {
+        let reflectances = light.reflectances();
+        let dark = Dark::of(tree, reflectances)?;
+        let mut cells = Cells::new(tree, reflectances);
+        cells.cut_largest(EVEN)?;
+        let mut known: Vec<Option<[Measured; FUNCTIONS]>> = Vec::new();
+        loop {
+            let pieces = cells.pieces();
+            known.resize(cells.element_count(), None);
+            let open = pieces.iter().filter(|piece| known[piece.element].is_none());
+            let open: Vec<LeafPart> = open.copied().collect();
+            let elements: Vec<_> = open
+                .iter()
+                .map(|p| (p.leaf, cells.element(p.element)))
+                .collect();
+            for (piece, measured) in open.iter().zip(measure(&elements)) {
+                known[piece.element] = Some(measured);
+            }
+            let measured = pieces.iter().filter_map(|piece| known[piece.element]);
+            let measured: Vec<_> = measured.collect();
+            let couplings = Couplings::of(&cells.cells(), reflectances, &dark, sight);
+            if couplings.damping.len() >= BUDGET {
+                let adapted = Self {
+                    cells,
+                    pieces,
+                    minorant: Minorant::try_new(couplings)?,
+                };
+                return Ok((adapted, measured));
+            }
+            let mut energy = vec![0.0; couplings.damping.len()];
+            for (piece, measured) in pieces.iter().zip(&measured) {
+                energy[piece.cell] += measured[0].known.second / couplings.damping[piece.cell];
+            }
+            cells.cut(&worst(&energy))?;
+        }
+    }
+
+    /// The operator.
+    pub(super) const fn minorant(&self) -> &Minorant {
+        &self.minorant
+    }
+
+    /// The pieces.
+    pub(super) fn pieces(&self) -> &[LeafPart] {
+        &self.pieces
+    }
+
+    /// The pieces' leaves and elements.
+    pub(super) fn elements(&self) -> Vec<(usize, &Element)> {
+        let of = |piece: &LeafPart| (piece.leaf, self.cells.element(piece.element));
+        self.pieces.iter().map(of).collect()
+    }
+
+    /// A bound on `√⟨f, N⁻¹ f⟩` of a function that was measured.
+    ///
+    /// The inverse has no negative entry, so that bounds on the means of the rest do for them.
+    pub(super) fn energy(&self, measured: &[Measured]) -> f64 {
+        let known = self.split(measured.iter().map(|part| part.known));
+        let rest = self.sums(measured.iter().map(|part| part.rest));
+        let rest = Split {
+            totals: rest.iter().map(|sum| sum.first).collect(),
+            fluctuations: rest.iter().map(|sum| sum.second).collect(),
+        };
+        self.minorant.norm(&known) + self.minorant.norm(&rest)
+    }
+
+    /// The split over cells of a function with these integrals over pieces.
+    fn split(&self, integrals: impl Iterator<Item = Integrals>) -> Split {
+        Split::new(&self.sums(integrals), self.minorant.areas())
+    }
+
+    /// Sums of integrals over pieces, by cell.
+    fn sums(&self, integrals: impl Iterator<Item = Integrals>) -> Vec<Integrals> {
+        let mut sums = vec![Integrals::default(); self.minorant.areas().len()];
+        for (part, integral) in self.pieces.iter().zip(integrals) {
+            sums[part.cell].first += integral.first;
+            sums[part.cell].second += integral.second;
+        }
+        sums
+    }
+}
+
+/// The cells that bring most of the energy: so many that cutting them is a round.
+fn worst(energy: &[f64]) -> Vec<usize> {
+    let count = real(energy.len());
+    let more = (count * GROWTH).min(real(BUDGET)) - count;
+    let mut order: Vec<usize> = (0..energy.len()).collect();
+    order.sort_by(|a, b| energy[*b].total_cmp(&energy[*a]));
+    // a cut leaves three more
+    let chosen = order.into_iter().enumerate();
+    let chosen = chosen.take_while(|(place, _)| 3.0 * real(*place) < more);
+    chosen.map(|(_, cell)| cell).collect()
+}

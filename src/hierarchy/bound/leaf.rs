@@ -1,0 +1,14 @@
+//! The leaves of a tree, as sources of light.
+
+use crate::geometry::Patch;
+use glam::DVec3;
+
+/// A leaf of the tree.
+#[derive(Debug, Clone)]
+pub(super) struct Leaf {
+    pub(super) shape: Patch,
+    /// The corners, and those of neighbours on its edges.
+    pub(super) outline: Vec<DVec3>,
+    pub(super) centre: DVec3,
+    pub(super) patch: usize,
+}

@@ -1,0 +1,71 @@
+//! `form-factor --store` and `store check`.
+
+use super::{infoscene, json};
+use std::fs;
+
+fn failure(arguments: &[&str]) -> (Option<i32>, String) {
+    let output = infoscene(arguments).output().unwrap();
+    let text = String::from_utf8(output.stderr).unwrap();
+    (output.status.code(), text)
+}
+
+#[test]
+fn a_store_is_filled_in_shares_and_checked() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("store");
+    let store = path.to_str().unwrap();
+    let part = json(&["form-factor", "cube:5", "--store", store, "--shard", "2/2"]);
+    assert_eq!((&part["tiles"], &part["written"]), (&6.into(), &3.into()));
+    let (status, text) = failure(&["form-factor", "cube:5", "--store", store]);
+    assert!(
+        status == Some(2) && text.contains("--resume goes on with it"),
+        "{text}"
+    );
+    let unfinished = infoscene(&["store", "check", store, "--format", "json"])
+        .output()
+        .unwrap();
+    assert_eq!(unfinished.status.code(), Some(1));
+    let state: serde_json::Value = serde_json::from_slice(&unfinished.stdout).unwrap();
+    assert_eq!(
+        (&state["missing"], &state["least_sum"]),
+        (&3.into(), &serde_json::Value::Null)
+    );
+    let rest = json(&["form-factor", "cube:5", "--store", store, "--resume"]);
+    assert_eq!((&rest["found"], &rest["written"]), (&3.into(), &3.into()));
+    let state = json(&["store", "check", store]);
+    assert_eq!(
+        (&state["rows"], &state["missing"], &state["broken"]),
+        (&150.into(), &0.into(), &0.into())
+    );
+    let metadata = fs::read_to_string(path.join("form_factors/zarr.json")).unwrap();
+    let metadata: serde_json::Value = serde_json::from_str(&metadata).unwrap();
+    assert_eq!(
+        (&metadata["zarr_format"], &metadata["shape"][1]),
+        (&3.into(), &150.into())
+    );
+}
+
+#[test]
+fn wrong_stores_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().to_str().unwrap();
+    for (arguments, words) in [
+        (
+            vec!["form-factor", "cube:1", "--store", path, "--from", "0"],
+            "cannot be used with",
+        ),
+        (vec!["form-factor", "cube:1", "--shard", "1/2"], "--store"),
+        (
+            vec!["form-factor", "cube:1", "--store", path, "--shard", "0/2"],
+            "K/N",
+        ),
+        (vec!["store", "check", path], "is no store"),
+    ] {
+        let (status, text) = failure(&arguments);
+        assert!(
+            status == Some(2) && text.contains(words),
+            "{arguments:?}: {text}"
+        );
+    }
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+}

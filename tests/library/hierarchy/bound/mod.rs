@@ -1,0 +1,8 @@
+//! The bound on the error of radiosities against the continuous solution.
+
+mod effectivity;
+mod furnace;
+mod local;
+mod rooms;
+mod solver;
+mod truth;

@@ -1,0 +1,143 @@
+//! The bound for radiosities of the hierarchical solver, against the radiosity of boxes, which
+//! shares nothing with it.
+
+use crate::hierarchy::lit_rooms::{ROOMS, lighting, refined};
+use infoscene::hierarchy::{ErrorBound, OracleName, Refinement};
+use infoscene::reference::BoxRadiosity;
+use infoscene::scene::{Channel, Material, NamedPatch, Scene};
+use std::time::Instant;
+
+/// A built-in room whose walls reflect so much, or as they do by themselves.
+fn room(name: &str, reflectance: Option<f64>) -> Scene {
+    let scene = Scene::built_in(name).unwrap();
+    let Some(reflectance) = reflectance else {
+        return scene;
+    };
+    let patch = |patch: &NamedPatch| match patch.material().grey() {
+        Some(material) if material.emittance() > 0.0 => patch.clone(),
+        _ => {
+            let material = Material::try_new(reflectance, 0.0).unwrap();
+            patch.clone().with_material(material)
+        }
+    };
+    Scene::try_new(scene.patches().iter().map(patch).collect()).unwrap()
+}
+
+/// `‖B − B_h‖`, over all that is no light.
+fn error(room: &Refinement<'_>, exact: &BoxRadiosity) -> f64 {
+    let moments = exact.leaf_moments(room.tree());
+    let squares = moments.iter().map(|(leaf, moments)| {
+        moments.squared_error(room.solution().radiosity[*leaf], glam::DVec3::ZERO)
+    });
+    squares.sum::<f64>().sqrt()
+}
+
+/// The bound, the error and the seconds that the bound took.
+fn judged(scene: &Scene, exact: &BoxRadiosity, elements: usize) -> (ErrorBound, f64, f64) {
+    let lighting = lighting(scene);
+    let room = refined(scene, &lighting, OracleName::Gradient, elements);
+    let leaves = room.tree().leaves();
+    let values: Vec<f64> = leaves.map(|leaf| room.solution().radiosity[leaf]).collect();
+    let start = Instant::now();
+    let bound = ErrorBound::try_new(scene, room.tree(), &lighting, &values).unwrap();
+    let seconds = start.elapsed().as_secs_f64();
+    (bound, error(&room, exact), seconds)
+}
+
+/// `‖B − B_h‖ ≤ bound ≤ 4 ‖B − B_h‖` for a coarse mesh of a cube.
+#[test]
+fn a_coarse_mesh_of_the_solver_is_bounded() {
+    let scene = room("lit-cube", None);
+    let exact = BoxRadiosity::try_new(&scene, Channel::Green, 4).unwrap();
+    let (bound, error, _) = judged(&scene, &exact, 40);
+    let ratio = bound.absolute / error;
+    assert!((1.0..4.0).contains(&ratio), "{ratio}");
+}
+
+/// The same in three rooms, for meshes of 100 and 300 elements and reflectances from 0.3 to 0.99;
+/// up to four times the error where at least a twentieth is absorbed.
+#[test]
+#[ignore = "minutes: cargo test --release --test library bound::solver -- --ignored --nocapture"]
+fn meshes_of_the_solver_are_bounded() {
+    for name in ROOMS {
+        for reflectance in [
+            None,
+            Some(0.3),
+            Some(0.5),
+            Some(0.7),
+            Some(0.9),
+            Some(0.95),
+            Some(0.99),
+        ] {
+            let scene = room(name, reflectance);
+            let exact = BoxRadiosity::try_new(&scene, Channel::Green, 8).unwrap();
+            for elements in [100, 300] {
+                let (bound, error, seconds) = judged(&scene, &exact, elements);
+                let ratio = bound.absolute / error;
+                println!(
+                    "{name} {elements} R={reflectance:?}: {error:.3e}, bound/error {ratio:.3}, {seconds:.2} s"
+                );
+                assert!(ratio >= 1.0, "{name} {reflectance:?} {elements}: {ratio}");
+                let is_near = reflectance.is_some_and(|r| r <= 0.95);
+                assert!(
+                    !is_near || ratio <= 4.0,
+                    "{name} {reflectance:?} {elements}: {ratio}"
+                );
+            }
+        }
+    }
+}
+
+/// The same where something stands between patches, against a finer mesh of the solver, which errs
+/// itself by about a third of the coarser one's error.
+#[test]
+#[ignore = "minutes: cargo test --release --test library hidden_from -- --ignored --nocapture"]
+fn meshes_of_rooms_with_patches_hidden_from_each_other_are_bounded() {
+    for name in ["shaded-cube", "lit-wings", "cornell-box-blocks"] {
+        let scene = Scene::built_in(name).unwrap();
+        let lighting = lighting(&scene);
+        let fine = refined(&scene, &lighting, OracleName::Gradient, 2000);
+        for elements in [100, 300] {
+            let room = refined(&scene, &lighting, OracleName::Gradient, elements);
+            let leaves = room.tree().leaves();
+            let values: Vec<f64> = leaves.map(|leaf| room.solution().radiosity[leaf]).collect();
+            let start = Instant::now();
+            let bound = ErrorBound::try_new(&scene, room.tree(), &lighting, &values).unwrap();
+            let seconds = start.elapsed().as_secs_f64();
+            let error = difference(&fine, &room);
+            let ratio = bound.absolute / error;
+            println!("{name} {elements}: {error:.3e}, bound/error {ratio:.3}, {seconds:.2} s");
+            assert!(ratio >= 1.0, "{name} {elements}: {ratio}");
+        }
+    }
+}
+
+/// The root of the squared difference from a finer solution at the centres of its leaves, over all
+/// that is no light.
+fn difference(fine: &Refinement<'_>, room: &Refinement<'_>) -> f64 {
+    let (tree, lighting) = (fine.tree(), fine.lighting());
+    let squares = tree.leaves().map(|leaf| {
+        let element = &tree.elements()[leaf];
+        if lighting.is_light(element.patch()) {
+            return 0.0;
+        }
+        let place = room.tree().leaf_at(element.patch(), element.centre());
+        let value = room.solution().radiosity[place.unwrap()];
+        element.shape().area() * (fine.solution().radiosity[leaf] - value).powi(2)
+    });
+    squares.sum::<f64>().sqrt()
+}
+
+/// Effectivity and seconds for 100, 300 and 1000 elements of a cube.
+#[test]
+#[ignore = "a table: cargo test --release --test library cost_of_the_bound -- --ignored --nocapture"]
+fn cost_of_the_bound() {
+    let scene = room("lit-cube", None);
+    let exact = BoxRadiosity::try_new(&scene, Channel::Green, 4).unwrap();
+    for elements in [100, 300, 1000] {
+        let (bound, error, seconds) = judged(&scene, &exact, elements);
+        let ratio = bound.absolute / error;
+        println!("{elements}: {error:.3e}, bound/error {ratio:.3}, {seconds:.2} s");
+        assert!(ratio >= 1.0, "{elements}: {ratio}");
+    }
+}
