@@ -15,7 +15,7 @@ pub(super) struct Study {
     /// Fewer cases and repetitions for the timings.
     #[arg(long)]
     quick: bool,
-    /// Draw the study of refinements, of accuracy or of oracles, too, into an SVG file.
+    /// Draw the study of refinements, of accuracy, of tolerances or of oracles, too, into an SVG file.
     #[arg(long, value_name = "PATH")]
     figure: Option<PathBuf>,
     #[command(flatten)]
@@ -26,6 +26,8 @@ pub(super) struct Study {
 enum Subject {
     /// Error against run time of every route to a form factor, past others, too.
     Accuracy,
+    /// Error against run time of whole scenes, from loose tolerances to tight ones.
+    Tolerances,
     /// What naive forms of the gain, and routes to a form factor, lose in stiff and extreme cases.
     Stability,
     /// Width of enclosures against run time.
@@ -55,6 +57,7 @@ impl From<Subject> for StudySubject {
     fn from(subject: Subject) -> Self {
         match subject {
             Subject::Accuracy => Self::Accuracy,
+            Subject::Tolerances => Self::Tolerances,
             Subject::Stability => Self::Stability,
             Subject::Precision => Self::Precision,
             Subject::Limits => Self::Limits,
@@ -74,10 +77,11 @@ impl Study {
     pub(super) fn answer(&self) -> Answer {
         let has_figure = matches!(
             self.subject,
-            Subject::Refinement | Subject::Accuracy | Subject::Oracles
+            Subject::Refinement | Subject::Accuracy | Subject::Tolerances | Subject::Oracles
         );
         if self.figure.is_some() && !has_figure {
-            let which = "only the studies of refinements, of accuracy and of oracles have a figure";
+            let which = "only the studies of refinements, of accuracy, of tolerances and of oracles \
+                         have a figure";
             return Err(which.into());
         }
         self.output.check()?;

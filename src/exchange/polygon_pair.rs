@@ -14,7 +14,9 @@
 use super::plan::facing::Facing;
 use super::sights::{Sight, Sights};
 use super::{ExchangeError, PassCounts, ScenePairs};
+use crate::form_factor::together::{Asked, TOGETHER, exchange_areas};
 use crate::form_factor::{Answer, ExchangeArea, Polygon, Route};
+use smallvec::SmallVec;
 
 /// The answer for a pair that sees nothing of each other.
 const HIDDEN: Answer = Answer {
@@ -51,11 +53,12 @@ impl ScenePairs<'_> {
         &self,
         first: usize,
         second: usize,
+        known: Option<Answer>,
         counts: &mut PassCounts,
     ) -> Result<Answer, ExchangeError> {
         match &self.sights {
-            None => self.clear_pair(first, second, counts),
-            Some(sights) => self.sighted_pair(sights, [first, second], counts),
+            None => self.clear_pair(first, second, known, counts),
+            Some(sights) => self.sighted_pair(sights, [first, second], known, counts),
         }
     }
 
@@ -65,11 +68,12 @@ impl ScenePairs<'_> {
         &self,
         first: usize,
         second: usize,
+        known: Option<Answer>,
         counts: &mut PassCounts,
     ) -> Result<Answer, ExchangeError> {
         let class = self.class(first, second);
         let shared = class.and_then(|place| self.shared[place]);
-        let answer = match shared {
+        let answer = match shared.or(known) {
             Some(answer) => answer,
             None => {
                 let tolerance = self.relative_tolerance(first, second)?;
@@ -88,14 +92,15 @@ impl ScenePairs<'_> {
         &self,
         sights: &Sights,
         [first, second]: [usize; 2],
+        known: Option<Answer>,
         counts: &mut PassCounts,
     ) -> Result<Answer, ExchangeError> {
         let sight = self.sight(first, second);
         if sight == Sight::Clear {
-            return self.clear_pair(first, second, counts);
+            return self.clear_pair(first, second, known, counts);
         }
         if !sights.are_exact() {
-            let answer = self.clear_pair(first, second, counts)?;
+            let answer = self.clear_pair(first, second, known, counts)?;
             counts.ignored(&answer.exchange);
             return Ok(answer);
         }
@@ -108,6 +113,51 @@ impl ScenePairs<'_> {
         };
         counts.occluded(answer.route, sight == Sight::Hidden);
         Ok(answer)
+    }
+
+    /// Evaluates a row with others, as far as their pairs are quicker evaluated together: none that
+    /// are sums, that share a value, or that something may stand between.
+    ///
+    /// **Arguments** `others`: rows whose planes face that of the row, or none; `known`: an answer
+    /// for each of the others, if it is found here.
+    pub(crate) fn evaluate_together(
+        &self,
+        row: usize,
+        others: impl Iterator<Item = Option<usize>>,
+        known: &mut [Option<Answer>],
+    ) {
+        known.fill(None);
+        if self.sights.as_ref().is_some_and(Sights::are_exact) {
+            return;
+        }
+        let mut places: SmallVec<[usize; TOGETHER]> = SmallVec::new();
+        let mut pairs: SmallVec<[Asked<'_>; TOGETHER]> = SmallVec::new();
+        for (place, other) in others.enumerate() {
+            let single = other.and_then(|other| self.terms.single(row, other));
+            let Some([one, other]) = single else {
+                continue;
+            };
+            let class = self.class(one, other);
+            if class.is_some_and(|place| self.shared[place].is_some()) {
+                continue;
+            }
+            let Ok(polygons) = self.both(one.min(other), one.max(other)) else {
+                continue;
+            };
+            places.push(place);
+            pairs.push((
+                polygons,
+                self.tolerance.relative_of(polygons[0], polygons[1]),
+            ));
+        }
+        exchange_areas(&pairs, |at, answer| {
+            let [one, other] = pairs[at].0;
+            let most = one.area().min(other.area());
+            known[places[at]] = answer.ok().map(|mut answer| {
+                answer.exchange.value = answer.exchange.value.min(most);
+                answer
+            });
+        });
     }
 
     /// Two polygons, if they are among those that were made ready.

@@ -85,7 +85,7 @@ impl ScenePairs<'_> {
         counts: &mut PassCounts,
     ) -> Result<Answer, ExchangeError> {
         match self.facing(first, second) {
-            Facing::Visible => self.visible_row_pair(first, second, counts),
+            Facing::Visible => self.visible_row_pair(first, second, None, counts),
             hidden => Ok(nothing(hidden, first == second)),
         }
     }
@@ -105,10 +105,11 @@ impl ScenePairs<'_> {
         &self,
         first: usize,
         second: usize,
+        known: Option<Answer>,
         counts: &mut PassCounts,
     ) -> Result<Answer, ExchangeError> {
         let answer = match self.terms().single(first, second) {
-            Some([one, other]) => self.polygon_pair(one, other, counts)?,
+            Some([one, other]) => self.polygon_pair(one, other, known, counts)?,
             None => self.summed_row_pair(first.min(second), first.max(second), counts)?,
         };
         let smaller = self.areas()[first].min(self.areas()[second]);
@@ -131,7 +132,7 @@ impl ScenePairs<'_> {
         let mut sum = self.sum_of_terms(first, second, |one, other| {
             // a part is counted in its own row
             let mut own = PassCounts::default();
-            let answer = self.polygon_pair(one.polygon, other.polygon, &mut own)?;
+            let answer = self.polygon_pair(one.polygon, other.polygon, None, &mut own)?;
             if one.sign > 0.0 && other.sign > 0.0 {
                 counts.merge(&own);
             }
@@ -141,8 +142,8 @@ impl ScenePairs<'_> {
         if sum.bound > wanted {
             let finer = (0.5 * wanted / sum.size).max(FINEST);
             let again = self.sum_of_terms(first, second, |one, other| {
-                let known =
-                    self.polygon_pair(one.polygon, other.polygon, &mut PassCounts::default())?;
+                let counts = &mut PassCounts::default();
+                let known = self.polygon_pair(one.polygon, other.polygon, None, counts)?;
                 if known.exchange.error <= finer * known.exchange.value {
                     return Ok(known);
                 }

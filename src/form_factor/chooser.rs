@@ -32,8 +32,8 @@ const SMALLEST_UNIT: f64 = f64::from_bits((1023 - 1000) << 52);
 
 impl Polygon {
     /// The exchange area of the two, by the cheapest route whose error bound is within `tolerance`
-    /// of the value; if none is, the value with the smallest bound, which may be larger than the
-    /// value where the corners' own rounding is.
+    /// of the value; if none is, a value whose bound no other route would halve, which may be
+    /// larger than the value where the corners' own rounding is.
     ///
     /// **Arguments** `tolerance`: relative, 0 or more; anything else counts as 0.
     ///
@@ -147,7 +147,15 @@ impl Polygon {
 }
 
 impl ClippedPair<'_> {
-    fn answer(&self, work: &mut Workspace) -> Result<Answer, FormFactorError> {
+    /// The plan that is tried first.
+    pub(super) fn first_plan(&self) -> Plan {
+        let mut plans = Plans::new();
+        self.plans(&mut plans);
+        cheapest(&plans).map_or(Plan::Contour, |k| plans[k].1)
+    }
+
+    /// The answer by the cheapest plan that does.
+    pub(super) fn answer(&self, work: &mut Workspace) -> Result<Answer, FormFactorError> {
         let mut best: Option<Answer> = None;
         let mut left = Plans::new();
         self.plans(&mut left);
@@ -172,6 +180,10 @@ impl ClippedPair<'_> {
         }
         put_off.push(Plan::Precise);
         for plan in put_off {
+            if matches!(plan, Plan::Precise) && best.is_some_and(|best| self.is_hardly_better(best))
+            {
+                break;
+            }
             if let Some(done) = self.settle(self.follow(plan, work), plan.route(), &mut best) {
                 return done.in_range();
             }
@@ -213,7 +225,7 @@ impl ClippedPair<'_> {
     }
 
     /// The answer, if its bound meets the tolerance; else it is kept if it is the best so far.
-    fn settle(
+    pub(super) fn settle(
         &self,
         exchange: Option<ExchangeArea>,
         route: Route,
@@ -307,6 +319,25 @@ impl ClippedPair<'_> {
         }
     }
 
+    /// Whether double-double would not halve a bound that misses the tolerance, since what the
+    /// corners are off by is most of it.
+    fn is_hardly_better(&self, best: Answer) -> bool {
+        let ExchangeArea { value, error } = best.exchange;
+        let least = self.slack(self.precise_displacement(), value, Route::DoubleDouble);
+        least > 0.5 * error && least > self.tolerance * value
+    }
+
+    /// What the corners are off by where the clip is right to 64 ε² of the coordinates: a polygon
+    /// that is not planar, by its tilt.
+    fn precise_displacement(&self) -> Displacement {
+        let [first, second] = self.polygons;
+        Displacement {
+            height: (first.tilt.max(second.tilt) + 64.0 * SQUARED_EPSILON) * self.reach,
+            strip: self.displacement.tilted_strip,
+            ..Displacement::default()
+        }
+    }
+
     fn precise_contour(&self) -> Option<ExchangeArea> {
         let [first, second] = self.polygons;
         let outlines = [
@@ -315,15 +346,11 @@ impl ClippedPair<'_> {
         ];
         let wanted = 0.01 * self.wanted();
         let mut exchange = precise_contour([&outlines[0], &outlines[1]], wanted)?;
-        // the clip is right to 64 ε² of the coordinates; a polygon that is not planar is off by its
-        // tilt
-        let height = (first.tilt.max(second.tilt) + 64.0 * SQUARED_EPSILON) * self.reach;
-        let displacement = Displacement {
-            height,
-            strip: self.displacement.tilted_strip,
-            ..Displacement::default()
-        };
-        exchange.error += self.slack(displacement, exchange.value, Route::DoubleDouble);
+        exchange.error += self.slack(
+            self.precise_displacement(),
+            exchange.value,
+            Route::DoubleDouble,
+        );
         Some(exchange)
     }
 }
@@ -341,7 +368,7 @@ type Plans = SmallVec<[(f64, Plan); 3]>;
 
 /// A route, and how many points it takes.
 #[derive(Debug, Clone, Copy)]
-enum Plan {
+pub(super) enum Plan {
     Contour,
     Precise,
     PointToPolygon {
@@ -366,7 +393,7 @@ impl Plan {
 }
 
 impl Answer {
-    fn in_range(self) -> Result<Self, FormFactorError> {
+    pub(super) fn in_range(self) -> Result<Self, FormFactorError> {
         let ExchangeArea { value, error } = self.exchange;
         if value.is_finite() && error.is_finite() {
             Ok(self)

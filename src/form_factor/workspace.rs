@@ -2,7 +2,7 @@
 
 use super::contour::Scratch;
 use crate::form_factor::gauss::lambert::RelativeEdge;
-use crate::form_factor::gauss::points::Block;
+use crate::form_factor::gauss::points::{Block, PointLanes};
 use std::cell::RefCell;
 
 thread_local! {
@@ -14,6 +14,7 @@ thread_local! {
 pub(super) struct Workspace {
     pub scratch: Scratch,
     pub blocks: [Vec<Block>; 2],
+    pub together: [Vec<PointLanes>; 2],
     pub sides: Vec<RelativeEdge>,
 }
 

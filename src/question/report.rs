@@ -47,8 +47,9 @@ const SLOW_CLAIMS: [&str; 13] = [
 
 /// The studies: subject, name in the command, tenths of a second that one takes about, and whether
 /// a quick report has it.
-const STUDIES: [(StudySubject, &str, u64, bool); 12] = [
+const STUDIES: [(StudySubject, &str, u64, bool); 13] = [
     (StudySubject::Accuracy, "accuracy", 15, true),
+    (StudySubject::Tolerances, "tolerances", 60, true),
     (StudySubject::Stability, "stability", 35, false),
     (StudySubject::Precision, "precision", 10, true),
     (StudySubject::Limits, "limits", 3, true),

@@ -11,6 +11,7 @@ use crate::study::enclosures::work_precision;
 use crate::study::form_factors::accuracy::{AccuracyRow, accuracy};
 use crate::study::form_factors::extreme_pairs::{StabilityRow, route_stability};
 use crate::study::form_factors::occluded::stability::occluded_stability;
+use crate::study::form_factors::tolerances::{ToleranceRow, tolerances};
 use crate::study::gain::stability::gain_stability;
 use crate::study::hierarchy::information::{InformationRow, information};
 use crate::study::hierarchy::oracles::{OracleRow, oracles};
@@ -46,6 +47,8 @@ pub struct Study {
 pub enum StudySubject {
     /// Error against run time of every route to a form factor.
     Accuracy,
+    /// Error against run time of whole scenes, from loose tolerances to tight ones.
+    Tolerances,
     /// The digits that naive forms of the gain, and routes to a form factor, lose in stiff and
     /// extreme cases.
     Stability,
@@ -78,6 +81,8 @@ pub enum StudySubject {
 pub enum StudyAnswer {
     /// A row for each case, method and setting.
     Accuracy(Vec<AccuracyRow>),
+    /// A row for each scene, method and tolerance.
+    Tolerances(Vec<ToleranceRow>),
     /// A row for each case and method.
     Stability(Vec<StabilityRow>),
     /// A row for each quantity and number of bits.
@@ -113,6 +118,7 @@ impl Study {
     pub fn ask(&self, _: &dyn Progress) -> Result<StudyAnswer, QuestionError> {
         Ok(match self.subject {
             StudySubject::Accuracy => StudyAnswer::Accuracy(accuracy(self.quick)?),
+            StudySubject::Tolerances => StudyAnswer::Tolerances(tolerances(self.quick)?),
             StudySubject::Stability => StudyAnswer::Stability(self.stability()?),
             StudySubject::Precision => StudyAnswer::Precision(work_precision(self.quick)?),
             StudySubject::Limits => {

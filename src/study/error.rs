@@ -46,6 +46,9 @@ pub enum StudyError {
         /// The reason.
         source: FormFactorError,
     },
+    /// Threads for timings.
+    #[error("no thread can be started: {0}")]
+    Threads(String),
     /// The file of independent values cannot be read.
     #[error("form_factors.csv: {0}")]
     Table(#[from] csv::Error),

@@ -144,6 +144,35 @@ fn accuracy_study_meets_what_was_asked_for() {
     }
 }
 
+/// Errors of whole scenes are within their bounds, and bounds within the tolerance where none is said
+/// to miss it; a loose tolerance is used.
+#[test]
+fn tolerances_study_has_errors_within_bounds() {
+    let answer = json(&["study", "tolerances", "--quick"]);
+    assert_eq!(answer["study"], "tolerances");
+    // two scenes, two ways, every third of thirteen tolerances
+    assert_eq!(rows(&answer).len(), 2 * 2 * 5);
+    for row in rows(&answer) {
+        let (error, bound) = (number(row, "error"), number(row, "bound"));
+        // turned corners are rounded: ε of the room's size, over the size of a square
+        assert!(error <= bound + 64.0 * f64::EPSILON, "{row}");
+        assert!(number(row, "median_error") <= error && number(row, "median_bound") <= bound);
+        let tolerance = number(row, "tolerance");
+        assert!(
+            bound <= tolerance * (1.0 + bound) || number(row, "unreached") > 0.0,
+            "{row}"
+        );
+        if row["method"] == "every pair" && tolerance >= 1e-6 {
+            assert!(
+                error > 1e-4 * tolerance,
+                "more digits than asked for: {row}"
+            );
+        }
+    }
+    let table = crate::stdout(&["study", "tolerances", "--quick"]);
+    assert!(table.contains("turned street, 120 squares"), "{table}");
+}
+
 /// Past plates the route reaches what the rule over the area and the lines do not.
 #[test]
 fn accuracy_study_has_other_methods_past_others() {

@@ -16,6 +16,7 @@ use crate::exchange::plan::facing::Facing;
 use crate::exchange::row_pair::nothing;
 use crate::exchange::{ExchangeError, ScenePairs};
 use crate::form_factor::Answer;
+use crate::form_factor::together::TOGETHER;
 use std::ops::Range;
 
 /// A rectangle of pairs: rows against rows, by place in some order of the rows.
@@ -185,21 +186,34 @@ impl ScenePairs<'_> {
         let is_on_diagonal = block.is_on_diagonal();
         debug_assert!(is_on_diagonal || rows.end <= columns.start || columns.end <= rows.start);
         let mut counts = PassCounts::default();
+        let mut known = [None; TOGETHER];
         for row in rows.clone() {
             let first = row_at(row);
             let start = if is_on_diagonal { row } else { columns.start };
-            for column in start..columns.end {
-                let second = row_at(column);
-                let facing = if block.is_visible {
+            let facing = |second: usize| {
+                if block.is_visible {
                     Facing::Visible
                 } else {
                     self.facing(first, second)
-                };
-                let answer = match facing {
-                    Facing::Visible => self.visible_row_pair(first, second, &mut counts)?,
-                    hidden => nothing(hidden, first == second),
-                };
-                visit([row, column], facing, &answer);
+                }
+            };
+            for start in (start..columns.end).step_by(TOGETHER) {
+                let columns = start..columns.end.min(start + TOGETHER);
+                let others = columns.clone().map(&row_at);
+                let others =
+                    others.map(|second| (facing(second) == Facing::Visible).then_some(second));
+                self.evaluate_together(first, others, &mut known);
+                for (column, known) in columns.zip(&known) {
+                    let second = row_at(column);
+                    let facing = facing(second);
+                    let answer = match facing {
+                        Facing::Visible => {
+                            self.visible_row_pair(first, second, *known, &mut counts)?
+                        }
+                        hidden => nothing(hidden, first == second),
+                    };
+                    visit([row, column], facing, &answer);
+                }
             }
         }
         Ok(counts)

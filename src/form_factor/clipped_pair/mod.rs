@@ -9,7 +9,7 @@ pub(crate) mod horizon;
 pub(crate) mod shape;
 
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
-use crate::form_factor::gauss::points::{Lines, Rules};
+use crate::form_factor::gauss::points::{Lines, Nodes, Rules};
 use crate::numeric::real;
 use glam::DVec3;
 use horizon::{Displacement, FrontPart, Heights, side_of};
@@ -99,52 +99,48 @@ impl<'a> ClippedPair<'a> {
         let radii = first.radius + second.radius;
         let spans = heights.map(Span::of);
         // spheres do for polygons far apart
-        let [gap, reach] = if distance > 4.0 * radii {
+        let range = if distance > FAR * radii {
             [distance - radii, distance + radii]
         } else {
-            let reach = farthest(first, second);
             let gap = apart(first, second, between / distance);
-            [gap.max(spans[0].least).max(spans[1].least), reach]
+            let gap = gap.max(spans[0].least).max(spans[1].least);
+            [gap, farthest(first, second)]
         };
-        let reach = reach * (1.0 + 4.0 * f64::EPSILON);
-        let gap = gap - 8.0 * f64::EPSILON * reach;
-        let gap = if gap > 0.0 { gap } else { 0.0 };
-        let means = spans.map(|span| span.mean);
-        let spread = if gap > 0.0 {
-            {
-                let square = (reach / gap) * (reach / gap);
-                square * square
-            }
-        } else {
-            f64::INFINITY
-        };
-        // heights h weighted by the kernel K: Σ K/Σ h K is at most 1/h_min, and at most
-        // (K_max/K_min)/h_mean
-        let sensitivities = spans.map(|span| (1.0 / span.least).min(spread / span.mean));
-        let received = |shape: &Shape| (shape.area / (PI * gap * gap)).min(1.0);
-        let ribbons = first.perimeter * received(second) + second.perimeter * received(first);
-        // corners that are off by δ change heights, areas and r⁴, too: relative to the value
-        let by_place = 4.0 / gap + first.perimeter / first.area + second.perimeter / second.area;
-        // between the far formula and that of two patches near to each other
-        let square = distance * distance + first.area.max(second.area) / PI;
-        let cosines = means[0] * means[1] / (distance * distance).max(means[0] * means[1]);
-        let areas = first.area * second.area;
-        let estimate = areas * cosines / (PI * square);
-        let highest = spans.map(|span| span.most);
-        Self {
-            largest: areas * (highest[0] / gap) * (highest[1] / gap) / (PI * gap * gap),
+        let sizes = shapes.map(|shape| [shape.area, shape.perimeter]);
+        let measures = Measures::of(sizes, spans, distance, range);
+        Self::measured(
             polygons,
             shapes,
             heights,
-            gap,
-            reach,
             displacement,
-            highest,
-            ribbons: 2.0 * ribbons,
-            received: received(first).max(received(second)),
-            by_height: 2.0 * (sensitivities[0] + sensitivities[1]),
-            by_place: 2.0 * by_place,
-            estimate,
+            &measures,
+            tolerance,
+        )
+    }
+
+    /// A pair in front of each other's planes with these measures.
+    pub(crate) const fn measured(
+        polygons: [&'a Polygon; 2],
+        shapes: [&'a Shape; 2],
+        heights: [&'a [f64]; 2],
+        displacement: Displacement,
+        measures: &Measures,
+        tolerance: f64,
+    ) -> Self {
+        Self {
+            polygons,
+            shapes,
+            heights,
+            gap: measures.gap,
+            reach: measures.reach,
+            displacement,
+            highest: measures.highest,
+            largest: measures.largest,
+            ribbons: measures.ribbons,
+            received: measures.received,
+            by_height: measures.by_height,
+            by_place: measures.by_place,
+            estimate: measures.estimate,
             tolerance,
         }
     }
@@ -213,18 +209,87 @@ impl<'a> ClippedPair<'a> {
         (rules, rules.blocks(shape))
     }
 
+    /// The nodes of a rule on a shape of one cell.
+    pub(crate) fn nodes(&self, k: usize, points: usize) -> &'static Nodes {
+        let shape = self.shapes[k];
+        self.lines(k).rules(points, shape).of(&shape.cells[0])
+    }
+
     /// A bound on the error of a rule on one of the shapes.
     pub(crate) fn truncation(&self, k: usize, points: usize, largest: f64) -> f64 {
         2.0 * self.shapes[k].peak * self.lines(k).error(points) * largest
     }
 }
 
+/// Distances from which on spheres around polygons bound theirs, in sums of the radii.
+pub(crate) const FAR: f64 = 4.0;
+
+/// Measures of a pair by numbers alone, the fields of [`ClippedPair`].
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Measures {
+    pub gap: f64,
+    pub reach: f64,
+    pub highest: [f64; 2],
+    pub largest: f64,
+    pub ribbons: f64,
+    pub received: f64,
+    pub by_height: f64,
+    pub by_place: f64,
+    pub estimate: f64,
+}
+
+impl Measures {
+    /// The measures of two shapes with these areas and perimeters: without a branch, so that it
+    /// serves in the lanes of vectors.
+    ///
+    /// **Arguments** `distance`: of their centres; `gap`, `reach`: bounds on all distances, but
+    /// for rounding.
+    #[inline(always)]
+    pub(crate) fn of(
+        [[area, perimeter], [other_area, other_perimeter]]: [[f64; 2]; 2],
+        spans: [Span; 2],
+        distance: f64,
+        [gap, reach]: [f64; 2],
+    ) -> Self {
+        let reach = reach * (1.0 + 4.0 * f64::EPSILON);
+        let gap = gap - 8.0 * f64::EPSILON * reach;
+        let gap = if gap > 0.0 { gap } else { 0.0 };
+        let square = (reach / gap) * (reach / gap);
+        // infinite if they may touch
+        let spread = square * square;
+        // heights h weighted by the kernel K: Σ K/Σ h K is at most 1/h_min, and at most
+        // (K_max/K_min)/h_mean
+        let sensitivity = |span: Span| (1.0 / span.least).min(spread / span.mean);
+        let received = |area: f64| (area / (PI * gap * gap)).min(1.0);
+        let ribbons = perimeter * received(other_area) + other_perimeter * received(area);
+        // corners that are off by δ change heights, areas and r⁴, too: relative to the value
+        let by_place = 4.0 / gap + perimeter / area + other_perimeter / other_area;
+        // between the far formula and that of two patches near to each other
+        let square = distance * distance + area.max(other_area) / PI;
+        let means = spans[0].mean * spans[1].mean;
+        let cosines = means / (distance * distance).max(means);
+        let areas = area * other_area;
+        let highest = [spans[0].most, spans[1].most];
+        Self {
+            gap,
+            reach,
+            highest,
+            largest: areas * (highest[0] / gap) * (highest[1] / gap) / (PI * gap * gap),
+            ribbons: 2.0 * ribbons,
+            received: received(area).max(received(other_area)),
+            by_height: 2.0 * (sensitivity(spans[0]) + sensitivity(spans[1])),
+            by_place: 2.0 * by_place,
+            estimate: areas * cosines / (PI * square),
+        }
+    }
+}
+
 /// The heights of a shape's corners.
 #[derive(Debug, Clone, Copy)]
-struct Span {
-    least: f64,
-    mean: f64,
-    most: f64,
+pub(crate) struct Span {
+    pub least: f64,
+    pub mean: f64,
+    pub most: f64,
 }
 
 impl Span {

@@ -19,10 +19,8 @@ impl ClippedPair<'_> {
         let origin = self.shapes[0].centre;
         let [(first_rules, first_blocks), (second_rules, second_blocks)] =
             [0, 1].map(|k| self.rules(k, points[k]));
-        let mut precise = [Heights::new(), Heights::new()];
-        let [for_first, for_second] = &mut precise;
-        let first_heights = self.precise_heights(0, for_first);
-        let second_heights = self.precise_heights(1, for_second);
+        let [first_heights, second_heights] = [0, 1].map(|k| self.precise_heights(k));
+        let (first_heights, second_heights) = (first_heights.as_slice(), second_heights.as_slice());
         let [first, second] = blocks;
         first.resize(first_blocks, Block::default());
         second.resize(second_blocks, Block::default());
@@ -33,34 +31,68 @@ impl ClippedPair<'_> {
             fill(second, second_rules, shapes[1], second_heights, origin);
             sum(first, second, unit)
         });
-        let value = across(sums) / (unit * unit * unit * unit * PI);
+        self.kernel_exchange(across(sums), points, [first_blocks, second_blocks])
+    }
+
+    /// The exchange area from the sum over rules with `points` each way, which take so many
+    /// vectors.
+    pub(crate) fn kernel_exchange(
+        &self,
+        sum: f64,
+        points: [usize; 2],
+        blocks: [usize; 2],
+    ) -> ExchangeArea {
+        let unit = self.reach;
+        let value = sum / (unit * unit * unit * unit * PI);
         let truncation: f64 = (0..2)
             .map(|k| self.truncation(k, points[k], self.largest))
             .sum();
-        let terms = 4.0 * real(first_blocks + second_blocks);
-        let relative = (24.0 + terms) * f64::EPSILON + 2.0 * HEIGHT_ERROR;
+        let terms = 4.0 * real(blocks[0] + blocks[1]);
+        let heights = self.plain_heights().unwrap_or(2.0 * HEIGHT_ERROR);
+        let relative = (24.0 + terms) * f64::EPSILON + heights;
         ExchangeArea {
             value,
             error: relative * value + truncation,
         }
     }
 
-    /// The heights of a shape's corners, each within [`HEIGHT_ERROR`] of itself, in `precise` if it
-    /// must; 0 where a clip put them on the plane.
-    fn precise_heights<'b>(&'b self, k: usize, precise: &'b mut Heights) -> &'b [f64] {
-        let is_small = |height: f64| height < self.reach / 16.0;
-        if !self.heights[k].iter().any(|height| is_small(*height)) {
-            return self.heights[k];
-        }
-        precise.extend_from_slice(self.heights[k]);
-        for (height, corner) in precise.iter_mut().zip(&self.shapes[k].corners) {
-            if *height > 0.0 && is_small(*height) {
-                *height = self.polygons[1 - k].height(*corner);
-            }
-        }
+    /// The heights of a shape's corners, each within [`HEIGHT_ERROR`] of itself; 0 where a clip put
+    /// them on the plane.
+    fn precise_heights(&self, k: usize) -> Heights {
+        let mut precise = Heights::from_slice(self.heights[k]);
+        self.with_precise_heights(k, |i, height| precise[i] = height);
         precise
     }
+
+    /// What the rounding of heights does to the value, relative to it, if that is little of the
+    /// tolerance: a product is within 3 ε of the distance.
+    fn plain_heights(&self) -> Option<f64> {
+        let least = |heights: &[f64]| {
+            let positive = heights.iter().filter(|height| **height > 0.0);
+            positive.fold(f64::INFINITY, |least, height| least.min(*height))
+        };
+        let [first, second] = self.heights.map(least);
+        let error = 3.0 * f64::EPSILON * self.reach * (1.0 / first + 1.0 / second);
+        (error <= NEGLIGIBLE * self.tolerance).then_some(error)
+    }
+
+    /// Calls `replace` with those heights of a shape's corners that are not within
+    /// [`HEIGHT_ERROR`] of themselves, taken again.
+    pub(crate) fn with_precise_heights(&self, k: usize, mut replace: impl FnMut(usize, f64)) {
+        if self.plain_heights().is_some() {
+            return;
+        }
+        let heights = self.heights[k].iter().enumerate();
+        for ((i, height), corner) in heights.zip(&self.shapes[k].corners) {
+            if *height > 0.0 && *height < self.reach / 16.0 {
+                replace(i, self.polygons[1 - k].height(*corner));
+            }
+        }
+    }
 }
+
+/// The part of a tolerance that the rounding of heights may take.
+const NEGLIGIBLE: f64 = 1.0 / 64.0;
 
 /// The relative error of a precise height: a product is within 3 ε of the distance, and taken again
 /// to 106 bits where it is smaller than that by 16.

@@ -44,6 +44,16 @@ use crate::numeric::{GaussLegendre, LANES, Lanes, MOST_POINTS, real};
 use glam::DVec3;
 use std::sync::OnceLock;
 
+/// A quadrature point on each of eight polygons.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct PointLanes {
+    pub point: [Lanes; 3],
+    pub weight: Lanes,
+    pub height: Lanes,
+    /// Whether it only fills a vector.
+    pub is_empty: bool,
+}
+
 /// Quadrature points of a polygon, from a common origin.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Block {
@@ -56,9 +66,20 @@ pub(crate) struct Block {
 
 /// A rule on the unit square: s, t and the weight of each point.
 #[derive(Debug)]
-pub(crate) struct Points(Vec<[Lanes; 3]>);
+pub(crate) struct Nodes(Vec<[Lanes; 3]>);
 
-impl Points {
+impl Nodes {
+    /// The nodes, eight at a time; those that only fill the last vector weigh nothing.
+    pub(crate) fn blocks(&self) -> &[[Lanes; 3]] {
+        &self.0
+    }
+
+    /// The number of nodes that weigh something.
+    pub(crate) fn count(&self) -> usize {
+        let weights = self.0.iter().flat_map(|[_, _, weights]| weights);
+        weights.filter(|weight| **weight > 0.0).count()
+    }
+
     /// `n` rows of as many points as `row` says for each t.
     fn new(n: usize, row: impl Fn(f64) -> usize) -> Self {
         let on_unit = |n| {
@@ -87,8 +108,8 @@ impl Points {
 /// The rules on the cells of a shape, made once for all shapes.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Rules {
-    quadrilateral: &'static Points,
-    triangle: &'static Points,
+    quadrilateral: &'static Nodes,
+    triangle: &'static Nodes,
 }
 
 const fn is_triangle(cell: &Cell) -> bool {
@@ -96,7 +117,7 @@ const fn is_triangle(cell: &Cell) -> bool {
 }
 
 impl Rules {
-    fn of(&self, cell: &Cell) -> &'static Points {
+    pub(crate) fn of(&self, cell: &Cell) -> &'static Nodes {
         if is_triangle(cell) {
             self.triangle
         } else {
@@ -123,7 +144,7 @@ pub(crate) fn fill(
 ) {
     let mut rest = out;
     for (cell, jacobian) in shape.cells.iter().zip(&shape.jacobians) {
-        let Points(points) = rules.of(cell);
+        let Nodes(points) = rules.of(cell);
         let (out, others) = rest.split_at_mut(points.len());
         rest = others;
         let mut corners = [[0.0; 4]; 4];
@@ -202,14 +223,14 @@ impl Lines {
     /// Rules for the cells of a shape with so many rows, and no more points in any.
     #[inline]
     pub(crate) fn rules(&self, points: usize, shape: &Shape) -> Rules {
-        static SQUARES: [OnceLock<Points>; MOST_POINTS + 1] =
+        static SQUARES: [OnceLock<Nodes>; MOST_POINTS + 1] =
             [const { OnceLock::new() }; MOST_POINTS + 1];
-        static TRIANGLES: [[OnceLock<Points>; MOST_PER_DIRECTION + 1]; STEPS] =
+        static TRIANGLES: [[OnceLock<Nodes>; MOST_PER_DIRECTION + 1]; STEPS] =
             [const { [const { OnceLock::new() }; MOST_PER_DIRECTION + 1] }; STEPS];
         let n = points.clamp(1, MOST_POINTS);
         let has_triangles =
             shape.cells.iter().any(is_triangle) && (2..=MOST_PER_DIRECTION).contains(&n);
-        let quadrilateral = SQUARES[n].get_or_init(|| Points::new(n, |_| n));
+        let quadrilateral = SQUARES[n].get_or_init(|| Nodes::new(n, |_| n));
         let triangle = match ratio(self.gamma) {
             Some(ratio) if has_triangles => {
                 TRIANGLES[ratio.0][n].get_or_init(|| triangle(ratio, n))
@@ -248,9 +269,9 @@ impl Lines {
 
 /// A rule whose rows have fewer points the shorter they are: as many as keep each from adding more
 /// to the error than a whole one.
-fn triangle(at: (usize, f64), n: usize) -> Points {
+fn triangle(at: (usize, f64), n: usize) -> Nodes {
     let whole = bounds_at(at)[n];
-    Points::new(n, |t| {
+    Nodes::new(n, |t| {
         let share = 1.0 - t;
         let bounds = ratio(at.1 / share).map(bounds_at);
         let is_enough = |points: &usize| {

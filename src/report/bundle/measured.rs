@@ -109,6 +109,12 @@ fn of_study(study: &StudyAnswer) -> Result<Vec<BundleFigure>, PageError> {
                 BundleFigure::lines("oracles", by_elements, None, &by_oracle(study)?)?,
             ]
         }
+        StudyAnswer::Tolerances(_) => {
+            let caption = "The largest error and the largest bound over all pairs of a scene, \
+                           against run time, from a tolerance of 1e-2 to one of 1e-14.";
+            let figure = own_figure(study)?;
+            vec![BundleFigure::lines("error-scenes", caption, None, &figure)?.timed()]
+        }
         StudyAnswer::Refinement(_) => {
             let caption = "Mutual information that a mesh lacks of the continuous one.";
             vec![BundleFigure::lines(

@@ -75,6 +75,7 @@ pub fn report_tables(answer: &ReportAnswer) -> Result<Vec<BundleTable>, PageErro
 pub(super) const fn named(subject: StudySubject) -> (&'static str, &'static str) {
     match subject {
         StudySubject::Accuracy => ("accuracy", "Error of every route within a time"),
+        StudySubject::Tolerances => ("tolerances", "Whole scenes by tolerance"),
         StudySubject::Stability => ("stability", "Digits kept in stiff and extreme cases"),
         StudySubject::Precision => ("precision", "Width of enclosures"),
         StudySubject::Limits => ("limits", "The cuts of §4.2 as the exponent grows"),

@@ -13,3 +13,4 @@ mod screens;
 mod selections;
 mod stores;
 mod tiles;
+mod together;

@@ -3,7 +3,8 @@
 //! `measurements` has studies with one number per row, `routes` those that set several methods side
 //! by side, `gradient_cuts` the reach of the cuts of §4.2, `refinement` the approach to the
 //! continuous value, `sampling` the estimates from random lines and fig. 5,
-//! `oracles` the refinement of meshes, `information` the ranks of random ones.
+//! `tolerances` whole scenes, `oracles` the refinement of meshes, `information` the ranks of random
+//! ones.
 
 mod gradient_cuts;
 mod information;
@@ -12,6 +13,7 @@ mod oracles;
 mod refinement;
 mod routes;
 mod sampling;
+mod tolerances;
 
 use crate::question::StudyAnswer;
 use crate::report::{Figure, Report, ReportError};
@@ -23,6 +25,7 @@ use crate::report::{Figure, Report, ReportError};
 pub fn study_report(answer: &StudyAnswer) -> Result<Report, ReportError> {
     match answer {
         StudyAnswer::Accuracy(rows) => routes::accuracy_report(rows),
+        StudyAnswer::Tolerances(rows) => tolerances::tolerances_report(rows),
         StudyAnswer::Stability(rows) => routes::stability_report(rows),
         StudyAnswer::Precision(rows) => {
             measurements::measurements_report("precision", "relative width", rows)
@@ -41,12 +44,14 @@ pub fn study_report(answer: &StudyAnswer) -> Result<Report, ReportError> {
     }
 }
 
-/// The figure of a study; none but those of refinements, of accuracy and of oracles has one.
+/// The figure of a study; none but those of refinements, of accuracy, of tolerances and of oracles
+/// has one.
 #[must_use]
 pub fn study_figure(answer: &StudyAnswer) -> Option<Figure> {
     match answer {
         StudyAnswer::Refinement(rows) => Some(refinement::refinements_figure(rows)),
         StudyAnswer::Accuracy(rows) => Some(routes::accuracy_figure(rows)),
+        StudyAnswer::Tolerances(rows) => Some(tolerances::tolerances_figure(rows)),
         StudyAnswer::Oracles(rows) => Some(oracles::oracles_figure(rows)),
         _ => None,
     }
