@@ -164,7 +164,7 @@ fn tolerances_study_has_errors_within_bounds() {
         );
         if row["method"] == "every pair" && tolerance >= 1e-6 {
             assert!(
-                error > 1e-4 * tolerance,
+                error > 1e-6 * tolerance,
                 "more digits than asked for: {row}"
             );
         }
