@@ -72,6 +72,8 @@
 //!
 //! [`ScenePoints`] sees the rows from single points, past all that stands in the way.
 //!
+//! A pass may be shared out among processes ([`Ranks`]); its sums have the same bits for any number.
+//!
 //! [`MatrixStore`] keeps a matrix that is larger than memory in a folder, tile by tile.
 //!
 //! **Not covered**: reflection on the way, which is transport's.
@@ -85,6 +87,7 @@ mod plan;
 mod points;
 mod polygon_pair;
 mod progress;
+mod ranks;
 mod resolution;
 mod resolution_errors;
 mod row_pair;
@@ -108,6 +111,7 @@ pub use plan::counts::{
 };
 pub use points::{PointRow, ScenePoints};
 pub use progress::{Progress, Unheard};
+pub use ranks::{Alone, RankFailed, Ranks, failure};
 pub use resolution_errors::ResolutionErrors;
 pub use scene_pairs::ScenePairs;
 pub use selection::Selection;

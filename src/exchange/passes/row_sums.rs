@@ -6,17 +6,23 @@
 //!
 //! Each [tile](crate::exchange::Tile) is summed on its own, over its rows and over its columns, and
 //! the sums of the tiles are added up in their order. So every sum takes its terms in an order that
-//! depends on the scene alone, and comes out the same for any number of threads.
+//! depends on the scene alone, and comes out the same for any number of threads, and of
+//! [ranks](crate::exchange::Ranks).
 //!
 //! **Memory** O(n).
 
 use crate::exchange::plan::counts::{PassCounts, PassSummary};
 use crate::exchange::plan::facing::Facing;
+use crate::exchange::ranks::{Alone, Deal, agreed};
 use crate::exchange::scene_pairs::ScenePairs;
 use crate::exchange::{ExchangeError, Tile};
 use crate::form_factor::ExchangeArea;
 use crate::numeric::CompensatedSum;
 use rayon::prelude::*;
+use std::ops::Range;
+
+/// Tiles that each rank sums before the sums are handed to those whose rows they are.
+const TILES_A_RANK: usize = 64;
 
 /// Rows along one side of a tile.
 const SIDE: usize = 128;
@@ -38,18 +44,50 @@ struct RowSums<const K: usize> {
     counts: PassCounts,
 }
 
+impl<const K: usize> TileSums<K> {
+    /// The sums over the columns and over the rows, as numbers.
+    fn numbers(&self) -> [Vec<f64>; 2] {
+        [&self.columns, &self.rows].map(|sums| {
+            let sums = sums.as_flattened().iter();
+            sums.flat_map(CompensatedSum::parts).collect()
+        })
+    }
+}
+
+/// The places of a tile's columns and of its rows, in the order in which their sums are added.
+fn shape(tile: &Tile) -> Vec<Range<usize>> {
+    let block = tile.block();
+    vec![block.columns.clone(), block.rows.clone()]
+}
+
 impl<const K: usize> RowSums<K> {
-    /// Adds the sums of the next tile.
-    fn add(&mut self, tile: &Tile, more: &TileSums<K>) {
-        let block = tile.block();
-        for (places, more) in [(&block.columns, &more.columns), (&block.rows, &more.rows)] {
-            for (sums, more) in self.sums[places.clone()].iter_mut().zip(more) {
-                for (sum, more) in sums.iter_mut().zip(more) {
-                    sum.add_sum(more);
-                }
-            }
+    /// Adds the sums that a tile brings to some places.
+    fn add(&mut self, places: Range<usize>, numbers: &[f64]) {
+        let sums = self.sums[places].as_flattened_mut();
+        for (sum, parts) in sums.iter_mut().zip(numbers.as_chunks::<2>().0) {
+            sum.add_sum(&CompensatedSum::of_parts(*parts));
         }
-        self.counts.merge(&more.counts);
+    }
+
+    /// Adds the sums of some of the tiles, each rank those of its own rows, and the counts of all.
+    fn take(&mut self, deal: &Deal<'_>, (first, tiles): (usize, &[Tile]), own: &[TileSums<K>]) {
+        let parts = first..first + tiles.len();
+        let numbers: Vec<[Vec<f64>; 2]> = own.iter().map(TileSums::numbers).collect();
+        let numbers: Vec<Vec<&[f64]>> = numbers
+            .iter()
+            .map(|both| both.iter().map(Vec::as_slice).collect())
+            .collect();
+        deal.deliver(
+            parts.clone(),
+            2 * K,
+            &|part| shape(&tiles[part - first]),
+            &numbers,
+            &mut |_, places, numbers| self.add(places, numbers),
+        );
+        let counts = own.iter().flat_map(|sums| sums.counts.numbers()).collect();
+        deal.share(parts, PassCounts::NUMBERS, counts, &mut |numbers| {
+            self.counts.merge(&PassCounts::of_numbers(numbers));
+        });
     }
 }
 
@@ -75,22 +113,32 @@ impl ScenePairs<'_> {
         &self,
         term: impl Fn(usize, usize, &ExchangeArea) -> [f64; K] + Sync,
     ) -> Result<(Vec<[f64; K]>, PassSummary), ExchangeError> {
-        let mut sums = self.no_sums();
-        for band in self.bands(SIDE) {
-            let of_tile = |tile: &Tile| {
+        let deal = Deal::new(self.ranks(), self.rows());
+        let (mut sums, mut first, mut tiles) = (self.no_sums(), 0, Vec::new());
+        let enough = TILES_A_RANK * deal.ranks().count();
+        let mut bands = self.bands(SIDE).peekable();
+        while let Some(band) = bands.next() {
+            let left_out = band.pairs - band.tiles.iter().map(Tile::pairs).sum::<usize>();
+            self.advance(left_out);
+            tiles.extend(band.tiles);
+            if tiles.len() < enough && bands.peek().is_some() {
+                continue;
+            }
+            let own: Vec<usize> = deal.own_parts(first..first + tiles.len()).collect();
+            let of_tile = |part: &usize| {
+                let tile: &Tile = &tiles[part - first];
                 let sums = self.tile_sums(tile, &term);
                 self.advance(tile.pairs());
                 sums
             };
-            let left_out = band.pairs - band.tiles.iter().map(Tile::pairs).sum::<usize>();
-            self.advance(left_out);
             let found: Vec<Result<TileSums<K>, ExchangeError>> =
-                band.tiles.par_iter().map(of_tile).collect();
-            for (tile, found) in band.tiles.iter().zip(found) {
-                sums.add(tile, &found?);
-            }
+                own.par_iter().map(of_tile).collect();
+            let found: Result<Vec<TileSums<K>>, ExchangeError> = found.into_iter().collect();
+            sums.take(&deal, (first, &tiles), &agreed(deal.ranks(), found)?);
+            first += tiles.len();
+            tiles.clear();
         }
-        Ok(self.totals(sums))
+        Ok(self.totals(&deal, sums))
     }
 
     /// The sums over one tile, of terms that are the same for (i, j) and (j, i); terms are asked
@@ -140,11 +188,12 @@ impl ScenePairs<'_> {
         &self,
         sums: impl IntoIterator<Item = (Tile, TileSums<K>)>,
     ) -> (Vec<[f64; K]>, PassSummary) {
+        let deal = Deal::new(&Alone, self.rows());
         let mut all = self.no_sums();
         for (tile, more) in sums {
-            all.add(&tile, &more);
+            all.take(&deal, (0, &[tile]), &[more]);
         }
-        self.totals(all)
+        self.totals(&deal, all)
     }
 
     fn no_sums<const K: usize>(&self) -> RowSums<K> {
@@ -154,10 +203,21 @@ impl ScenePairs<'_> {
         }
     }
 
-    fn totals<const K: usize>(&self, all: RowSums<K>) -> (Vec<[f64; K]>, PassSummary) {
+    fn totals<const K: usize>(
+        &self,
+        deal: &Deal<'_>,
+        all: RowSums<K>,
+    ) -> (Vec<[f64; K]>, PassSummary) {
+        let own = all.sums[deal.own_places()].as_flattened().iter();
+        let totals = deal.complete(own.map(CompensatedSum::total).collect());
         let mut by_row = vec![[0.0; K]; self.rows()];
-        for (row, sums) in self.plane_sets().order().iter().zip(&all.sums) {
-            by_row[*row] = sums.map(|sum| sum.total());
+        for (row, totals) in self
+            .plane_sets()
+            .order()
+            .iter()
+            .zip(totals.as_chunks::<K>().0)
+        {
+            by_row[*row] = *totals;
         }
         (by_row, self.summary(all.counts))
     }

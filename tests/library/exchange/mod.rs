@@ -7,6 +7,7 @@ mod occluded;
 mod plan;
 mod points;
 mod promises;
+mod ranks;
 mod resolution;
 mod rows;
 mod screens;
