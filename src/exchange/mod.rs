@@ -78,6 +78,7 @@
 //!
 //! **Not covered**: reflection on the way, which is transport's.
 
+mod blocks;
 mod closure;
 mod configurations;
 mod error;
@@ -98,12 +99,14 @@ mod sights;
 mod store;
 mod tolerance;
 
+pub use blocks::{HeldBlocks, LowerBlocks};
 pub use closure::{Closure, RowSum};
 pub use error::ExchangeError;
 pub use matrix_laws::{BrokenLaw, MatrixLaws, MatrixLawsError};
 pub use passes::matrix::ExchangeAreas;
 pub use passes::row_sums::TileSums;
 pub use passes::rows::Entry;
+pub use passes::shared_out::{ExchangeBlocks, ResolutionRows};
 pub use passes::tiles::{Tile, TileAnswers};
 pub use plan::Congruence;
 pub use plan::counts::{
@@ -112,8 +115,13 @@ pub use plan::counts::{
 pub use points::{PointRow, ScenePoints};
 pub use progress::{Progress, Unheard};
 pub use ranks::{Alone, RankFailed, Ranks, failure};
+pub(crate) use ranks::{Deal, agreed};
 pub use resolution_errors::ResolutionErrors;
 pub use scene_pairs::ScenePairs;
 pub use selection::Selection;
-pub use store::{MatrixStore, Shard, StoreError, StoreFilled, StoreState, check_store};
+pub(crate) use store::unread;
+pub use store::{
+    MatrixStore, PairSource, ProductFiles, Shard, StoreError, StoreFilled, StoreState,
+    StoredBlocks, StoredMatrix, check_store,
+};
 pub use tolerance::Tolerance;

@@ -6,7 +6,8 @@
 //! ranks; they are gathered once.
 //!
 //! Every rank asks the same passes in the same order, and all learn of the failure of one
-//! ([`failure`]), which is named by its number.
+//! ([`failure`]), which is named by its number: what ranks do together begins with asking whether all
+//! are well, and nothing after that can fail. A rank that fails elsewhere need only ask once more.
 //!
 //! **Not covered**: a rank that dies, which whoever started the ranks sees; ranks whose processors
 //! order bytes differently.
@@ -98,6 +99,9 @@ pub(crate) fn agreed<T, E: fmt::Display + From<RankFailed>>(
     }
 }
 
+/// Some places, and what a part of a pass brings to each of them.
+pub(crate) type Brought<'n> = (Range<usize>, &'n [f64]);
+
 /// The parts of a pass, dealt out to ranks, and the places that they bring sums to.
 #[derive(Clone, Copy)]
 pub(crate) struct Deal<'r> {
@@ -109,6 +113,11 @@ impl<'r> Deal<'r> {
     /// A pass that brings sums to so many places.
     pub(crate) fn new(ranks: &'r dyn Ranks, places: usize) -> Self {
         Self { ranks, places }
+    }
+
+    /// The number of places.
+    pub(crate) const fn places(&self) -> usize {
+        self.places
     }
 
     /// The ranks.
@@ -138,20 +147,19 @@ impl<'r> Deal<'r> {
     ///
     /// **Arguments** `width`: the numbers a place; `shape`: the ranges of places that a part brings
     /// something to; `own`: the numbers for each of these ranges, of this rank's parts; `add`: takes
-    /// places and the numbers for them.
+    /// what one part brings, places and the numbers for them.
     pub(crate) fn deliver(
         &self,
         parts: Range<usize>,
         width: usize,
         shape: &dyn Fn(usize) -> Vec<Range<usize>>,
         own: &[Vec<&[f64]>],
-        add: &mut dyn FnMut(usize, Range<usize>, &[f64]),
+        add: &mut dyn FnMut(&[Brought<'_>]),
     ) {
         if self.ranks.count() == 1 {
             for (part, numbers) in parts.zip(own) {
-                for (which, (places, numbers)) in shape(part).into_iter().zip(numbers).enumerate() {
-                    add(which, places, numbers);
-                }
+                let brought = shape(part).into_iter().zip(numbers.iter().copied());
+                add(&brought.collect::<Vec<_>>());
             }
             return;
         }
@@ -172,12 +180,13 @@ impl<'r> Deal<'r> {
         let mut read = vec![0; came.len()];
         for part in parts {
             let from = part % self.ranks.count();
-            for (which, whole) in shape(part).into_iter().enumerate() {
+            let brought = shape(part).into_iter().map(|whole| {
                 let places = common(&whole, &self.own_places());
                 let start = read[from];
                 read[from] += places.len() * width;
-                add(which, places, &came[from][start..read[from]]);
-            }
+                (places, &came[from][start..read[from]])
+            });
+            add(&brought.collect::<Vec<_>>());
         }
     }
 
@@ -197,6 +206,19 @@ impl<'r> Deal<'r> {
             take(&all[from][read[from]..read[from] + width]);
             read[from] += width;
         }
+    }
+
+    /// Gives all ranks several lists of a number for each place, from what each rank has of one after
+    /// the other for its own places.
+    pub(crate) fn complete_each<const P: usize>(&self, own: Vec<f64>) -> [Vec<f64>; P] {
+        let all = self.ranks.gather(own);
+        std::array::from_fn(|list| {
+            let of_rank = |(rank, numbers): (usize, &Vec<f64>)| {
+                let places = self.places_of(rank).len();
+                numbers[list * places..(list + 1) * places].to_vec()
+            };
+            all.iter().enumerate().flat_map(of_rank).collect()
+        })
     }
 
     /// Gives all ranks the numbers of all places, from those of each one's own.

@@ -263,6 +263,11 @@ impl ScenePairs<'_> {
         self.tolerance
     }
 
+    /// Whether all patches face away from each other.
+    pub(crate) const fn is_turned_away(&self) -> bool {
+        self.is_turned_away
+    }
+
     /// Sums, for each row, the weights of the rows that the plan leaves out for it, its own weight
     /// included unless it may see itself.
     #[must_use]

@@ -45,6 +45,34 @@ struct RowSums<const K: usize> {
 }
 
 impl<const K: usize> TileSums<K> {
+    /// No sums yet, over the rows and columns of a tile.
+    pub(in crate::exchange) fn none(tile: &Tile) -> Self {
+        let none = |places: usize| vec![[CompensatedSum::default(); K]; places];
+        Self {
+            rows: none(tile.block().rows.len()),
+            columns: none(tile.block().columns.len()),
+            counts: PassCounts::default(),
+        }
+    }
+
+    /// Adds the terms of a pair, by place in the tile; those of a row with itself once.
+    #[inline]
+    pub(in crate::exchange) fn add(
+        &mut self,
+        [row, column]: [usize; 2],
+        is_diagonal: bool,
+        terms: [f64; K],
+    ) {
+        for (sum, term) in self.rows[row].iter_mut().zip(terms) {
+            sum.add(term);
+        }
+        if !is_diagonal {
+            for (sum, term) in self.columns[column].iter_mut().zip(terms) {
+                sum.add(term);
+            }
+        }
+    }
+
     /// The sums over the columns and over the rows, as numbers.
     fn numbers(&self) -> [Vec<f64>; 2] {
         [&self.columns, &self.rows].map(|sums| {
@@ -61,6 +89,21 @@ fn shape(tile: &Tile) -> Vec<Range<usize>> {
 }
 
 impl<const K: usize> RowSums<K> {
+    /// No sums yet, at so many places.
+    fn none(places: usize) -> Self {
+        Self {
+            sums: vec![[CompensatedSum::default(); K]; places],
+            counts: PassCounts::default(),
+        }
+    }
+
+    /// The sums at all places, from those of each rank's own.
+    fn totals(&self, deal: &Deal<'_>) -> Vec<[f64; K]> {
+        let own = self.sums[deal.own_places()].as_flattened().iter();
+        let totals = deal.complete(own.map(CompensatedSum::total).collect());
+        totals.as_chunks::<K>().0.to_vec()
+    }
+
     /// Adds the sums that a tile brings to some places.
     fn add(&mut self, places: Range<usize>, numbers: &[f64]) {
         let sums = self.sums[places].as_flattened_mut();
@@ -82,7 +125,11 @@ impl<const K: usize> RowSums<K> {
             2 * K,
             &|part| shape(&tiles[part - first]),
             &numbers,
-            &mut |_, places, numbers| self.add(places, numbers),
+            &mut |brought| {
+                for (places, numbers) in brought {
+                    self.add(places.clone(), numbers);
+                }
+            },
         );
         let counts = own.iter().flat_map(|sums| sums.counts.numbers()).collect();
         deal.share(parts, PassCounts::NUMBERS, counts, &mut |numbers| {
@@ -113,32 +160,19 @@ impl ScenePairs<'_> {
         &self,
         term: impl Fn(usize, usize, &ExchangeArea) -> [f64; K] + Sync,
     ) -> Result<(Vec<[f64; K]>, PassSummary), ExchangeError> {
-        let deal = Deal::new(self.ranks(), self.rows());
-        let (mut sums, mut first, mut tiles) = (self.no_sums(), 0, Vec::new());
-        let enough = TILES_A_RANK * deal.ranks().count();
-        let mut bands = self.bands(SIDE).peekable();
-        while let Some(band) = bands.next() {
+        let bands = self.bands(SIDE).map(|band| {
             let left_out = band.pairs - band.tiles.iter().map(Tile::pairs).sum::<usize>();
             self.advance(left_out);
-            tiles.extend(band.tiles);
-            if tiles.len() < enough && bands.peek().is_some() {
-                continue;
-            }
-            let own: Vec<usize> = deal.own_parts(first..first + tiles.len()).collect();
-            let of_tile = |part: &usize| {
-                let tile: &Tile = &tiles[part - first];
-                let sums = self.tile_sums(tile, &term);
-                self.advance(tile.pairs());
-                sums
-            };
-            let found: Vec<Result<TileSums<K>, ExchangeError>> =
-                own.par_iter().map(of_tile).collect();
-            let found: Result<Vec<TileSums<K>>, ExchangeError> = found.into_iter().collect();
-            sums.take(&deal, (first, &tiles), &agreed(deal.ranks(), found)?);
-            first += tiles.len();
-            tiles.clear();
-        }
-        Ok(self.totals(&deal, sums))
+            band.tiles
+        });
+        let of_tile = |tile: &Tile| {
+            let sums = self.tile_sums(tile, &term);
+            self.advance(tile.pairs());
+            sums
+        };
+        let deal = Deal::new(self.ranks(), self.rows());
+        let (totals, counts) = sums_of_tiles(&deal, bands, of_tile)?;
+        Ok((self.by_row(&totals), self.summary(counts)))
     }
 
     /// The sums over one tile, of terms that are the same for (i, j) and (j, i); terms are asked
@@ -153,9 +187,8 @@ impl ScenePairs<'_> {
     ) -> Result<TileSums<K>, ExchangeError> {
         let block = tile.block();
         let order = self.plane_sets().order();
-        let none = |places: usize| vec![[CompensatedSum::default(); K]; places];
-        let (mut rows, mut columns) = (none(block.rows.len()), none(block.columns.len()));
-        let counts = self.walk(
+        let mut sums = TileSums::none(tile);
+        sums.counts = self.walk(
             block,
             |place| order[place],
             |[row, column], facing, answer| {
@@ -163,23 +196,14 @@ impl ScenePairs<'_> {
                     return;
                 }
                 let terms = term(order[row], order[column], &answer.exchange);
-                let row_sums = &mut rows[row - block.rows.start];
-                for (sum, term) in row_sums.iter_mut().zip(terms) {
-                    sum.add(term);
-                }
-                if row != column {
-                    let column_sums = &mut columns[column - block.columns.start];
-                    for (sum, term) in column_sums.iter_mut().zip(terms) {
-                        sum.add(term);
-                    }
-                }
+                sums.add(
+                    [row - block.rows.start, column - block.columns.start],
+                    row == column,
+                    terms,
+                );
             },
         )?;
-        Ok(TileSums {
-            rows,
-            columns,
-            counts,
-        })
+        Ok(sums)
     }
 
     /// The sums over each row, from those over all [tiles](Self::tiles) of one side in their order:
@@ -189,36 +213,49 @@ impl ScenePairs<'_> {
         sums: impl IntoIterator<Item = (Tile, TileSums<K>)>,
     ) -> (Vec<[f64; K]>, PassSummary) {
         let deal = Deal::new(&Alone, self.rows());
-        let mut all = self.no_sums();
+        let mut all = RowSums::none(self.rows());
         for (tile, more) in sums {
             all.take(&deal, (0, &[tile]), &[more]);
         }
-        self.totals(&deal, all)
+        (self.by_row(&all.totals(&deal)), self.summary(all.counts))
     }
 
-    fn no_sums<const K: usize>(&self) -> RowSums<K> {
-        RowSums {
-            sums: vec![[CompensatedSum::default(); K]; self.rows()],
-            counts: PassCounts::default(),
-        }
-    }
-
-    fn totals<const K: usize>(
-        &self,
-        deal: &Deal<'_>,
-        all: RowSums<K>,
-    ) -> (Vec<[f64; K]>, PassSummary) {
-        let own = all.sums[deal.own_places()].as_flattened().iter();
-        let totals = deal.complete(own.map(CompensatedSum::total).collect());
+    /// Numbers by place in the order by plane sets, in the order of the rows.
+    fn by_row<const K: usize>(&self, totals: &[[f64; K]]) -> Vec<[f64; K]> {
         let mut by_row = vec![[0.0; K]; self.rows()];
-        for (row, totals) in self
-            .plane_sets()
-            .order()
-            .iter()
-            .zip(totals.as_chunks::<K>().0)
-        {
+        for (row, totals) in self.plane_sets().order().iter().zip(totals) {
             by_row[*row] = *totals;
         }
-        (by_row, self.summary(all.counts))
+        by_row
     }
+}
+
+/// The sums over each row by its place, of tiles that are summed wherever they are dealt to, and their
+/// counts.
+///
+/// **Arguments** `bands`: the tiles in their order, some at a time.
+pub(in crate::exchange) fn sums_of_tiles<const K: usize>(
+    deal: &Deal<'_>,
+    bands: impl Iterator<Item = Vec<Tile>>,
+    of_tile: impl Fn(&Tile) -> Result<TileSums<K>, ExchangeError> + Sync,
+) -> Result<(Vec<[f64; K]>, PassCounts), ExchangeError> {
+    let (mut sums, mut first, mut tiles) = (RowSums::none(deal.places()), 0, Vec::new());
+    let enough = TILES_A_RANK * deal.ranks().count();
+    let mut bands = bands.peekable();
+    while let Some(band) = bands.next() {
+        tiles.extend(band);
+        if tiles.len() < enough && bands.peek().is_some() {
+            continue;
+        }
+        let own: Vec<usize> = deal.own_parts(first..first + tiles.len()).collect();
+        let found: Vec<Result<TileSums<K>, ExchangeError>> = own
+            .par_iter()
+            .map(|part| of_tile(&tiles[part - first]))
+            .collect();
+        let found: Result<Vec<TileSums<K>>, ExchangeError> = found.into_iter().collect();
+        sums.take(deal, (first, &tiles), &agreed(deal.ranks(), found)?);
+        first += tiles.len();
+        tiles.clear();
+    }
+    Ok((sums.totals(deal), sums.counts))
 }

@@ -13,7 +13,8 @@ use std::collections::BTreeMap;
 /// The pairs that were left out, shared and computed, and the routes that were taken.
 ///
 /// ```text
-///   pairs = untouched + congruent + computed = Σ routes
+///   pairs = untouched + congruent + computed + stored
+///   pairs − stored = Σ routes
 /// ```
 #[derive(Debug, Clone, PartialEq, Default, serde::Serialize)]
 pub struct PlanSummary {
@@ -34,6 +35,9 @@ pub struct PlanSummary {
     pub congruent: usize,
     /// Pairs that were computed; past screens, also those that took the value of a congruent one.
     pub computed: usize,
+    /// Pairs that were read from a store.
+    #[serde(skip_serializing_if = "is_none")]
+    pub stored: usize,
     /// Pairs by route; congruent ones are counted with the route of the one that was computed.
     pub routes: BTreeMap<&'static str, usize>,
     /// The surfaces that the resolution takes as plane, coplanar or touching; none where
@@ -46,6 +50,12 @@ pub struct PlanSummary {
     /// The occlusion that was ignored; none where nothing can stand in the way.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ignored: Option<IgnoredOcclusion>,
+}
+
+/// Whether a number of pairs is 0.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde gives a reference")]
+const fn is_none(pairs: &usize) -> bool {
+    *pairs == 0
 }
 
 /// Pairs whose planes face each other, by what stands in their way.
@@ -283,6 +293,7 @@ impl PassCounts {
             back_facing: self.routes[Route::BackFacing as usize],
             congruent: self.visible.saturating_sub(computed),
             computed,
+            stored: 0,
             routes: routes
                 .filter(|(_, pairs)| *pairs > 0)
                 .map(|(route, pairs)| (route.name(), pairs))

@@ -95,6 +95,16 @@ impl Identity {
         }
     }
 
+    /// Sees that a folder is the store of this matrix.
+    pub(super) fn require(&self, folder: &Path) -> Result<(), StoreError> {
+        let path = folder.join(FORM_FACTORS).join(FILE);
+        let found = fs::read_to_string(&path).map_err(|error| match error.kind() {
+            io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => no_store(folder),
+            _ => at(&path)(error),
+        })?;
+        self.compare(folder, &found)
+    }
+
     fn compare(&self, folder: &Path, found: &str) -> Result<(), StoreError> {
         if found == self.0 {
             return Ok(());

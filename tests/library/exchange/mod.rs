@@ -12,5 +12,6 @@ mod resolution;
 mod rows;
 mod screens;
 mod selections;
+mod stored;
 mod stores;
 mod tiles;

@@ -3,7 +3,7 @@
 use super::{radiosity, uneven};
 use infoscene::numeric::{DoubleDouble, Symmetric};
 use infoscene::scene::Scene;
-use infoscene::transport::{ExchangeOperator, ExchangeRows, RadiositySystem};
+use infoscene::transport::{ExchangeOperator, ExchangeRows, RadiositySystem, TransportError};
 
 /// Products written down as they are defined, all with 106 bits.
 struct Plain<'e>(&'e Symmetric<f64>);
@@ -32,20 +32,22 @@ impl ExchangeOperator for Plain<'_> {
         self.0.order()
     }
 
-    fn differences(&self, x: &[f64]) -> Vec<f64> {
-        high(self.sums(|i, j| DoubleDouble::difference(x[i], x[j])))
+    fn differences(&self, x: &[f64]) -> Result<Vec<f64>, TransportError> {
+        Ok(high(self.sums(|i, j| DoubleDouble::difference(x[i], x[j]))))
     }
 
-    fn absolute_differences(&self, x: &[f64]) -> Vec<f64> {
-        high(self.sums(|i, j| DoubleDouble::from((x[i] - x[j]).abs())))
+    fn absolute_differences(&self, x: &[f64]) -> Result<Vec<f64>, TransportError> {
+        Ok(high(
+            self.sums(|i, j| DoubleDouble::from((x[i] - x[j]).abs())),
+        ))
     }
 
-    fn gathered(&self, x: &[f64]) -> Vec<DoubleDouble> {
-        self.sums(|_, j| DoubleDouble::from(x[j]))
+    fn gathered(&self, x: &[f64]) -> Result<Vec<DoubleDouble>, TransportError> {
+        Ok(self.sums(|_, j| DoubleDouble::from(x[j])))
     }
 
-    fn precise_differences(&self, x: &[DoubleDouble]) -> Vec<DoubleDouble> {
-        self.sums(|i, j| x[i] - x[j])
+    fn precise_differences(&self, x: &[DoubleDouble]) -> Result<Vec<DoubleDouble>, TransportError> {
+        Ok(self.sums(|i, j| x[i] - x[j]))
     }
 }
 
