@@ -52,10 +52,11 @@
 //! [`numeric`] has numbers that carry their errors, [`geometry`] polygons, [`form_factor`] one pair
 //! of polygons, [`scene`] what is there, [`exchange`] what its rows exchange, [`transport`] light
 //! in equilibrium, [`chain`] and [`information`] the paper's measures, [`discretize`] its best
-//! cuts, [`hierarchy`] light on meshes that are refined. [`reference`](mod@reference) computes the same on slow roads of its own, [`claims`] judges
-//! the paper. The feature `report` adds studies, tables and figures, the feature `cli` the command,
-//! the feature `python` the Python module that `pip install .` builds, the feature `mpi` the ranks of
-//! `mpirun`, which share out what the command computes.
+//! cuts, [`hierarchy`] light on meshes that are refined. [`reference`](mod@reference) computes the
+//! same on slow roads of its own, [`claims`] judges the paper. The feature `report` adds studies,
+//! tables and figures, the feature `cli` the command, the feature `python` the Python module that
+//! `pip install .` builds, the feature `mpi` the ranks of `mpirun`, which share out what the
+//! command computes.
 //!
 //! # Conventions
 //!

@@ -20,8 +20,8 @@ pub(super) struct Radiosity {
     /// index, a name, or all.
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     importance: Vec<PatchValue>,
-    /// Read the form factors from the folder that `form-factor --store` wrote, once for each product
-    /// with them, and hold none.
+    /// Read the form factors from the folder that `form-factor --store` wrote, once for each
+    /// product with them, and hold none.
     #[arg(long, value_name = "DIR")]
     store: Option<PathBuf>,
     /// Go on with a solution over the store that was stopped.

@@ -12,7 +12,8 @@ const WAYS: &[fn() -> Option<Box<dyn Ranks>>] = &[
 #[cfg(feature = "mpi")]
 use infoscene::ranks::Mpi;
 
-/// The ranks of the job that this process belongs to: itself alone, unless an engine has started it.
+/// The ranks of the job that this process belongs to: itself alone, unless an engine has started
+/// it.
 pub(super) fn join() -> Box<dyn Ranks> {
     let joined = WAYS.iter().find_map(|join| join());
     joined.unwrap_or_else(|| Box::new(Alone))

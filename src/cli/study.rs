@@ -49,6 +49,8 @@ enum Subject {
     Oracles,
     /// How measures of information rank random meshes, against their error.
     Information,
+    /// Time and memory against the number of patches, and a model of what a cluster would take.
+    Scale,
 }
 
 impl From<Subject> for StudySubject {
@@ -66,6 +68,7 @@ impl From<Subject> for StudySubject {
             Subject::Figure5 => Self::Figure5,
             Subject::Oracles => Self::Oracles,
             Subject::Information => Self::Information,
+            Subject::Scale => Self::Scale,
         }
     }
 }

@@ -1,10 +1,10 @@
 //! Symmetric matrices below their diagonals, in blocks of consecutive rows: held, shared out among
 //! ranks, or stored.
 //!
-//! A block has about so many entries as any other, and is read as one piece: row after row, each left
-//! of the diagonal. The blocks depend on the number of rows alone, so that sums over blocks that are
-//! added up in their order have the same bits for any number of threads and ranks, and wherever the
-//! entries are.
+//! A block has about so many entries as any other, and is read as one piece: row after row, each
+//! left of the diagonal. The blocks depend on the number of rows alone, so that sums over blocks
+//! that are added up in their order have the same bits for any number of threads and ranks, and
+//! wherever the entries are.
 
 use super::ExchangeError;
 use super::ranks::{Alone, Ranks};

@@ -99,8 +99,8 @@ impl Closure {
         Ok(Self::of_sums(pairs, sums))
     }
 
-    /// The closure of a scene whose rows of exchange areas, and of bounds on their errors, have these
-    /// sums.
+    /// The closure of a scene whose rows of exchange areas, and of bounds on their errors, have
+    /// these sums.
     pub(crate) fn of_sums(
         pairs: &ScenePairs<'_>,
         sums: impl IntoIterator<Item = [f64; 2]>,

@@ -41,8 +41,8 @@
 //! an exchange area; it stands beside the error of the computation and is never mixed with it.
 //!
 //! [`Closure`] asks whether the rows of form factors sum to one, [`MatrixLaws`] which laws a matrix
-//! from anywhere breaks; [`PassSummary`] counts pairs by route and reports the pair that is farthest
-//! from its tolerance.
+//! from anywhere breaks; [`PassSummary`] counts pairs by route and reports the pair that is
+//! farthest from its tolerance.
 //!
 //! # The pairs that are not computed
 //!
@@ -72,7 +72,8 @@
 //!
 //! [`ScenePoints`] sees the rows from single points, past all that stands in the way.
 //!
-//! A pass may be shared out among processes ([`Ranks`]); its sums have the same bits for any number.
+//! A pass may be shared out among processes ([`Ranks`]); its sums have the same bits for any
+//! number.
 //!
 //! [`MatrixStore`] keeps a matrix that is larger than memory in a folder, tile by tile.
 //!

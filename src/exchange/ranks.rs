@@ -6,8 +6,9 @@
 //! ranks; they are gathered once.
 //!
 //! Every rank asks the same passes in the same order, and all learn of the failure of one
-//! ([`failure`]), which is named by its number: what ranks do together begins with asking whether all
-//! are well, and nothing after that can fail. A rank that fails elsewhere need only ask once more.
+//! ([`failure`]), which is named by its number: what ranks do together begins with asking whether
+//! all are well, and nothing after that can fail. A rank that fails elsewhere need only ask once
+//! more.
 //!
 //! **Not covered**: a rank that dies, which whoever started the ranks sees; ranks whose processors
 //! order bytes differently.
@@ -146,8 +147,8 @@ impl<'r> Deal<'r> {
     /// this rank's places, in the order of the parts.
     ///
     /// **Arguments** `width`: the numbers a place; `shape`: the ranges of places that a part brings
-    /// something to; `own`: the numbers for each of these ranges, of this rank's parts; `add`: takes
-    /// what one part brings, places and the numbers for them.
+    /// something to; `own`: the numbers for each of these ranges, of this rank's parts; `add`:
+    /// takes what one part brings, places and the numbers for them.
     pub(crate) fn deliver(
         &self,
         parts: Range<usize>,
@@ -208,8 +209,8 @@ impl<'r> Deal<'r> {
         }
     }
 
-    /// Gives all ranks several lists of a number for each place, from what each rank has of one after
-    /// the other for its own places.
+    /// Gives all ranks several lists of a number for each place, from what each rank has of one
+    /// after the other for its own places.
     pub(crate) fn complete_each<const P: usize>(&self, own: Vec<f64>) -> [Vec<f64>; P] {
         let all = self.ranks.gather(own);
         std::array::from_fn(|list| {

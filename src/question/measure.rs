@@ -219,8 +219,8 @@ impl Measure {
         self.ask_among(&Alone, progress)
     }
 
-    /// Measures the scene as one of the ranks that share its pairs out, those of the visibility chain:
-    /// each asks the same, and has the same answer.
+    /// Measures the scene as one of the ranks that share its pairs out, those of the visibility
+    /// chain: each asks the same, and has the same answer.
     ///
     /// # Errors
     /// As [`ask`](Self::ask); [`ExchangeError::Rank`] of another rank's.

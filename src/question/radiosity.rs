@@ -48,8 +48,8 @@ pub struct Radiosity {
     pub materials: MaterialChanges,
     /// Direct importances: if some are given, importances are computed, too.
     pub importance: Vec<PatchValue>,
-    /// The store that the form factors are read from, once for each product; none to compute and hold
-    /// them.
+    /// The store that the form factors are read from, once for each product; none to compute and
+    /// hold them.
     pub store: Option<PathBuf>,
     /// Whether to go on with a solution over the store that was stopped.
     pub resume: bool,
@@ -136,12 +136,12 @@ impl Radiosity {
         self.ask_among(&Alone, progress)
     }
 
-    /// Solves for the radiosities, as one of the ranks that share the form factors out: each asks the
-    /// same, and has the same answer.
+    /// Solves for the radiosities, as one of the ranks that share the form factors out: each asks
+    /// the same, and has the same answer.
     ///
     /// # Errors
-    /// As [`ask`](Self::ask); [`ExchangeError::Rank`](crate::exchange::ExchangeError::Rank) of another
-    /// rank's.
+    /// As [`ask`](Self::ask); [`ExchangeError::Rank`](crate::exchange::ExchangeError::Rank) of
+    /// another rank's.
     pub fn ask_among(
         &self,
         ranks: &dyn Ranks,

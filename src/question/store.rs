@@ -67,8 +67,8 @@ impl StoreFormFactors {
     /// answer.
     ///
     /// # Errors
-    /// As [`ask`](Self::ask); [`ExchangeError::Rank`](crate::exchange::ExchangeError::Rank) of another
-    /// rank's.
+    /// As [`ask`](Self::ask); [`ExchangeError::Rank`](crate::exchange::ExchangeError::Rank) of
+    /// another rank's.
     pub fn ask_among(
         &self,
         ranks: &dyn Ranks,

@@ -5,11 +5,11 @@
 //! ```
 //!
 //! The library deals out tiles and blocks, and adds up what they bring, through
-//! [`Ranks`](crate::exchange::Ranks) alone; here is what makes of it messages. Sums are never left to
-//! the engine (`MPI_SUM`), which adds in an order of its own.
+//! [`Ranks`](crate::exchange::Ranks) alone; here is what makes of it messages. Sums are never left
+//! to the engine (`MPI_SUM`), which adds in an order of its own.
 //!
-//! A process that no engine has started is none of several: it never touches the engine. A rank that
-//! panics ends the job, as one that is killed does, and `mpirun` names it.
+//! A process that no engine has started is none of several: it never touches the engine. A rank
+//! that panics ends the job, as one that is killed does, and `mpirun` names it.
 //!
 //! **Not covered**: ranks on machines that order bytes differently; lists of 2³¹ numbers.
 

@@ -15,8 +15,8 @@ pub(super) struct ExchangeChanges<O> {
 }
 
 impl<O: ExchangeOperator + Clone> RadiositySystem<O> {
-    /// Bounds on what such changes bring to the radiosities of this system: the errors of form factors
-    /// that they would be; none where no bound is known.
+    /// Bounds on what such changes bring to the radiosities of this system: the errors of form
+    /// factors that they would be; none where no bound is known.
     ///
     /// **Arguments** the bounds, the radiosities of this system, the emittances.
     pub(super) fn changed(

@@ -292,8 +292,8 @@ impl<'e> SceneExchange<'e> {
         })
     }
 
-    /// Bounds on what the resolution of the coordinates can change of the radiosities of a system; none
-    /// where no bound is known, 0 if coordinates are exact.
+    /// Bounds on what the resolution of the coordinates can change of the radiosities of a system;
+    /// none where no bound is known, 0 if coordinates are exact.
     ///
     /// # Errors
     /// [`TransportError::Exchange`].

@@ -137,8 +137,8 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
         )
     }
 
-    /// The system of [`try_new`](Self::try_new), from the sums of the rows off the diagonal, and those
-    /// of the bounds.
+    /// The system of [`try_new`](Self::try_new), from the sums of the rows off the diagonal, and
+    /// those of the bounds.
     pub(super) fn with_sums(
         exchange: O,
         errors: Option<O>,

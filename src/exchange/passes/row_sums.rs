@@ -230,8 +230,8 @@ impl ScenePairs<'_> {
     }
 }
 
-/// The sums over each row by its place, of tiles that are summed wherever they are dealt to, and their
-/// counts.
+/// The sums over each row by its place, of tiles that are summed wherever they are dealt to, and
+/// their counts.
 ///
 /// **Arguments** `bands`: the tiles in their order, some at a time.
 pub(in crate::exchange) fn sums_of_tiles<const K: usize>(

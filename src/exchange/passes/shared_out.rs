@@ -1,7 +1,7 @@
 //! The exchange areas of a scene, below the diagonal, each block with the rank that it is dealt to.
 //!
-//! **Memory** `n²/2` values and `n²/2` bounds, over all ranks; as many bounds again where coordinates
-//! are rounded.
+//! **Memory** `n²/2` values and `n²/2` bounds, over all ranks; as many bounds again where
+//! coordinates are rounded.
 
 use crate::exchange::blocks::{HeldBlocks, LowerBlocks};
 use crate::exchange::plan::counts::{PassCounts, PassSummary};
@@ -129,8 +129,8 @@ impl<'p> ScenePairs<'p> {
         })
     }
 
-    /// Bounds on what the resolution of the coordinates can change of exchange areas, off the diagonal;
-    /// none if they are exact.
+    /// Bounds on what the resolution of the coordinates can change of exchange areas, off the
+    /// diagonal; none if they are exact.
     #[must_use]
     pub fn resolution_blocks(&self) -> Option<HeldBlocks<'p>> {
         self.loose()?;
@@ -144,13 +144,14 @@ impl<'p> ScenePairs<'p> {
     }
 }
 
-/// Bounds on what the resolution of the coordinates can change of exchange areas, computed where they
-/// are read.
+/// Bounds on what the resolution of the coordinates can change of exchange areas, computed where
+/// they are read.
 #[derive(Debug, Clone, Copy)]
 pub struct ResolutionRows<'p>(&'p ScenePairs<'p>);
 
 impl<'p> ScenePairs<'p> {
-    /// Bounds on what the resolution of the coordinates can change of exchange areas, none of them held.
+    /// Bounds on what the resolution of the coordinates can change of exchange areas, none of them
+    /// held.
     #[must_use]
     pub const fn resolution_rows(&'p self) -> ResolutionRows<'p> {
         ResolutionRows(self)

@@ -1,7 +1,8 @@
 //! All that the numbers of a store depend on, as lines of text.
 //!
 //! Two stores with the same text hold the same bytes. Numbers are written so that they read back to
-//! the same `f64`; a row is told with its name, and each of its polygons with a sign and its corners.
+//! the same `f64`; a row is told with its name, and each of its polygons with a sign and its
+//! corners.
 
 use super::StoreError;
 use super::chunk::FORM_FACTORS;

@@ -8,16 +8,17 @@
 //!   DIR/form_factors/scene.txt all that the numbers depend on
 //! ```
 //!
-//! Chunks are raw, little-endian, of one size; what lies beyond the last row is NaN. A *tile* is the
-//! rows of I with those of J ≥ I: its exchange areas give the chunks (I, J) and (J, I). Each chunk is
-//! written aside and renamed, so that a chunk that exists is done. A tile needs nothing of others:
-//! any number of threads, processes or machines that share the folder write the same bytes, and
-//! one that is killed loses the tiles it had begun.
+//! Chunks are raw, little-endian, of one size; what lies beyond the last row is NaN. A *tile* is
+//! the rows of I with those of J ≥ I: its exchange areas give the chunks (I, J) and (J, I). Each
+//! chunk is written aside and renamed, so that a chunk that exists is done. A tile needs nothing of
+//! others: any number of threads, processes or machines that share the folder write the same bytes,
+//! and one that is killed loses the tiles it had begun.
 //!
 //! **Memory** per thread `40 side²` bytes, and what the scene's pairs take; no matrix is held.
 //!
 //! Open `identity` for what a store is of, `zarr` for its metadata, `check` for the state of one,
-//! `stored` for how a whole one is read, `products` for what a solution leaves in it until it is finished.
+//! `stored` for how a whole one is read, `products` for what a solution leaves in it until it is
+//! finished.
 //!
 //! **Not covered**: loss of power, which may leave an empty chunk: it counts as missing.
 
@@ -142,7 +143,8 @@ impl<'p> MatrixStore<'p> {
         places.iter().all(|place| is_there(place))
     }
 
-    /// Computes the tiles of a share that are not there yet, those of the other ranks of the pairs, too.
+    /// Computes the tiles of a share that are not there yet, those of the other ranks of the pairs,
+    /// too.
     ///
     /// # Errors
     /// [`StoreError::Exchange`] if two patches are refused; [`StoreError::Io`]. Tiles that were

@@ -4,11 +4,11 @@
 //!   DIR/form_factors/products/HASH    x, then the product of x
 //! ```
 //!
-//! A solution makes each product from what the products before gave it. So one that was stopped is gone
-//! on with by doing the same again, where each product that is there needs no pass over the matrix: the
-//! answer has the same bits, and at most one product is lost. A file is written aside and renamed, has
-//! the hash of x and of the kind of product as its name, and x in it, so that it is never taken for
-//! another.
+//! A solution makes each product from what the products before gave it. So one that was stopped is
+//! gone on with by doing the same again, where each product that is there needs no pass over the
+//! matrix: the answer has the same bits, and at most one product is lost. A file is written aside
+//! and renamed, has the hash of x and of the kind of product as its name, and x in it, so that it
+//! is never taken for another.
 
 use super::StoreError;
 use super::chunk::{Aside, FORM_FACTORS, doubles, of_doubles};

@@ -1,8 +1,8 @@
 //! Sums over the rows of a stored matrix: one pass over the half of its files below the diagonal.
 //!
 //! A tile is the rows of one chunk with those of another; as in
-//! [`ScenePairs::row_sums`](crate::exchange::ScenePairs::row_sums) each is summed on its own, and sums
-//! of tiles are added up in their order.
+//! [`ScenePairs::row_sums`](crate::exchange::ScenePairs::row_sums) each is summed on its own, and
+//! sums of tiles are added up in their order.
 //!
 //! **Memory** O(n) and `40 side²` bytes a thread.
 
@@ -48,8 +48,8 @@ impl<'s> PairSource<'s> {
     /// Sums over each row ([`ScenePairs::row_sums`]).
     ///
     /// # Errors
-    /// [`ExchangeError::Pair`] if two patches are refused; [`ExchangeError::Unread`] if a store cannot
-    /// be read.
+    /// [`ExchangeError::Pair`] if two patches are refused; [`ExchangeError::Unread`] if a store
+    /// cannot be read.
     pub fn row_sums<const K: usize>(
         &self,
         term: impl Fn(usize, usize, &ExchangeArea) -> [f64; K] + Sync,
@@ -62,8 +62,8 @@ impl<'s> PairSource<'s> {
 }
 
 impl StoredMatrix<'_> {
-    /// `K` sums over each row, of terms that are the same for (i, j) and (j, i); terms are asked for as
-    /// in [`ScenePairs::row_sums`].
+    /// `K` sums over each row, of terms that are the same for (i, j) and (j, i); terms are asked
+    /// for as in [`ScenePairs::row_sums`].
     ///
     /// # Errors
     /// [`ExchangeError::Unread`].
@@ -123,8 +123,8 @@ impl StoredMatrix<'_> {
         Ok(sums)
     }
 
-    /// The summary of a pass over a stored matrix: pairs that miss the tolerance were told when it was
-    /// stored.
+    /// The summary of a pass over a stored matrix: pairs that miss the tolerance were told when it
+    /// was stored.
     pub(crate) fn summary(&self) -> PassSummary {
         let mut summary = self.pairs().summary(PassCounts::default());
         let plan = &mut summary.plan;

@@ -4,9 +4,10 @@
 //!   J_ij = A_i F_ij,   |J_ij − J*_ij| ≤ A_i b_ij (1 + 4 ε)        j < i, from the chunk of row i
 //! ```
 //!
-//! A pair is read once, so that the exchange areas are symmetric exactly. F is a rounded quotient by
-//! `A_i`, and what it is multiplied by is the same number: J is off the exchange area that was computed
-//! by ε J at most, and b includes 4 ε F for the area. The factor is for the rounding of the product.
+//! A pair is read once, so that the exchange areas are symmetric exactly. F is a rounded quotient
+//! by `A_i`, and what it is multiplied by is the same number: J is off the exchange area that was
+//! computed by ε J at most, and b includes 4 ε F for the area. The factor is for the rounding of
+//! the product.
 //!
 //! **Memory** that of a block a thread ([`LowerBlocks`]).
 

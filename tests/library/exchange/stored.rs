@@ -1,5 +1,5 @@
-//! Matrices that are read from their stores: exchange areas, radiosities, information; by ranks, and
-//! gone on with.
+//! Matrices that are read from their stores: exchange areas, radiosities, information; by ranks,
+//! and gone on with.
 
 use super::stores::filled;
 use crate::support::ranks::among;
@@ -21,8 +21,8 @@ fn pairs(scene: &Scene) -> ScenePairs<'_> {
     ScenePairs::try_new(scene, 1e-12, TREATMENT.0, TREATMENT.1).unwrap()
 }
 
-/// A cube of 216 patches with a row that is summed of patches on two walls, so that it sees itself; and
-/// a room in which blocks stand.
+/// A cube of 216 patches with a row that is summed of patches on two walls, so that it sees itself;
+/// and a room in which blocks stand.
 fn scenes() -> [Scene; 2] {
     let labels: Vec<usize> = (0..216).map(|patch| patch.max(1) % 215).collect();
     let cube = Scene::built_in("cube:6").unwrap();
@@ -56,8 +56,8 @@ fn measured(scene: &Scene, store: Option<&Path>, ranks: &dyn Ranks) -> MeasureAn
     question.ask_among(ranks, &Unheard).unwrap()
 }
 
-/// Exchange areas are read back within 2 ε of those that were stored, and each bound is at least the
-/// stored one and that difference together: F is rounded once, and so is the product.
+/// Exchange areas are read back within 2 ε of those that were stored, and each bound is at least
+/// the stored one and that difference together: F is rounded once, and so is the product.
 #[test]
 fn exchange_areas_are_read_within_their_bounds() {
     for scene in scenes() {
@@ -91,8 +91,9 @@ fn exchange_areas_are_read_within_their_bounds() {
 }
 
 /// A furnace of R = 0.75 glows with B = 4 E; and elsewhere the answers from a store and from memory
-/// meet: J is read within 2 ε, and so are the areas that are sums of it, so that form factors are within
-/// 4 ε and light that bounced k times within 4 k ε; of R = 1/2, 2⁻¹⁰⁰ bounces more than 100 times.
+/// meet: J is read within 2 ε, and so are the areas that are sums of it, so that form factors are
+/// within 4 ε and light that bounced k times within 4 k ε; of R = 1/2, 2⁻¹⁰⁰ bounces more than 100
+/// times.
 #[test]
 fn radiosities_over_a_store_are_those_of_the_scene() {
     let cube = Scene::built_in("cube:6").unwrap();
@@ -139,8 +140,8 @@ fn radiosities_over_a_store_are_those_of_the_scene() {
     }
 }
 
-/// The information of a cube's chain from a store is that from memory within both bounds, and that of
-/// one patch a face is known: 0.263034544099120 bits, from an evaluation with 50 digits.
+/// The information of a cube's chain from a store is that from memory within both bounds, and that
+/// of one patch a face is known: 0.263034544099120 bits, from an evaluation with 50 digits.
 #[test]
 fn information_over_a_store_is_that_of_the_scene() {
     let [summed, blocks] = scenes();
@@ -165,8 +166,8 @@ fn information_over_a_store_is_that_of_the_scene() {
     }
 }
 
-/// One to three ranks, one and two threads each, fill a store with the same files, and answer with the
-/// same numbers, held and from the store.
+/// One to three ranks, one and two threads each, fill a store with the same files, and answer with
+/// the same numbers, held and from the store.
 #[test]
 fn any_number_of_ranks_and_threads_gives_the_same_answers() {
     let all = [(1, 1), (1, 2), (2, 1), (3, 2)];
@@ -234,8 +235,8 @@ impl Ranks for Mortal {
     }
 }
 
-/// A solution over a store that dies after any number of products, and is gone on with, answers with
-/// the same numbers; a product file that is damaged, or another's, is made again.
+/// A solution over a store that dies after any number of products, and is gone on with, answers
+/// with the same numbers; a product file that is damaged, or another's, is made again.
 #[test]
 fn a_solution_goes_on_where_it_was_stopped() {
     let scene = Scene::built_in("cube:6").unwrap();
@@ -269,7 +270,7 @@ fn a_solution_goes_on_where_it_was_stopped() {
     fs::write(&files[3], []).unwrap();
     assert!(ask(true, &Alone) == expected);
     assert_eq!(kept(), 0);
-    // what is left of a solution is not taken unless that is asked for, and other light is other light
+    // what is left of a solution is not taken unless that is asked for, and other light is another
     let mortal = Mortal {
         left: AtomicUsize::new(9),
     };
