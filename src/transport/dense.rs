@@ -1,7 +1,8 @@
 //! Exchange areas that are held, all pairs of them.
 
+use super::ExchangeOperator;
 use super::products::Products;
-use super::{ExchangeOperator, TransportError};
+use crate::exchange::ExchangeError;
 use crate::numeric::{DoubleDouble, Scaled, Symmetric};
 use std::borrow::Cow;
 
@@ -26,20 +27,20 @@ impl ExchangeOperator for DenseExchange<'_> {
         self.0.order()
     }
 
-    fn differences(&self, x: &[f64]) -> Result<Vec<f64>, TransportError> {
-        Ok(Products(&*self.0).differences(x)?)
+    fn differences(&self, x: &[f64]) -> Result<Vec<f64>, ExchangeError> {
+        Products(&*self.0).differences(x)
     }
 
-    fn absolute_differences(&self, x: &[f64]) -> Result<Vec<f64>, TransportError> {
-        Ok(Products(&*self.0).absolute_differences(x)?)
+    fn absolute_differences(&self, x: &[f64]) -> Result<Vec<f64>, ExchangeError> {
+        Products(&*self.0).absolute_differences(x)
     }
 
-    fn gathered(&self, x: &[f64]) -> Result<Vec<DoubleDouble>, TransportError> {
-        Ok(Products(&*self.0).gathered(x)?)
+    fn gathered(&self, x: &[f64]) -> Result<Vec<DoubleDouble>, ExchangeError> {
+        Products(&*self.0).gathered(x)
     }
 
-    fn precise_differences(&self, x: &[DoubleDouble]) -> Result<Vec<DoubleDouble>, TransportError> {
-        Ok(Products(&*self.0).precise_differences(x)?)
+    fn precise_differences(&self, x: &[DoubleDouble]) -> Result<Vec<DoubleDouble>, ExchangeError> {
+        Products(&*self.0).precise_differences(x)
     }
 }
 

@@ -10,7 +10,7 @@
 //! [`DenseExchange`]: super::DenseExchange
 //! [`SceneExchange`]: super::SceneExchange
 
-use super::TransportError;
+use crate::exchange::ExchangeError;
 use crate::numeric::DoubleDouble;
 
 /// Symmetric exchange areas `J_ij ≥ 0` without their diagonal, known by their products.
@@ -26,24 +26,24 @@ pub trait ExchangeOperator: Sync {
     /// `Σ_j J_ij (x_i − x_j)`; exactly 0 for a constant x.
     ///
     /// # Errors
-    /// [`TransportError::Exchange`] if an entry cannot be read.
-    fn differences(&self, x: &[f64]) -> Result<Vec<f64>, TransportError>;
+    /// [`ExchangeError::Unread`] if an entry cannot be read; [`ExchangeError::Rank`].
+    fn differences(&self, x: &[f64]) -> Result<Vec<f64>, ExchangeError>;
 
     /// `Σ_j J_ij |x_i − x_j|`.
     ///
     /// # Errors
-    /// [`TransportError::Exchange`] if an entry cannot be read.
-    fn absolute_differences(&self, x: &[f64]) -> Result<Vec<f64>, TransportError>;
+    /// [`ExchangeError::Unread`] if an entry cannot be read; [`ExchangeError::Rank`].
+    fn absolute_differences(&self, x: &[f64]) -> Result<Vec<f64>, ExchangeError>;
 
     /// `Σ_{j≠i} J_ij x_j`: within ε/2 for x ≥ 0, and of `x = 1` all 106 bits.
     ///
     /// # Errors
-    /// [`TransportError::Exchange`] if an entry cannot be read.
-    fn gathered(&self, x: &[f64]) -> Result<Vec<DoubleDouble>, TransportError>;
+    /// [`ExchangeError::Unread`] if an entry cannot be read; [`ExchangeError::Rank`].
+    fn gathered(&self, x: &[f64]) -> Result<Vec<DoubleDouble>, ExchangeError>;
 
     /// `Σ_j J_ij (x_i − x_j)` with 106 bits.
     ///
     /// # Errors
-    /// [`TransportError::Exchange`] if an entry cannot be read.
-    fn precise_differences(&self, x: &[DoubleDouble]) -> Result<Vec<DoubleDouble>, TransportError>;
+    /// [`ExchangeError::Unread`] if an entry cannot be read; [`ExchangeError::Rank`].
+    fn precise_differences(&self, x: &[DoubleDouble]) -> Result<Vec<DoubleDouble>, ExchangeError>;
 }

@@ -62,13 +62,13 @@ impl SceneOperator<'_> {
         kind: &str,
         x: &[f64],
         product: impl FnOnce(Products<'_>) -> Result<Vec<f64>, ExchangeError>,
-    ) -> Result<Vec<f64>, TransportError> {
+    ) -> Result<Vec<f64>, ExchangeError> {
         let matrix = InUnit {
             matrix: &*self.matrix,
             power: self.power,
         };
         let Some((files, name)) = &self.products else {
-            return Ok(product(Products(&matrix))?);
+            return product(Products(&matrix));
         };
         let kind = format!("{name} {} {kind}", self.power);
         let ranks = self.matrix.ranks();
@@ -96,20 +96,20 @@ impl ExchangeOperator for SceneOperator<'_> {
         self.matrix.order()
     }
 
-    fn differences(&self, x: &[f64]) -> Result<Vec<f64>, TransportError> {
+    fn differences(&self, x: &[f64]) -> Result<Vec<f64>, ExchangeError> {
         self.product("differences", x, |matrix| matrix.differences(x))
     }
 
-    fn absolute_differences(&self, x: &[f64]) -> Result<Vec<f64>, TransportError> {
+    fn absolute_differences(&self, x: &[f64]) -> Result<Vec<f64>, ExchangeError> {
         self.product("absolute", x, |matrix| matrix.absolute_differences(x))
     }
 
-    fn gathered(&self, x: &[f64]) -> Result<Vec<DoubleDouble>, TransportError> {
+    fn gathered(&self, x: &[f64]) -> Result<Vec<DoubleDouble>, ExchangeError> {
         let made = self.product("gathered", x, |matrix| Ok(halves(&matrix.gathered(x)?)))?;
         Ok(whole(&made))
     }
 
-    fn precise_differences(&self, x: &[DoubleDouble]) -> Result<Vec<DoubleDouble>, TransportError> {
+    fn precise_differences(&self, x: &[DoubleDouble]) -> Result<Vec<DoubleDouble>, ExchangeError> {
         let made = self.product("precise", &halves(x), |matrix| {
             Ok(halves(&matrix.precise_differences(x)?))
         })?;

@@ -18,7 +18,8 @@
 //! # Source
 //! Berman, Plemmons, *Nonnegative Matrices in the Mathematical Sciences*, SIAM 1994, chapter 6.
 
-use super::{ExchangeOperator, TransportError};
+use super::ExchangeOperator;
+use crate::exchange::ExchangeError;
 use crate::numeric::DoubleDouble;
 use std::fmt;
 
@@ -43,7 +44,7 @@ impl Sinkless {
         exchange: &O,
         errors: Option<&O>,
         is_sink: Vec<bool>,
-    ) -> Result<Option<Self>, TransportError> {
+    ) -> Result<Option<Self>, ExchangeError> {
         let certain = |reached: &[f64]| {
             let gained = exchange.gathered(reached)?;
             let noise = errors.map(|errors| errors.gathered(reached));
@@ -81,8 +82,8 @@ impl Sinkless {
 /// The set that grows from this one by all patches that `next` says, as long as some are new.
 fn grown(
     mut set: Vec<bool>,
-    next: impl Fn(&[f64]) -> Result<Vec<bool>, TransportError>,
-) -> Result<Vec<bool>, TransportError> {
+    next: impl Fn(&[f64]) -> Result<Vec<bool>, ExchangeError>,
+) -> Result<Vec<bool>, ExchangeError> {
     loop {
         let indicator: Vec<f64> = set
             .iter()

@@ -129,7 +129,10 @@ fn mpirun_speaks_once() {
             vec!["measure", "cube:1", "--no-such-flag"],
             "--no-such-flag",
         ),
-        (vec!["radiosity", "two-squares"], "--emittance gives one"),
+        (
+            vec!["radiosity", "two-squares"],
+            "no patch has a positive emittance",
+        ),
     ] {
         let [one, several] = [0, 3].map(|ranks| output(ranks, &arguments));
         let told = String::from_utf8(several.stderr).unwrap();

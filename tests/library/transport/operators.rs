@@ -1,9 +1,10 @@
 //! A solution reads the exchange areas through their products alone.
 
 use super::{radiosity, uneven};
+use infoscene::exchange::ExchangeError;
 use infoscene::numeric::{DoubleDouble, Symmetric};
 use infoscene::scene::Scene;
-use infoscene::transport::{ExchangeOperator, ExchangeRows, RadiositySystem, TransportError};
+use infoscene::transport::{ExchangeOperator, ExchangeRows, RadiositySystem};
 
 /// Products written down as they are defined, all with 106 bits.
 struct Plain<'e>(&'e Symmetric<f64>);
@@ -32,21 +33,21 @@ impl ExchangeOperator for Plain<'_> {
         self.0.order()
     }
 
-    fn differences(&self, x: &[f64]) -> Result<Vec<f64>, TransportError> {
+    fn differences(&self, x: &[f64]) -> Result<Vec<f64>, ExchangeError> {
         Ok(high(self.sums(|i, j| DoubleDouble::difference(x[i], x[j]))))
     }
 
-    fn absolute_differences(&self, x: &[f64]) -> Result<Vec<f64>, TransportError> {
+    fn absolute_differences(&self, x: &[f64]) -> Result<Vec<f64>, ExchangeError> {
         Ok(high(
             self.sums(|i, j| DoubleDouble::from((x[i] - x[j]).abs())),
         ))
     }
 
-    fn gathered(&self, x: &[f64]) -> Result<Vec<DoubleDouble>, TransportError> {
+    fn gathered(&self, x: &[f64]) -> Result<Vec<DoubleDouble>, ExchangeError> {
         Ok(self.sums(|_, j| DoubleDouble::from(x[j])))
     }
 
-    fn precise_differences(&self, x: &[DoubleDouble]) -> Result<Vec<DoubleDouble>, TransportError> {
+    fn precise_differences(&self, x: &[DoubleDouble]) -> Result<Vec<DoubleDouble>, ExchangeError> {
         Ok(self.sums(|i, j| x[i] - x[j]))
     }
 }

@@ -1,6 +1,6 @@
 //! Time and memory against the number of patches, and the model of a cluster: a table.
 
-use crate::report::{Report, ReportError, Table, scientific};
+use crate::report::{Report, ReportError, Table};
 use crate::study::scale::{Basis, ScaleRow};
 
 /// A line for each number, with what it rests on.
@@ -21,7 +21,7 @@ pub(crate) fn scale_report(rows: &[ScaleRow]) -> Result<Report, ReportError> {
             count(row.patches),
             row.nodes.to_string(),
             row.threads.to_string(),
-            format!("{} {}", scientific(row.value), row.unit)
+            format!("{:.2e} {}", row.value, row.unit)
                 .trim_end()
                 .to_owned(),
             row.memory
