@@ -3,8 +3,11 @@
 use super::{Answer, Outcome};
 use infoscene::exchange::{Alone, Ranks};
 
+/// A way in which this process may be one of several; none if it is not.
+type Join = fn() -> Option<Box<dyn Ranks>>;
+
 /// The ways in which this process may be one of several.
-const WAYS: &[fn() -> Option<Box<dyn Ranks>>] = &[
+const WAYS: &[Join] = &[
     #[cfg(feature = "mpi")]
     Mpi::joined,
 ];
