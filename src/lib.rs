@@ -46,14 +46,17 @@
 //! ```text
 //! numeric → geometry → form_factor → scene → exchange → transport → chain → information
 //!   → discretize → hierarchy → reference → claims → study → question → report → python
+//!   → ranks
 //! ```
 //!
 //! [`numeric`] has numbers that carry their errors, [`geometry`] polygons, [`form_factor`] one pair
 //! of polygons, [`scene`] what is there, [`exchange`] what its rows exchange, [`transport`] light
 //! in equilibrium, [`chain`] and [`information`] the paper's measures, [`discretize`] its best
-//! cuts, [`hierarchy`] light on meshes that are refined. [`reference`](mod@reference) computes the same on slow roads of its own, [`claims`] judges
-//! the paper. The feature `report` adds studies, tables and figures, the feature `cli` the command,
-//! the feature `python` the Python module that `pip install .` builds.
+//! cuts, [`hierarchy`] light on meshes that are refined. [`reference`](mod@reference) computes the
+//! same on slow roads of its own, [`claims`] judges the paper. The feature `report` adds studies,
+//! tables and figures, the feature `cli` the command, the feature `python` the Python module that
+//! `pip install .` builds, the feature `mpi` the ranks of `mpirun`, which share out what the
+//! command computes.
 //!
 //! # Conventions
 //!
@@ -75,6 +78,8 @@ pub mod numeric;
 #[cfg(feature = "python")]
 pub mod python;
 pub mod question;
+#[cfg(feature = "mpi")]
+pub mod ranks;
 pub mod reference;
 #[cfg(feature = "report")]
 pub mod report;

@@ -1,11 +1,12 @@
 //! `infoscene form-factor SCENE`.
 
-use super::Answer;
 use super::output::{Output, check_place, finished, replace_with, say};
 use super::progress::Bar;
+use super::ranks::first_alone;
 use super::scene::ScenePairsArguments;
 use super::store::shard;
-use infoscene::exchange::Shard;
+use super::{Answer, Outcome};
+use infoscene::exchange::{Ranks, Shard};
 use infoscene::question::{
     FormFactorMatrix, FormFactors, MatrixEntries, PatchName, StoreFormFactors, Unreached,
 };
@@ -49,11 +50,16 @@ pub(super) struct FormFactor {
 }
 
 impl FormFactor {
-    pub(super) fn answer(&self) -> Answer {
+    pub(super) fn answer(&self, ranks: &dyn Ranks) -> Answer {
         self.output.check()?;
-        if let Some(folder) = &self.store {
-            return self.fill(folder);
+        match &self.store {
+            Some(folder) => self.fill(folder, ranks),
+            None => first_alone(ranks, || self.listed()),
         }
+    }
+
+    /// Lists form factors, and writes the matrix into files.
+    fn listed(&self) -> Answer {
         let files = self.matrices()?;
         let question = FormFactors {
             scene: self.scene.source(),
@@ -85,7 +91,7 @@ impl FormFactor {
     }
 
     /// Fills a store.
-    fn fill(&self, folder: &Path) -> Answer {
+    fn fill(&self, folder: &Path, ranks: &dyn Ranks) -> Answer {
         let question = StoreFormFactors {
             scene: self.scene.source(),
             tolerance: self.scene.tolerance(),
@@ -94,7 +100,10 @@ impl FormFactor {
             resume: self.resume,
             shard: self.shard.unwrap_or_default(),
         };
-        let answer = question.ask(&Bar::default())?;
+        let answer = question.ask_among(ranks, &Bar::default())?;
+        if ranks.number() > 0 {
+            return Ok(Outcome::Done);
+        }
         say(&answer.notes);
         self.output.write(&store_report(&answer)?)?;
         Ok(finished(answer.unreached.as_ref()))

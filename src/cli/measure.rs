@@ -1,14 +1,17 @@
 //! `infoscene measure SCENE`.
 
-use super::Answer;
 use super::light::LightArguments;
 use super::output::{Output, finished, say};
 use super::progress::Bar;
+use super::ranks::first_alone;
 use super::sample::{Drawing, LineKindName};
 use super::scene::ScenePairsArguments;
+use super::{Answer, Outcome};
+use infoscene::exchange::Ranks;
 use infoscene::information::OpenScene;
 use infoscene::question;
 use infoscene::report::measure_report;
+use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct Measure {
@@ -38,14 +41,18 @@ pub(super) struct Measure {
     /// The same seed draws the same lines.
     #[arg(long, value_name = "S", requires = "sample", default_value_t = 1)]
     seed: u64,
+    /// Read the form factors of the visibility chain from the folder that `form-factor --store`
+    /// wrote.
+    #[arg(long, value_name = "DIR", conflicts_with = "sample")]
+    store: Option<PathBuf>,
     #[command(flatten)]
     output: Output,
 }
 
 impl Measure {
-    pub(super) fn answer(&self) -> Answer {
+    pub(super) fn answer(&self, ranks: &dyn Ranks) -> Answer {
         if let Some(lines) = self.sample {
-            return self.sampled(lines);
+            return first_alone(ranks, || self.sampled(lines));
         }
         self.output.check()?;
         let question = question::Measure {
@@ -60,8 +67,12 @@ impl Measure {
             },
             continuous: self.continuous,
             pairs: self.pairs,
+            store: self.store.clone(),
         };
-        let answer = question.ask(&Bar::default())?;
+        let answer = question.ask_among(ranks, &Bar::default())?;
+        if ranks.number() > 0 {
+            return Ok(Outcome::Done);
+        }
         say(&answer.notes);
         self.output.write(&measure_report(&answer)?)?;
         Ok(finished(answer.unreached.as_ref()))

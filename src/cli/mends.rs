@@ -55,6 +55,9 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
     if let Some(StoreError::NotEmpty { .. }) = error.downcast_ref() {
         return Some("; --resume goes on with it");
     }
+    if let Some(StoreError::Incomplete { .. }) = error.downcast_ref() {
+        return Some(", with form-factor --store and --resume");
+    }
     if let Some(ExchangeError::TurnedAway) = error.downcast_ref() {
         return Some("; --reverse does");
     }
@@ -97,6 +100,7 @@ fn option(error: &(dyn Error + 'static)) -> Option<&'static str> {
         QuestionError::OpenScene(_) => Some("; --open adds the state outside"),
         QuestionError::ChannelNotNamed { .. } => Some(" with --channel r, g or b"),
         QuestionError::NoLightMeant => Some(": add --chain radiosity or --chain importance"),
+        QuestionError::StoreOfVisibility => Some(": leave out --store, or --chain"),
         QuestionError::OccludedLines => Some(": leave out --unoccluded"),
         QuestionError::TooManyPairs { .. } => {
             Some(": choose with --from or --to, --matrix writes all")

@@ -20,6 +20,7 @@ mod output;
 mod point;
 mod progress;
 mod radiosity;
+mod ranks;
 mod refine;
 mod report;
 mod report_folder;
@@ -31,6 +32,7 @@ mod store;
 mod study;
 
 use clap::{CommandFactory, Parser, Subcommand, value_parser};
+use infoscene::exchange::{Ranks, failure};
 use std::error::Error;
 use std::process::ExitCode;
 
@@ -109,17 +111,37 @@ enum Outcome {
 
 type Answer = Result<Outcome, Box<dyn Error>>;
 
-/// Runs the command with the process's arguments.
+/// Runs the command with the process's arguments; of several ranks the first speaks for all.
 pub(crate) fn run() -> ExitCode {
-    let arguments = Arguments::parse();
-    let answer = with_threads(arguments.threads).and_then(|()| answer(arguments.question));
-    match answer {
-        Ok(Outcome::Done) => ExitCode::SUCCESS,
-        Ok(Outcome::Differs) => ExitCode::from(1),
-        Err(error) => {
+    let ranks = ranks::join();
+    let is_first = ranks.number() == 0;
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) if is_first => {
+            // nothing can be said where nothing can be printed
+            drop(error.print());
+            return ExitCode::from(u8::try_from(error.exit_code()).unwrap_or(2));
+        }
+        Err(_) => return ExitCode::SUCCESS,
+    };
+    let threads = with_threads(arguments.threads);
+    let answered = threads.and_then(|()| answer(arguments.question, &*ranks));
+    let reason = answered.as_ref().err().map(ToString::to_string);
+    let failed = failure(&*ranks, reason.as_deref());
+    if !is_first {
+        return ExitCode::SUCCESS;
+    }
+    match (answered, failed) {
+        (Err(error), _) => {
             eprintln!("infoscene: {error}{}", mends::mend(&*error));
             ExitCode::from(2)
         }
+        (Ok(_), Some(failed)) => {
+            eprintln!("infoscene: {failed}");
+            ExitCode::from(2)
+        }
+        (Ok(Outcome::Done), None) => ExitCode::SUCCESS,
+        (Ok(Outcome::Differs), None) => ExitCode::from(1),
     }
 }
 
@@ -132,8 +154,19 @@ fn with_threads(threads: Option<u16>) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn answer(question: Question) -> Answer {
+/// Answers a question; one that is not shared out, on the first rank.
+fn answer(question: Question, ranks: &dyn Ranks) -> Answer {
+    let is_shared = matches!(
+        question,
+        Question::FormFactor(_) | Question::Measure(_) | Question::Radiosity(_)
+    );
+    if !is_shared && ranks.number() > 0 {
+        return Ok(Outcome::Done);
+    }
     match question {
+        Question::FormFactor(question) => question.answer(ranks),
+        Question::Measure(question) => question.answer(ranks),
+        Question::Radiosity(question) => question.answer(ranks),
         Question::Reproduce(question) => question.answer(),
         Question::Report(question) => question.answer(),
         Question::Curve(question) => question.answer(),
@@ -141,11 +174,8 @@ fn answer(question: Question) -> Answer {
         Question::Discontinuities(question) => question.answer(),
         Question::Cut(question) => question.answer(),
         Question::Grid(question) => question.answer(),
-        Question::FormFactor(question) => question.answer(),
         Question::Point(question) => question.answer(),
-        Question::Measure(question) => question.answer(),
         Question::Sample(question) => question.answer(),
-        Question::Radiosity(question) => question.answer(),
         Question::Refine(question) => question.answer(),
         Question::Check(question) => question.answer(),
         Question::Store(question) => question.answer(),

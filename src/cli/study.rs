@@ -51,6 +51,8 @@ enum Subject {
     Oracles,
     /// How measures of information rank random meshes, against their error.
     Information,
+    /// Time and memory against the number of patches, and a model of what a cluster would take.
+    Scale,
 }
 
 impl From<Subject> for StudySubject {
@@ -69,6 +71,7 @@ impl From<Subject> for StudySubject {
             Subject::Figure5 => Self::Figure5,
             Subject::Oracles => Self::Oracles,
             Subject::Information => Self::Information,
+            Subject::Scale => Self::Scale,
         }
     }
 }

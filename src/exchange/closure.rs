@@ -95,13 +95,23 @@ impl Closure {
     /// [`ExchangeError::Pair`] if two patches are refused.
     pub fn of(pairs: &ScenePairs<'_>) -> Result<Self, ExchangeError> {
         let (sums, summary) = pairs.row_sums(|_, _, exchange| [exchange.value, exchange.error])?;
+        debug_assert_eq!(summary.is_turned_away, pairs.is_turned_away());
+        Ok(Self::of_sums(pairs, sums))
+    }
+
+    /// The closure of a scene whose rows of exchange areas, and of bounds on their errors, have
+    /// these sums.
+    pub(crate) fn of_sums(
+        pairs: &ScenePairs<'_>,
+        sums: impl IntoIterator<Item = [f64; 2]>,
+    ) -> Self {
         let closure = Self::new(
             pairs.shared_names(),
             [pairs.areas(), pairs.area_bounds()],
             sums,
-            summary.is_turned_away,
+            pairs.is_turned_away(),
         );
-        Ok(closure.resolved(pairs.areas(), &pairs.crack_errors()))
+        closure.resolved(pairs.areas(), &pairs.crack_errors())
     }
 
     /// Sums the rows of exchange areas that are held.

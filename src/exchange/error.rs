@@ -1,5 +1,6 @@
 //! The refusals of an exchange: of pairs that cannot be evaluated, and of rows that do not add up.
 
+use super::ranks::RankFailed;
 use crate::form_factor::FormFactorError;
 use crate::scene::SceneError;
 
@@ -94,6 +95,15 @@ pub enum ExchangeError {
         /// Lines asked for.
         lines: u32,
     },
+    /// A matrix that is stored cannot be read.
+    #[error("{reason}")]
+    Unread {
+        /// The file and the reason.
+        reason: String,
+    },
+    /// A rank that shares the work has failed.
+    #[error(transparent)]
+    Rank(#[from] RankFailed),
     /// The scene itself was refused.
     #[error(transparent)]
     Scene(#[from] SceneError),

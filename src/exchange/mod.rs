@@ -41,8 +41,8 @@
 //! an exchange area; it stands beside the error of the computation and is never mixed with it.
 //!
 //! [`Closure`] asks whether the rows of form factors sum to one, [`MatrixLaws`] which laws a matrix
-//! from anywhere breaks; [`PassSummary`] counts pairs by route and reports the pair that is farthest
-//! from its tolerance.
+//! from anywhere breaks; [`PassSummary`] counts pairs by route and reports the pair that is
+//! farthest from its tolerance.
 //!
 //! # The pairs that are not computed
 //!
@@ -72,10 +72,14 @@
 //!
 //! [`ScenePoints`] sees the rows from single points, past all that stands in the way.
 //!
+//! A pass may be shared out among processes ([`Ranks`]); its sums have the same bits for any
+//! number.
+//!
 //! [`MatrixStore`] keeps a matrix that is larger than memory in a folder, tile by tile.
 //!
 //! **Not covered**: reflection on the way, which is transport's.
 
+mod blocks;
 mod closure;
 mod configurations;
 mod error;
@@ -85,6 +89,7 @@ mod plan;
 mod points;
 mod polygon_pair;
 mod progress;
+mod ranks;
 mod resolution;
 mod resolution_errors;
 mod row_pair;
@@ -95,12 +100,14 @@ mod sights;
 mod store;
 mod tolerance;
 
+pub use blocks::{HeldBlocks, LowerBlocks};
 pub use closure::{Closure, RowSum};
 pub use error::ExchangeError;
 pub use matrix_laws::{BrokenLaw, MatrixLaws, MatrixLawsError};
 pub use passes::matrix::ExchangeAreas;
 pub use passes::row_sums::TileSums;
 pub use passes::rows::Entry;
+pub use passes::shared_out::{ExchangeBlocks, ResolutionRows};
 pub use passes::tiles::{Tile, TileAnswers};
 pub use plan::Congruence;
 pub use plan::counts::{
@@ -108,8 +115,14 @@ pub use plan::counts::{
 };
 pub use points::{PointRow, ScenePoints};
 pub use progress::{Progress, Unheard};
+pub use ranks::{Alone, RankFailed, Ranks, failure};
+pub(crate) use ranks::{Deal, agreed};
 pub use resolution_errors::ResolutionErrors;
 pub use scene_pairs::ScenePairs;
 pub use selection::Selection;
-pub use store::{MatrixStore, Shard, StoreError, StoreFilled, StoreState, check_store};
+pub(crate) use store::unread;
+pub use store::{
+    MatrixStore, PairSource, ProductFiles, Shard, StoreError, StoreFilled, StoreState,
+    StoredBlocks, StoredMatrix, check_store,
+};
 pub use tolerance::Tolerance;

@@ -15,6 +15,7 @@
 
 use super::plan::{Congruence, Plan};
 use super::progress::{Listener, Progress, Unheard};
+use super::ranks::{Alone, Ranks, Team};
 use super::resolution::Resolution;
 use super::{ExchangeError, Selection, Tolerance};
 use crate::exchange::plan::base_offsets::BaseOffsets;
@@ -40,6 +41,7 @@ pub struct ScenePairs<'p> {
     /// None if coordinates are exact.
     resolution: Option<Resolution>,
     listener: Listener<'p>,
+    team: Team<'p>,
     pub(super) polygons: Polygons,
     /// The names of the rows.
     names: Arc<[String]>,
@@ -166,6 +168,7 @@ impl<'p> ScenePairs<'p> {
             base_offsets: BaseOffsets::of(scene, terms.patches()),
             resolution: Resolution::of(scene, terms.patches(), sights.is_some()),
             listener: Listener(&Unheard),
+            team: Team(&Alone),
             names: scene.group_names().into_iter().map(str::to_owned).collect(),
             plan,
             terms,
@@ -200,6 +203,19 @@ impl<'p> ScenePairs<'p> {
     pub fn with_progress(mut self, progress: &'p dyn Progress) -> Self {
         self.listener = Listener(progress);
         self
+    }
+
+    /// Shares out passes over all pairs among the ranks of a job: each of them asks the same, and
+    /// has the same answer.
+    #[must_use]
+    pub fn among(mut self, ranks: &'p dyn Ranks) -> Self {
+        self.team = Team(ranks);
+        self
+    }
+
+    /// The ranks that share out passes.
+    pub(crate) const fn ranks(&self) -> &'p dyn Ranks {
+        self.team.0
     }
 }
 
@@ -245,6 +261,11 @@ impl ScenePairs<'_> {
     #[must_use]
     pub const fn tolerance(&self) -> Tolerance {
         self.tolerance
+    }
+
+    /// Whether all patches face away from each other.
+    pub(crate) const fn is_turned_away(&self) -> bool {
+        self.is_turned_away
     }
 
     /// Sums, for each row, the weights of the rows that the plan leaves out for it, its own weight
@@ -299,15 +320,26 @@ impl ScenePairs<'_> {
     pub(crate) fn summary(&self, counts: PassCounts) -> PassSummary {
         let n = self.terms.patches().len();
         let left_out = self.plan.facings().pairs_left_out();
-        let is_taken = |class: usize| {
-            let sights = self.sights.as_ref();
-            sights.is_none_or(|sights| sights.is_taken(class))
-        };
-        let shared = self.shared.iter().enumerate();
+        let is_taken = self.taken_classes();
+        let shared = self.shared.iter().zip(is_taken);
         let classes = shared
-            .filter(|(class, value)| value.is_some() && is_taken(*class))
+            .filter(|(value, is_taken)| value.is_some() && *is_taken)
             .count();
         self.summary_of(n * (n - 1) / 2, left_out, classes, counts)
+    }
+
+    /// Whether a pair of any rank has taken the value of each class.
+    fn taken_classes(&self) -> Vec<bool> {
+        let Some(sights) = &self.sights else {
+            return vec![true; self.shared.len()];
+        };
+        let own = (0..self.shared.len()).map(|class| f64::from(u8::from(sights.is_taken(class))));
+        let mut all = self.ranks().gather(own.collect()).into_iter();
+        let first = all.next().unwrap_or_default();
+        let any = all.fold(first, |any, more| {
+            any.iter().zip(more).map(|(a, b)| a.max(b)).collect()
+        });
+        any.into_iter().map(|taken| taken > 0.0).collect()
     }
 
     /// The summary of a pass over some pairs, some of which were left out, while others took the

@@ -28,7 +28,7 @@
 use super::chain::{Unit, divergence_error, pair_divergence};
 use super::resolution::{Changes, InformationResolution};
 use crate::chain::ChainError;
-use crate::exchange::{Closure, PassSummary, ScenePairs};
+use crate::exchange::{Closure, PairSource, PassSummary, ScenePairs};
 use crate::form_factor::ExchangeArea;
 use crate::numeric::{Bounded, Grade, compensated_sum, tolerance, x_log2_x};
 use std::f64::consts::LN_2;
@@ -78,6 +78,8 @@ const DIVERGENCE_ERROR: usize = 3;
 
 /// The information of a scene's visibility chain, each pair taken once and none held.
 ///
+/// **Arguments** `pairs`: those of the scene, or its stored matrix.
+///
 /// # Errors
 /// [`ChainError::Exchange`] for an open scene without [`OpenScene::AddOutsideState`], for rows
 /// above one, and if two patches are refused.
@@ -94,11 +96,11 @@ const DIVERGENCE_ERROR: usize = 3;
 /// assert!((cube.mutual_information.value - 0.263_034_544_099_120_5).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn scene_information(
-    pairs: &ScenePairs<'_>,
+pub fn scene_information<'s>(
+    pairs: impl Into<PairSource<'s>>,
     open_scene: OpenScene,
 ) -> Result<SceneInformation, ChainError> {
-    let (information, _) = information_with_sums(pairs, open_scene, |_, _, terms| terms)?;
+    let (information, _) = information_with_sums(pairs.into(), open_scene, |_, _, terms| terms)?;
     Ok(information)
 }
 
@@ -110,11 +112,12 @@ pub(super) type PairTerms = [f64; 4];
 /// **Arguments** `terms`: the terms of a pair of rows, from its exchange area and the terms of the
 /// information, which come first and unchanged.
 pub(super) fn information_with_sums<const N: usize>(
-    pairs: &ScenePairs<'_>,
+    source: PairSource<'_>,
     open_scene: OpenScene,
     terms: impl Fn([usize; 2], &ExchangeArea, PairTerms) -> [f64; N] + Sync,
 ) -> Result<(SceneInformation, Vec<[f64; N]>), ChainError> {
-    let scene = RowSums::of(pairs, terms)?;
+    let pairs = source.pairs();
+    let scene = RowSums::of(source, terms)?;
     match open_scene {
         OpenScene::Refuse => scene.closure.require_closed()?,
         OpenScene::AddOutsideState => scene.closure.require_at_most_one()?,
@@ -178,9 +181,10 @@ struct RowSums<const N: usize> {
 impl<const N: usize> RowSums<N> {
     /// One pass over all pairs.
     fn of(
-        pairs: &ScenePairs<'_>,
+        source: PairSource<'_>,
         terms: impl Fn([usize; 2], &ExchangeArea, PairTerms) -> [f64; N] + Sync,
     ) -> Result<Self, ChainError> {
+        let pairs = source.pairs();
         let total_area = compensated_sum(pairs.areas().iter().copied());
         let unit = Unit::of_total(total_area);
         let in_unit = |numbers: &[f64]| -> Vec<f64> {
@@ -188,7 +192,7 @@ impl<const N: usize> RowSums<N> {
         };
         let (areas, area_bounds) = (in_unit(pairs.areas()), in_unit(pairs.area_bounds()));
         let area = unit.times(total_area);
-        let (sums, summary) = pairs.row_sums(|i, j, exchange| {
+        let (sums, summary) = source.row_sums(|i, j, exchange| {
             let (value, bound) = (unit.times(exchange.value), unit.times(exchange.error));
             let probability = areas[j] / area;
             let divergence = pair_divergence(value, areas[i], probability);
@@ -203,7 +207,7 @@ impl<const N: usize> RowSums<N> {
         );
         let mut changes = None;
         if pairs.resolution() > 0.0 {
-            let (moved, _) = pairs.row_sums(|i, j, exchange| {
+            let (moved, _) = source.row_sums(|i, j, exchange| {
                 let change = unit.times(pairs.resolution_error(i, j));
                 let product = areas[i] * (areas[j] / area);
                 [

@@ -112,4 +112,5 @@ pub use sums::compensated_sum::compensated_sum;
 pub use sums::expansion::Expansion;
 pub(crate) use sums::expansion::two_sum;
 pub use symmetric::Symmetric;
+pub(crate) use symmetric::{entries_of, row_blocks};
 pub(crate) use vectorised::{LANES, Lanes, across, vector_value, vectorised};

@@ -109,11 +109,20 @@ impl<T> Symmetric<T> {
 
     /// Blocks of consecutive rows with about equally many entries each.
     pub fn blocks(&self, count: usize) -> impl Iterator<Item = Range<usize>> + use<T> {
-        let order = self.order;
-        (0..count).map(move |block| {
-            block_start(order, block, count)..block_start(order, block + 1, count)
-        })
+        row_blocks(self.order, count)
     }
+}
+
+/// Blocks of consecutive rows of a matrix of this order with about equally many entries each, below
+/// its diagonal.
+pub(crate) fn row_blocks(order: usize, count: usize) -> impl Iterator<Item = Range<usize>> + use<> {
+    (0..count)
+        .map(move |block| block_start(order, block, count)..block_start(order, block + 1, count))
+}
+
+/// Number of entries of these rows below the diagonal.
+pub(crate) const fn entries_of(rows: &Range<usize>) -> usize {
+    start(rows.end) - start(rows.start)
 }
 
 /// The place at which row i starts.

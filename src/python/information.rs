@@ -40,6 +40,7 @@ pub(super) fn measure<'py>(
             },
             continuous: is_continuous,
             pairs: false,
+            store: None,
         };
         let answer = question.ask(progress)?;
         let names = opened.names();

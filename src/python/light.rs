@@ -31,6 +31,7 @@ pub(super) fn radiosity<'py>(
             congruence,
             materials: light.materials(opened.rows())?,
             importance: light.importance(opened.rows())?,
+            ..Radiosity::default()
         };
         let answer = question.ask(progress)?;
         let areas = opened.scene.row_areas();

@@ -9,10 +9,9 @@
 
 use super::QuestionError;
 use super::material_changes::{first_coloured, in_channel};
-use crate::exchange::{Closure, ExchangeAreas};
 use crate::numeric::compensated_sum;
 use crate::scene::{Channel, Channels};
-use crate::transport::{Importance, RadiositySolution, RadiositySystem, TransportError};
+use crate::transport::{Importance, RadiositySolution, SceneExchange, TransportError};
 
 /// The light of one row in one channel: the keys are relied on by scripts.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -55,8 +54,7 @@ pub struct Power {
 
 /// A room that is to be lit.
 pub(super) struct Room<'r> {
-    pub(super) exchange: &'r ExchangeAreas,
-    pub(super) closure: &'r Closure,
+    pub(super) exchange: &'r SceneExchange<'r>,
     pub(super) reflectances: &'r [Channels<f64>],
     pub(super) emittances: &'r [Channels<f64>],
     /// Direct importances, if importances are asked for.
@@ -83,17 +81,16 @@ impl Room<'_> {
     fn lit(&self, channel: Channel, or_dark: bool) -> Result<Lit, TransportError> {
         let [reflectances, emittances] =
             [self.reflectances, self.emittances].map(|all| in_channel(all, channel));
-        let room = RadiositySystem::with_reflectances(self.exchange, reflectances.clone())?;
+        let room = self.exchange.system(reflectances.clone())?;
         let radiosity = if or_dark && emittances.iter().all(|emittance| *emittance <= 0.0) {
             RadiositySolution::dark(emittances.len())
         } else {
             room.radiosity(&emittances)?
         };
         let importance = self.direct.map(|direct| room.importance(direct));
-        let moved = match self.exchange.resolution_errors() {
-            None => Some(vec![0.0; emittances.len()]),
-            Some(bounds) => room.resolution_errors(bounds, &radiosity.values, &emittances),
-        };
+        let moved = self
+            .exchange
+            .resolution_errors(&room, &radiosity.values, &emittances)?;
         Ok(Lit {
             power: self.power(&reflectances, &emittances, &radiosity),
             radiosity,
@@ -110,7 +107,7 @@ impl Room<'_> {
         Power {
             emitted: sum(&|i| emittances[i]),
             absorbed: sum(&|i| (1.0 - reflectances[i]) * found.received[i]),
-            escaped: sum(&|i| self.closure.escaping(i) * found.values[i]),
+            escaped: sum(&|i| self.exchange.closure().escaping(i) * found.values[i]),
         }
     }
 }

@@ -4,9 +4,10 @@
 use super::QuestionError;
 use super::light::Light;
 use super::scene::{SceneSource, ignored_note};
+use super::store::StoreToRead;
 use super::unreached::Unreached;
 use crate::chain::ChainError;
-use crate::exchange::{Congruence, ExchangeError, PlanSummary, Progress, Tolerance};
+use crate::exchange::{Alone, Congruence, ExchangeError, PlanSummary, Progress, Ranks, Tolerance};
 use crate::information::{
     ChordInformation, ContinuousInformation, FacePair, OpenScene, PairLoss, SceneInformation,
     brightness_information, chord_information, continuous_information, pair_losses,
@@ -14,6 +15,7 @@ use crate::information::{
 };
 use crate::numeric::Grade;
 use crate::scene::{Channel, NamedPatch, Occlusion, Scene, SceneError};
+use std::path::PathBuf;
 
 /// The question for the information of a scene.
 ///
@@ -44,6 +46,8 @@ pub struct Measure {
     pub continuous: bool,
     /// Whether the losses of the pairs of patches are asked for, too.
     pub pairs: bool,
+    /// The store that the form factors of the visibility chain are read from; none to compute them.
+    pub store: Option<PathBuf>,
 }
 
 impl Default for Measure {
@@ -57,6 +61,7 @@ impl Default for Measure {
             open_scene: OpenScene::Refuse,
             continuous: false,
             pairs: false,
+            store: None,
         }
     }
 }
@@ -211,19 +216,25 @@ impl Measure {
     /// [`QuestionError::Chain`] if the continuous mutual information is asked for and lines escape;
     /// [`QuestionError::NoLightMeant`]; the errors of the scene, of its pairs and of its light.
     pub fn ask(&self, progress: &dyn Progress) -> Result<MeasureAnswer, QuestionError> {
+        self.ask_among(&Alone, progress)
+    }
+
+    /// Measures the scene as one of the ranks that share its pairs out, those of the visibility
+    /// chain: each asks the same, and has the same answer.
+    ///
+    /// # Errors
+    /// As [`ask`](Self::ask); [`ExchangeError::Rank`] of another rank's.
+    pub fn ask_among(
+        &self,
+        ranks: &dyn Ranks,
+        progress: &dyn Progress,
+    ) -> Result<MeasureAnswer, QuestionError> {
         let loaded = self.scene.open()?;
         let scene = loaded.scene;
         let is_sampled = self.is_sampled(&scene)?;
-        let asked = (self.tolerance, self.congruence);
-        let pairs = self.scene.pairs(&scene, asked, progress)?;
-        let measured = if self.light.is_visibility()? {
-            scene_information(&pairs, self.open_scene).map_err(refused)?
-        } else {
-            let exchange = pairs.exchange_areas()?;
-            brightness_information(&exchange, &self.light.brightness(&scene, &exchange)?)?
-        };
+        let measured = self.measured(&scene, ranks, progress)?;
         let names = scene.group_names();
-        let unreached = Unreached::pairs(&names, &measured.summary, pairs.tolerance());
+        let unreached = Unreached::pairs(&names, &measured.summary, self.tolerance);
         let mut answer = MeasureAnswer::new(&names, measured);
         answer.channel = self.light.channel;
         answer.unreached = unreached;
@@ -238,6 +249,33 @@ impl Measure {
             self.compare(&scene, &mut answer, progress)?;
         }
         Ok(answer)
+    }
+
+    /// The information of the chain that is meant.
+    fn measured(
+        &self,
+        scene: &Scene,
+        ranks: &dyn Ranks,
+        progress: &dyn Progress,
+    ) -> Result<SceneInformation, QuestionError> {
+        let asked = (self.tolerance, self.congruence);
+        let is_visibility = self.light.is_visibility()?;
+        if let Some(folder) = &self.store {
+            if !is_visibility {
+                return Err(QuestionError::StoreOfVisibility);
+            }
+            let store = StoreToRead::of(&self.scene, asked, folder);
+            let pairs = store.pairs(scene, ranks)?;
+            let matrix = store.open(scene, &pairs)?;
+            return scene_information(&matrix, self.open_scene).map_err(refused);
+        }
+        let pairs = self.scene.pairs(scene, asked, progress)?;
+        if is_visibility {
+            return scene_information(&pairs.among(ranks), self.open_scene).map_err(refused);
+        }
+        let exchange = pairs.exchange_areas()?;
+        let brightness = self.light.brightness(scene, &exchange)?;
+        Ok(brightness_information(&exchange, &brightness)?)
     }
 
     /// Whether the continuous mutual information is to be sampled, as something stands in the way:

@@ -5,9 +5,16 @@ use super::lights::{ChannelLight, ChannelSolution, Power, Room};
 use super::material_changes::MaterialChanges;
 use super::patch_values::{PatchValue, values};
 use super::scene::{SceneSource, ignored_note};
+use super::store::StoreToRead;
 use super::unreached::Unreached;
-use crate::exchange::{Closure, Congruence, ExchangeAreas, PlanSummary, Progress, Tolerance};
-use crate::scene::Channels;
+use crate::exchange::{
+    Alone, Congruence, PassSummary, PlanSummary, ProductFiles, Progress, Ranks, ScenePairs,
+    StoreError, Tolerance, agreed,
+};
+use crate::scene::{Channels, Scene};
+use crate::transport::SceneExchange;
+use std::path::PathBuf;
+use std::sync::Arc;
 
 /// The question for the radiosities of a scene.
 ///
@@ -41,6 +48,11 @@ pub struct Radiosity {
     pub materials: MaterialChanges,
     /// Direct importances: if some are given, importances are computed, too.
     pub importance: Vec<PatchValue>,
+    /// The store that the form factors are read from, once for each product; none to compute and
+    /// hold them.
+    pub store: Option<PathBuf>,
+    /// Whether to go on with a solution over the store that was stopped.
+    pub resume: bool,
 }
 
 impl Default for Radiosity {
@@ -52,6 +64,8 @@ impl Default for Radiosity {
             congruence: Congruence::Shared,
             materials: MaterialChanges::default(),
             importance: Vec::new(),
+            store: None,
+            resume: false,
         }
     }
 }
@@ -119,18 +133,70 @@ impl Radiosity {
     /// # Errors
     /// [`QuestionError::PatchValue`]; the errors of the scene, of its pairs and of its light.
     pub fn ask(&self, progress: &dyn Progress) -> Result<RadiosityAnswer, QuestionError> {
+        self.ask_among(&Alone, progress)
+    }
+
+    /// Solves for the radiosities, as one of the ranks that share the form factors out: each asks
+    /// the same, and has the same answer.
+    ///
+    /// # Errors
+    /// As [`ask`](Self::ask); [`ExchangeError::Rank`](crate::exchange::ExchangeError::Rank) of
+    /// another rank's.
+    pub fn ask_among(
+        &self,
+        ranks: &dyn Ranks,
+        progress: &dyn Progress,
+    ) -> Result<RadiosityAnswer, QuestionError> {
         let loaded = self.scene.open()?;
         let scene = loaded.scene;
-        let reflectances = self.materials.reflectances(&scene)?;
-        let emittances = self.materials.emittances(&scene)?;
-        let direct = values(&self.importance, &scene)?;
-        let asked = (self.tolerance, self.congruence);
-        let pairs = self.scene.pairs(&scene, asked, progress)?;
-        let exchange = pairs.exchange_areas()?;
-        let closure = Closure::of_held(&exchange);
+        let mut answer = match &self.store {
+            None => {
+                let asked = (self.tolerance, self.congruence);
+                let pairs = self.scene.pairs(&scene, asked, progress)?.among(ranks);
+                let (exchange, summary) = SceneExchange::held(&pairs)?;
+                self.lit(&scene, &exchange, &summary)?
+            }
+            Some(folder) => {
+                let store = StoreToRead::of(&self.scene, (self.tolerance, self.congruence), folder);
+                let pairs = store.pairs(&scene, ranks)?;
+                self.over_store(&store, &scene, &pairs)?
+            }
+        };
+        let ignored = ignored_note(answer.plan.ignored);
+        answer.notes = loaded.notes.into_iter().chain(ignored).collect();
+        Ok(answer)
+    }
+
+    /// The answer over a store, whose products are kept in it until the answer is there.
+    fn over_store(
+        &self,
+        store: &StoreToRead<'_>,
+        scene: &Scene,
+        pairs: &ScenePairs<'_>,
+    ) -> Result<RadiosityAnswer, QuestionError> {
+        let matrix = store.open(scene, pairs)?;
+        let products = Arc::new(ProductFiles::open(store.folder, self.resume)?);
+        let exchange = SceneExchange::stored(&matrix, &products)?;
+        let summary = matrix.summary();
+        let answer = self.lit(scene, &exchange, &summary)?;
+        let is_first = pairs.ranks().number() == 0;
+        let cleared = if is_first { products.clear() } else { Ok(()) };
+        agreed::<_, StoreError>(pairs.ranks(), cleared)?;
+        Ok(answer)
+    }
+
+    /// The light of a scene.
+    fn lit(
+        &self,
+        scene: &Scene,
+        exchange: &SceneExchange<'_>,
+        summary: &PassSummary,
+    ) -> Result<RadiosityAnswer, QuestionError> {
+        let reflectances = self.materials.reflectances(scene)?;
+        let emittances = self.materials.emittances(scene)?;
+        let direct = values(&self.importance, scene)?;
         let room = Room {
-            exchange: &exchange,
-            closure: &closure,
+            exchange,
             reflectances: &reflectances,
             emittances: &emittances,
             direct: (!self.importance.is_empty()).then_some(direct.as_slice()),
@@ -151,28 +217,25 @@ impl Radiosity {
             }
         });
         let (solution, channels) = lights.solution();
-        let plan = exchange.summary().plan.clone();
-        let mut notes = loaded.notes;
-        notes.extend(ignored_note(plan.ignored));
         Ok(RadiosityAnswer {
             patches: patches.collect(),
             residual: solution.residual,
             iterations: solution.iterations,
             relative_error: solution.relative_error,
-            closed: closure.is_closed(),
+            closed: exchange.closure().is_closed(),
             resolution: scene.resolution(),
             power: solution.power,
             channels,
-            plan,
-            unreached: self.unreached(&names, &exchange, solution.relative_error),
-            notes,
+            plan: summary.plan.clone(),
+            unreached: self.unreached(&names, summary, solution.relative_error),
+            notes: Vec::new(),
         })
     }
 
     fn unreached(
         &self,
         names: &[&str],
-        exchange: &ExchangeAreas,
+        summary: &PassSummary,
         relative_error: f64,
     ) -> Option<Unreached> {
         let tolerance = self.tolerance;
@@ -182,6 +245,6 @@ impl Radiosity {
                 relative_error,
             });
         }
-        Unreached::pairs(names, exchange.summary(), tolerance)
+        Unreached::pairs(names, summary, tolerance)
     }
 }

@@ -4,9 +4,11 @@ use super::QuestionError;
 use super::scene::{SceneSource, ignored_note};
 use super::unreached::Unreached;
 use crate::exchange::{
-    Congruence, MatrixStore, PlanSummary, Progress, Shard, StoreState, Tolerance, check_store,
+    Alone, Congruence, MatrixStore, PlanSummary, Progress, Ranks, ScenePairs, Shard, StoreError,
+    StoreState, StoredMatrix, Tolerance, Unheard, agreed, check_store,
 };
-use std::path::PathBuf;
+use crate::scene::Scene;
+use std::path::{Path, PathBuf};
 
 /// The wish for a scene's form factors in a folder: a group of Zarr arrays, larger than memory.
 ///
@@ -58,14 +60,34 @@ impl StoreFormFactors {
     /// [`QuestionError::Store`] for a folder that cannot be used; the errors of the scene and of
     /// its pairs.
     pub fn ask(&self, progress: &dyn Progress) -> Result<StoreAnswer, QuestionError> {
+        self.ask_among(&Alone, progress)
+    }
+
+    /// Computes them as one of the ranks that share them out: each asks the same, and has the same
+    /// answer.
+    ///
+    /// # Errors
+    /// As [`ask`](Self::ask); [`ExchangeError::Rank`](crate::exchange::ExchangeError::Rank) of
+    /// another rank's.
+    pub fn ask_among(
+        &self,
+        ranks: &dyn Ranks,
+        progress: &dyn Progress,
+    ) -> Result<StoreAnswer, QuestionError> {
         let loaded = self.scene.open()?;
         let scene = loaded.scene;
         let asked = (self.tolerance, self.congruence);
-        let pairs = self.scene.pairs(&scene, asked, progress)?;
+        let pairs = self.scene.pairs(&scene, asked, progress)?.among(ranks);
         let treatment = (self.congruence, self.scene.occlusion);
         // shares are of one folder, whichever begins first
         let resume = self.resume || self.shard.of > 1;
-        let store = MatrixStore::open(&self.folder, &scene, &pairs, treatment, resume)?;
+        let open = |resume| MatrixStore::open(&self.folder, &scene, &pairs, treatment, resume);
+        // the first rank makes the folder that the others find
+        let first = (ranks.number() == 0).then(|| open(resume)).transpose();
+        let store = match agreed::<_, StoreError>(ranks, first)? {
+            Some(store) => store,
+            None => open(true)?,
+        };
         let filled = store.fill(self.shard)?;
         let mut notes = loaded.notes;
         notes.extend(ignored_note(filled.summary.plan.ignored));
@@ -79,6 +101,50 @@ impl StoreFormFactors {
             plan: filled.summary.plan,
             notes,
         })
+    }
+}
+
+/// A store that a question is answered from.
+pub(super) struct StoreToRead<'q> {
+    source: &'q SceneSource,
+    tolerance: Tolerance,
+    congruence: Congruence,
+    pub(super) folder: &'q Path,
+}
+
+impl<'q> StoreToRead<'q> {
+    /// The store of a scene in a folder, asked for as it was stored.
+    pub(super) const fn of(
+        source: &'q SceneSource,
+        (tolerance, congruence): (Tolerance, Congruence),
+        folder: &'q Path,
+    ) -> Self {
+        Self {
+            source,
+            tolerance,
+            congruence,
+            folder,
+        }
+    }
+
+    /// The pairs of the scene, none of which is evaluated.
+    pub(super) fn pairs<'p>(
+        &self,
+        scene: &Scene,
+        ranks: &'p dyn Ranks,
+    ) -> Result<ScenePairs<'p>, QuestionError> {
+        let asked = (self.tolerance, Congruence::Ignored);
+        Ok(self.source.pairs(scene, asked, &Unheard)?.among(ranks))
+    }
+
+    /// The matrix.
+    pub(super) fn open<'p>(
+        &self,
+        scene: &Scene,
+        pairs: &'p ScenePairs<'_>,
+    ) -> Result<StoredMatrix<'p>, QuestionError> {
+        let treatment = (self.congruence, self.source.occlusion);
+        Ok(StoredMatrix::open(self.folder, scene, pairs, treatment)?)
     }
 }
 

@@ -20,6 +20,7 @@ use crate::study::light::walks::walk_variance;
 use crate::study::lines::figure_5::{Figure5Row, figure_5};
 use crate::study::lines::sampling::{SamplingRow, sampling};
 use crate::study::refinement::{RefinementRow, refinements};
+use crate::study::scale::{ScaleRow, scale};
 
 /// The question for the rows of a study.
 ///
@@ -73,6 +74,8 @@ pub enum StudySubject {
     Oracles,
     /// The rank correlation of measures of information with the error over random meshes.
     Information,
+    /// Time and memory against the number of patches, and a model of a cluster.
+    Scale,
 }
 
 /// The rows of a study, under its name.
@@ -107,6 +110,8 @@ pub enum StudyAnswer {
     Oracles(Vec<OracleRow>),
     /// A row for each room and measure.
     Information(Vec<InformationRow>),
+    /// A row for each time that was measured, each term of the model, and each prediction.
+    Scale(Vec<ScaleRow>),
 }
 
 impl Study {
@@ -142,6 +147,7 @@ impl Study {
             StudySubject::Figure5 => StudyAnswer::Figure5(figure_5(self.quick)?),
             StudySubject::Oracles => StudyAnswer::Oracles(oracles(self.quick)?),
             StudySubject::Information => StudyAnswer::Information(information(self.quick)?),
+            StudySubject::Scale => StudyAnswer::Scale(scale(self.quick)?),
         })
     }
 

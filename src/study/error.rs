@@ -3,7 +3,7 @@
 use crate::chain::ChainError;
 use crate::claims::ClaimError;
 use crate::discretize::DiscretizeError;
-use crate::exchange::ExchangeError;
+use crate::exchange::{ExchangeError, StoreError};
 use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
 use crate::hierarchy::HierarchyError;
@@ -32,6 +32,9 @@ pub enum StudyError {
     /// The exchange of a scene's rows was refused.
     #[error(transparent)]
     Exchange(#[from] ExchangeError),
+    /// There is no place for a matrix.
+    #[error(transparent)]
+    Store(#[from] StoreError),
     /// A room's light.
     #[error(transparent)]
     Transport(#[from] TransportError),

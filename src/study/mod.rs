@@ -9,6 +9,7 @@
 //!   meshes.
 //! * [`cuts`]: the cuts of §4.2 followed to their limits, for other radiosities, and turned.
 //! * [`lines`]: estimates from random lines, and fig. 5 read as one of them.
+//! * [`scale`]: time and memory against the number of patches, and what they would be on a cluster.
 //! * [`enclosures`]: the cost of certainty. [`mod@refinement`]: discrete mutual information on its
 //!   way to the continuous one.
 //!
@@ -25,6 +26,7 @@ pub mod hierarchy;
 pub mod light;
 pub mod lines;
 pub mod refinement;
+pub mod scale;
 
 pub use error::StudyError;
 

@@ -2,8 +2,9 @@
 //!
 //! Exchange areas are scaled by a power of two where their products would leave `f64`.
 
-use super::system::{ExchangeRows, RadiositySystem, check_count, row_bounds};
-use super::{DenseExchange, ExchangeOperator, TransportError};
+use super::changes::ExchangeChanges;
+use super::system::{ExchangeRows, RadiositySystem, check_count};
+use super::{DenseExchange, TransportError};
 use crate::exchange::{Closure, ExchangeAreas, ResolutionErrors};
 use crate::numeric::{Scaled, Symmetric};
 use crate::scene::Material;
@@ -85,57 +86,27 @@ impl<'e> RadiositySystem<DenseExchange<'e>> {
     /// errors of form factors that these bounds would be; none where no bound is known.
     ///
     /// **Arguments** the bounds, the radiosities of this system, the emittances.
-    #[must_use]
+    ///
+    /// # Errors
+    /// None, as the exchange areas are held.
     pub fn resolution_errors(
         &self,
         bounds: &'e ResolutionErrors,
         values: &[f64],
         sources: &[f64],
-    ) -> Option<Vec<f64>> {
-        let exchange = DenseExchange::from(bounds.exchange());
-        let sums = exchange.gathered(&vec![1.0; bounds.own().len()]);
-        let mut system = Self {
-            errors: Some(exchange),
-            row_bounds: row_bounds(&sums, bounds.own()),
-            open_area_bounds: bounds.areas().to_vec(),
-            ..self.clone()
+    ) -> Result<Option<Vec<f64>>, TransportError> {
+        let mut changes = ExchangeChanges {
+            exchange: DenseExchange::from(bounds.exchange()),
+            own: bounds.own().to_vec(),
+            areas: bounds.areas().to_vec(),
         };
-        let power = self.power;
-        if power != 0 {
-            if let Some(errors) = &mut system.errors {
-                errors.scale(power);
-            }
-            let bounds = system
-                .row_bounds
-                .iter_mut()
-                .chain(&mut system.open_area_bounds);
-            for bound in bounds {
-                *bound = Scaled::new(*bound).times_power(power);
+        if self.power != 0 {
+            changes.exchange.scale(self.power);
+            for bound in changes.own.iter_mut().chain(&mut changes.areas) {
+                *bound = Scaled::new(*bound).times_power(self.power);
             }
         }
-        let known = system.form_factor_errors(values, sources);
-        let most = system.brightest(sources);
-        if known.is_none() && most.is_infinite() {
-            return None;
-        }
-        // whatever the form factors are, a patch is as bright as it emits, and no brighter than all
-        // would be that emit and reflect the most
-        let range = values
-            .iter()
-            .zip(sources)
-            .map(|(value, source)| f64::max(value - source, most - value));
-        let bounds = range.enumerate().map(|(patch, range)| match &known {
-            Some(known) => known[patch].min(range),
-            None => range,
-        });
-        Some(bounds.collect())
-    }
-
-    /// The radiosity of a closed room all of whose patches emit and reflect the most of any;
-    /// infinite if that reflects all.
-    fn brightest(&self, sources: &[f64]) -> f64 {
-        let largest = |values: &[f64]| values.iter().copied().fold(0.0, f64::max);
-        largest(sources) / (1.0 - largest(&self.reflectances)).max(0.0)
+        self.changed(changes, values, sources)
     }
 
     /// The system in units in which neither products nor their low halves leave `f64`.

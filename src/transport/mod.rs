@@ -46,11 +46,14 @@
 //!
 //! **Not covered**: occlusion beyond the form factors given; reflection that is not diffuse.
 
+mod changes;
 mod dense;
 mod error;
 mod form_factor_errors;
 mod held_system;
 mod operator;
+mod products;
+mod scene_exchange;
 mod sinks;
 mod solve;
 mod system;
@@ -59,5 +62,6 @@ pub mod walks;
 pub use dense::DenseExchange;
 pub use error::TransportError;
 pub use operator::ExchangeOperator;
+pub use scene_exchange::{SceneExchange, SceneOperator};
 pub use sinks::Sinkless;
 pub use system::{ExchangeRows, Importance, RadiositySolution, RadiositySystem};

@@ -5,13 +5,17 @@
 //! ```
 //!
 //! A solution reads the exchange areas through these alone: they may be held ([`DenseExchange`]),
-//! stored, spread over machines or approximated by links between clusters.
+//! stored or shared out among ranks ([`SceneExchange`]), or approximated by links between clusters.
 //!
 //! [`DenseExchange`]: super::DenseExchange
+//! [`SceneExchange`]: super::SceneExchange
 
+use crate::exchange::ExchangeError;
 use crate::numeric::DoubleDouble;
 
 /// Symmetric exchange areas `J_ij ≥ 0` without their diagonal, known by their products.
+///
+/// A product fails if the entries cannot be read, and ends the solution.
 ///
 /// **Precondition** the entries are in units in which neither products of them nor the low halves
 /// of such products leave `f64`.
@@ -20,14 +24,26 @@ pub trait ExchangeOperator: Sync {
     fn order(&self) -> usize;
 
     /// `Σ_j J_ij (x_i − x_j)`; exactly 0 for a constant x.
-    fn differences(&self, x: &[f64]) -> Vec<f64>;
+    ///
+    /// # Errors
+    /// [`ExchangeError::Unread`] if an entry cannot be read; [`ExchangeError::Rank`].
+    fn differences(&self, x: &[f64]) -> Result<Vec<f64>, ExchangeError>;
 
     /// `Σ_j J_ij |x_i − x_j|`.
-    fn absolute_differences(&self, x: &[f64]) -> Vec<f64>;
+    ///
+    /// # Errors
+    /// [`ExchangeError::Unread`] if an entry cannot be read; [`ExchangeError::Rank`].
+    fn absolute_differences(&self, x: &[f64]) -> Result<Vec<f64>, ExchangeError>;
 
     /// `Σ_{j≠i} J_ij x_j`: within ε/2 for x ≥ 0, and of `x = 1` all 106 bits.
-    fn gathered(&self, x: &[f64]) -> Vec<DoubleDouble>;
+    ///
+    /// # Errors
+    /// [`ExchangeError::Unread`] if an entry cannot be read; [`ExchangeError::Rank`].
+    fn gathered(&self, x: &[f64]) -> Result<Vec<DoubleDouble>, ExchangeError>;
 
     /// `Σ_j J_ij (x_i − x_j)` with 106 bits.
-    fn precise_differences(&self, x: &[DoubleDouble]) -> Vec<DoubleDouble>;
+    ///
+    /// # Errors
+    /// [`ExchangeError::Unread`] if an entry cannot be read; [`ExchangeError::Rank`].
+    fn precise_differences(&self, x: &[DoubleDouble]) -> Result<Vec<DoubleDouble>, ExchangeError>;
 }

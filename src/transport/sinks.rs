@@ -19,6 +19,7 @@
 //! Berman, Plemmons, *Nonnegative Matrices in the Mathematical Sciences*, SIAM 1994, chapter 6.
 
 use super::ExchangeOperator;
+use crate::exchange::ExchangeError;
 use crate::numeric::DoubleDouble;
 use std::fmt;
 
@@ -43,26 +44,31 @@ impl Sinkless {
         exchange: &O,
         errors: Option<&O>,
         is_sink: Vec<bool>,
-    ) -> Option<Self> {
+    ) -> Result<Option<Self>, ExchangeError> {
         let certain = |reached: &[f64]| {
-            let gained = exchange.gathered(reached);
+            let gained = exchange.gathered(reached)?;
             let noise = errors.map(|errors| errors.gathered(reached));
+            let noise = noise.transpose()?;
             let noise = |i: usize| noise.as_ref().map_or(0.0, |noise| noise[i].high());
             let rows = gained.into_iter().map(DoubleDouble::high).enumerate();
-            rows.map(|(i, gained)| gained > noise(i) * (1.0 + ROUNDING))
-                .collect()
+            Ok(rows
+                .map(|(i, gained)| gained > noise(i) * (1.0 + ROUNDING))
+                .collect())
         };
-        let reached = grown(is_sink, certain);
-        let first = reached.iter().position(|is_reached| !is_reached)?;
+        let reached = grown(is_sink, certain)?;
+        let Some(first) = reached.iter().position(|is_reached| !is_reached) else {
+            return Ok(None);
+        };
         let start = (0..reached.len()).map(|i| i == first).collect();
         let group = grown(start, |set| {
-            let met = exchange.gathered(set).into_iter().zip(&reached);
-            met.map(|(gained, is_reached)| gained.high() > 0.0 && !is_reached)
-                .collect()
-        });
+            let met = exchange.gathered(set)?.into_iter().zip(&reached);
+            Ok(met
+                .map(|(gained, is_reached)| gained.high() > 0.0 && !is_reached)
+                .collect())
+        })?;
         let patches = (0..group.len()).filter(|i| group[*i]).collect();
         let names = Vec::new();
-        Some(Self { patches, names })
+        Ok(Some(Self { patches, names }))
     }
 
     /// The group with the names of its patches, out of those of all.
@@ -74,19 +80,22 @@ impl Sinkless {
 }
 
 /// The set that grows from this one by all patches that `next` says, as long as some are new.
-fn grown(mut set: Vec<bool>, next: impl Fn(&[f64]) -> Vec<bool>) -> Vec<bool> {
+fn grown(
+    mut set: Vec<bool>,
+    next: impl Fn(&[f64]) -> Result<Vec<bool>, ExchangeError>,
+) -> Result<Vec<bool>, ExchangeError> {
     loop {
         let indicator: Vec<f64> = set
             .iter()
             .map(|is_in| f64::from(u8::from(*is_in)))
             .collect();
         let mut is_larger = false;
-        for (is_in, joins) in set.iter_mut().zip(next(&indicator)) {
+        for (is_in, joins) in set.iter_mut().zip(next(&indicator)?) {
             is_larger |= joins && !*is_in;
             *is_in |= joins;
         }
         if !is_larger {
-            return set;
+            return Ok(set);
         }
     }
 }

@@ -38,7 +38,8 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
     ///
     /// # Errors
     /// [`TransportError::WrongCount`], [`TransportError::SourceOutOfRange`],
-    /// [`TransportError::NoSource`], [`TransportError::NoBound`].
+    /// [`TransportError::NoSource`], [`TransportError::NoBound`]; [`TransportError::Exchange`] if
+    /// exchange areas cannot be read.
     ///
     /// # Examples
     /// ```
@@ -113,13 +114,13 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
             .iter()
             .map(|source| Scaled::new(*source).times_power(-power))
             .collect();
-        let solved = self.solve(&sources);
+        let solved = self.solve(&sources)?;
         if !solved.relative_error.is_finite() {
             return Err(TransportError::NoBound);
         }
         let values = leading(&solved.values);
-        let received = self.received(&values);
-        let form_factor_errors = self.form_factor_errors(&values, &sources);
+        let received = self.received(&values)?;
+        let form_factor_errors = self.form_factor_errors(&values, &sources)?;
         let rows = values.iter().zip(&received).zip(&sources).enumerate();
         let residual = rows
             .filter(|(_, ((value, _), _))| **value > 0.0)
@@ -146,23 +147,23 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
     }
 
     /// `Σ_j F_ij B_j`.
-    fn received(&self, values: &[f64]) -> Vec<DoubleDouble> {
-        let gathered = self.exchange.gathered(values);
+    fn received(&self, values: &[f64]) -> Result<Vec<DoubleDouble>, TransportError> {
+        let gathered = self.exchange.gathered(values)?;
         let rows = gathered.into_iter().enumerate();
-        rows.map(|(i, others)| {
+        let received = rows.map(|(i, others)| {
             let own = DoubleDouble::from(self.own[i] * values[i]);
             if self.areas[i].high() > 0.0 {
                 (others + own) / self.areas[i]
             } else {
                 others
             }
-        })
-        .collect()
+        });
+        Ok(received.collect())
     }
 
     /// `M x`, with x = 0 where nothing is reflected.
-    pub(super) fn product(&self, x: &[f64]) -> Vec<f64> {
-        let mut image = self.exchange.differences(x);
+    pub(super) fn product(&self, x: &[f64]) -> Result<Vec<f64>, TransportError> {
+        let mut image = self.exchange.differences(x)?;
         for (i, image) in image.iter_mut().enumerate() {
             if self.diagonal[i] > 0.0 {
                 *image += self.excess[i] * x[i];
@@ -170,11 +171,15 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
                 *image = 0.0;
             }
         }
-        image
+        Ok(image)
     }
 
     /// `x + T x + … + T^(K−1) x` and K: as given, or large enough to reach all that can be reached.
-    fn bounces(&self, x: &[f64], given: Option<usize>) -> (Vec<f64>, usize) {
+    fn bounces(
+        &self,
+        x: &[f64],
+        given: Option<usize>,
+    ) -> Result<(Vec<f64>, usize), TransportError> {
         let (mut sum, mut last) = (x.to_vec(), x.to_vec());
         let reached = |sum: &[f64]| sum.iter().filter(|value| **value > 0.0).count();
         let mut terms = 1;
@@ -183,7 +188,7 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
             if given.is_none() && before == sum.len() {
                 break;
             }
-            last = self.over_diagonal(&leading(&self.exchange.gathered(&last)));
+            last = self.over_diagonal(&leading(&self.exchange.gathered(&last)?));
             for (sum, last) in sum.iter_mut().zip(&last) {
                 *sum += last;
             }
@@ -192,7 +197,7 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
                 break;
             }
         }
-        (sum, terms)
+        Ok((sum, terms))
     }
 
     fn over_diagonal(&self, x: &[f64]) -> Vec<f64> {
@@ -202,15 +207,19 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
     }
 
     /// `A_i (E_i − (1−R_i) B_i)/R_i − e_i B_i − Σ_j J_ij (B_i − B_j)` and a bound on its rounding.
-    fn residual(&self, values: &[DoubleDouble], sources: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let differences = self.exchange.precise_differences(values);
-        let sizes = self.exchange.absolute_differences(&leading(values));
+    fn residual(
+        &self,
+        values: &[DoubleDouble],
+        sources: &[f64],
+    ) -> Result<(Vec<f64>, Vec<f64>), TransportError> {
+        let differences = self.exchange.precise_differences(values)?;
+        let sizes = self.exchange.absolute_differences(&leading(values))?;
         let unit = {
             let n = real(values.len());
             (n * n + 100.0) * SQUARED_EPSILON
         };
         let rows = differences.into_iter().zip(sizes).enumerate();
-        rows.map(|(i, (difference, size))| {
+        let both = rows.map(|(i, (difference, size))| {
             let reflectance = self.reflectances[i];
             if reflectance <= 0.0 {
                 return (0.0, 0.0);
@@ -223,11 +232,11 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
             let residual = scale * (gain - loss) - escaping - difference;
             let terms = scale.high() * (sources[i] + loss.high()) + escaping.high() + size;
             (residual.high(), unit * terms)
-        })
-        .unzip()
+        });
+        Ok(both.unzip())
     }
 
-    fn solve(&self, sources: &[f64]) -> Solved {
+    fn solve(&self, sources: &[f64]) -> Result<Solved, TransportError> {
         let mut values: Vec<DoubleDouble> = sources
             .iter()
             .zip(&self.diagonal)
@@ -235,9 +244,9 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
             .map(DoubleDouble::from)
             .collect();
         // from nothing but lights that reflect nothing, the residual is the right side b
-        let (mut residual, _) = self.residual(&values, sources);
+        let (mut residual, _) = self.residual(&values, sources)?;
         let direct = self.over_diagonal(&residual);
-        let (light, bounces) = self.bounces(&direct, None);
+        let (light, bounces) = self.bounces(&direct, None)?;
         let mut best: Option<(f64, Vec<DoubleDouble>)> = None;
         let mut iterations = 0;
         for _ in 0..MOST_RUNS {
@@ -247,16 +256,16 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
                 &residual,
                 REDUCTION,
                 MOST_ITERATIONS,
-            );
+            )?;
             iterations += run.iterations;
             for (value, change) in values.iter_mut().zip(run.solution) {
                 *value = *value + DoubleDouble::from(change);
             }
             let rounding;
-            (residual, rounding) = self.residual(&values, sources);
+            (residual, rounding) = self.residual(&values, sources)?;
             let unknown = residual.iter().zip(&rounding).map(|(r, rho)| r.abs() + rho);
             let unknown = self.over_diagonal(&unknown.collect::<Vec<_>>());
-            let (unknown, _) = self.bounces(&unknown, Some(bounces));
+            let (unknown, _) = self.bounces(&unknown, Some(bounces))?;
             let error = largest_ratio(&unknown, &light) * (1.0 + ROUNDING);
             let known = best.as_ref().map_or(f64::INFINITY, |(error, _)| *error);
             // also a comparison that NaN fails
@@ -268,11 +277,11 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
             }
         }
         let (relative_error, values) = best.unwrap_or((f64::INFINITY, values));
-        Solved {
+        Ok(Solved {
             values,
             relative_error,
             iterations,
-        }
+        })
     }
 }
 

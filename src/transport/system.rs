@@ -116,24 +116,45 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
     /// # Errors
     /// [`TransportError::WrongCount`] unless there is a reflectance, an own exchange area with its
     /// bound and an area or none for each row; [`TransportError::ReflectanceOutOfRange`],
-    /// [`TransportError::ReflectanceTooSmall`], [`TransportError::NoSink`].
+    /// [`TransportError::ReflectanceTooSmall`], [`TransportError::NoSink`];
+    /// [`TransportError::Exchange`] if exchange areas cannot be read.
     pub fn try_new(
         exchange: O,
         errors: Option<O>,
         rows: ExchangeRows,
         reflectances: Vec<f64>,
     ) -> Result<Self, TransportError> {
+        let ones = vec![1.0; exchange.order()];
+        let sums = exchange.gathered(&ones)?;
+        let bounds = errors.as_ref().map(|bounds| bounds.gathered(&ones));
+        let bounds = bounds.transpose()?;
+        Self::with_sums(
+            exchange,
+            errors,
+            rows,
+            reflectances,
+            (&sums, bounds.as_deref()),
+        )
+    }
+
+    /// The system of [`try_new`](Self::try_new), from the sums of the rows off the diagonal, and
+    /// those of the bounds.
+    pub(super) fn with_sums(
+        exchange: O,
+        errors: Option<O>,
+        rows: ExchangeRows,
+        reflectances: Vec<f64>,
+        (sums, bounds): (&[DoubleDouble], Option<&[DoubleDouble]>),
+    ) -> Result<Self, TransportError> {
         check_count("own exchange areas", rows.own.len(), exchange.order())?;
         check_count("bounds", rows.own_bounds.len(), exchange.order())?;
         check_count("areas", rows.open_areas.len(), exchange.order())?;
         check_reflectances(&reflectances, exchange.order())?;
-        let ones = vec![1.0; exchange.order()];
-        let sums = exchange.gathered(&ones);
-        let row_bounds = match &errors {
-            Some(bounds) => row_bounds(&bounds.gathered(&ones), &rows.own_bounds),
+        let row_bounds = match bounds {
+            Some(bounds) => row_bounds(bounds, &rows.own_bounds),
             None => rows.own_bounds.clone(),
         };
-        let (areas, escaping) = areas(&sums, &rows);
+        let (areas, escaping) = areas(sums, &rows);
         if reflectances.iter().any(|reflectance| *reflectance >= 1.0) {
             let is_sink = |i: usize| {
                 let escaping = escaping[i].map_or(0.0, DoubleDouble::high);
@@ -141,12 +162,12 @@ impl<O: ExchangeOperator> RadiositySystem<O> {
                 reflectances[i] < 1.0 || escaping > row_bounds[i] || areas[i].high() <= 0.0
             };
             let sinks = (0..areas.len()).map(is_sink).collect();
-            if let Some(group) = Sinkless::of(&exchange, errors.as_ref(), sinks) {
+            if let Some(group) = Sinkless::of(&exchange, errors.as_ref(), sinks)? {
                 return Err(TransportError::NoSink { group });
             }
         }
         let excess = excess(&reflectances, &areas, &escaping);
-        let diagonal = reflectances.iter().zip(&sums).zip(&excess);
+        let diagonal = reflectances.iter().zip(sums).zip(&excess);
         let diagonal = diagonal.map(|((reflectance, sum), excess)| {
             if *reflectance > 0.0 {
                 sum.high() + excess

@@ -63,20 +63,20 @@ fn turned_on<'m>(manifest: &'m str, feature: &str) -> Vec<&'m str> {
 }
 
 #[test]
-fn only_who_asks_for_python_compiles_for_it() {
+fn only_who_asks_for_python_or_mpi_compiles_for_it() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
     let manifest = fs::read_to_string(root.join("Cargo.toml")).unwrap();
-    let python = turned_on(&manifest, "python");
+    let [python, mpi] = ["python", "mpi"].map(|feature| turned_on(&manifest, feature));
     assert_eq!(python, ["dep:numpy", "dep:pyo3", "dep:pythonize"]);
+    assert_eq!(mpi, ["dep:mpi"]);
+    let edges = [&["python", "mpi"], &python[..], &mpi].concat();
     for feature in ["default", "cli", "report", "proptest"] {
         let on = turned_on(&manifest, feature);
         assert!(!on.is_empty(), "{feature} is not seen");
-        let asks = on
-            .iter()
-            .any(|name| *name == "python" || python.contains(name));
+        let asks = on.iter().any(|name| edges.contains(name));
         assert!(!asks, "{feature} turns on {on:?}");
     }
-    for name in python {
+    for name in [python, mpi].concat() {
         let name = name.trim_start_matches("dep:");
         let line = manifest
             .lines()

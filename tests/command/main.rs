@@ -18,6 +18,8 @@ mod light;
 mod materials;
 mod matrices;
 mod points;
+#[cfg(unix)]
+mod ranks;
 mod refining;
 mod refusals;
 mod reports;

@@ -45,6 +45,76 @@ fn a_store_is_filled_in_shares_and_checked() {
     );
 }
 
+/// What is asked of a store is what is asked of the scene; a store that is not whole, or of another
+/// scene, is refused with the mend.
+#[test]
+fn a_store_answers() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("store");
+    let store = path.to_str().unwrap();
+    let measure = ["measure", "cube:5", "--store", store];
+    let (status, text) = failure(&measure);
+    assert!(status == Some(2) && text.contains("is no store"), "{text}");
+    json(&["form-factor", "cube:5", "--store", store, "--shard", "1/2"]);
+    let (status, text) = failure(&measure);
+    let mend = "fill it first, with form-factor --store and --resume";
+    assert!(status == Some(2) && text.contains(mend), "{text}");
+    json(&["form-factor", "cube:5", "--store", store, "--resume"]);
+    let [over, held] = [&measure[..], &measure[..2]].map(json);
+    let number = |answer: &serde_json::Value, key: &str| answer[key].as_f64().unwrap();
+    let key = "mutual_information";
+    let error = |answer| number(answer, "mutual_information_error");
+    let off = (number(&over, key) - number(&held, key)).abs();
+    assert!(off <= error(&over) + error(&held), "{off}");
+    // faces of 25 patches see those of the five others
+    assert_eq!(over["plan"]["stored"], 15 * 25 * 25);
+    let light = [
+        "--reflectance",
+        "all=0.75",
+        "--emittance",
+        "all=1",
+        "--store",
+        store,
+    ];
+    let radiosity = json(&[&["radiosity", "cube:5"][..], &light].concat());
+    for patch in radiosity["patches"].as_array().unwrap() {
+        // a furnace: E/(1 − R)
+        assert!((number(patch, "radiosity") - 4.0).abs() < 1e-10);
+    }
+    for (arguments, words) in [
+        (
+            vec!["measure", "cube:6", "--store", store],
+            "holds another matrix",
+        ),
+        (
+            vec!["measure", "cube:5", "--store", store, "--tolerance", "1e-9"],
+            "tolerance",
+        ),
+        (
+            vec!["measure", "cube:5", "--store", store, "--sample", "9"],
+            "cannot be used with",
+        ),
+        (
+            vec![
+                "measure",
+                "cube:5",
+                "--store",
+                store,
+                "--chain",
+                "radiosity",
+            ],
+            "visibility chain alone",
+        ),
+        (vec!["radiosity", "cube:5", "--resume"], "--store"),
+    ] {
+        let (status, text) = failure(&arguments);
+        assert!(
+            status == Some(2) && text.contains(words),
+            "{arguments:?}: {text}"
+        );
+    }
+}
+
 #[test]
 fn wrong_stores_are_refused() {
     let folder = tempfile::tempdir().unwrap();

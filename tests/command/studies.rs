@@ -18,8 +18,8 @@ fn number(row: &Value, key: &str) -> f64 {
         .unwrap_or_else(|| panic!("{key} is no number: {row}"))
 }
 
-/// Pairs past others of which the route knows little, and says so: the form in the height of a screen
-/// has few digits where that is 1e-6 of the size or a million sizes.
+/// Pairs past others of which the route knows little, and says so: the form in the height of a
+/// screen has few digits where that is 1e-6 of the size or a million sizes.
 const UNKNOWN: [&str; 4] = [
     "half-plane between squares 1e-6 apart",
     "half-plane between squares 1e6 apart",
@@ -317,4 +317,31 @@ fn information_study_ranks_random_meshes() {
         assert!(number(row, "least_error") < number(row, "largest_error"));
         assert!(number(row, "meshes") >= 30.0 && number(row, "seconds") > 0.0);
     }
+}
+
+/// What is predicted follows from the terms: a pass on one node of 32 threads sends nothing, and
+/// takes n²/2 pairs of a term's time over 32; terms are measured or assumed, and all are positive.
+#[test]
+fn the_scale_study_predicts_from_its_terms() {
+    let study = json(&["study", "scale", "--quick"]);
+    let rows = rows(&study);
+    let of = |basis: &str| rows.iter().filter(|row| row["basis"] == basis).count();
+    assert!(of("measured") > 10 && of("assumed") == 4);
+    // six works, two numbers of patches, four of nodes
+    assert_eq!(of("predicted"), 48);
+    assert!(
+        rows.iter()
+            .all(|row| number(row, "value") > 0.0 || row["case"] == "a patch in memory")
+    );
+    let term = |case: &str| {
+        let row = rows.iter().find(|row| row["case"] == case).unwrap();
+        number(row, "value")
+    };
+    let pass = rows.iter().find(|row| {
+        let is_of = row["basis"] == "predicted" && row["case"] == "measure, pairs computed";
+        is_of && row["patches"] == 1_000_000 && row["nodes"] == 1
+    });
+    let expected = 5e11 * term("t, a pair computed") / 32.0;
+    let found = number(pass.unwrap(), "value");
+    assert!((found / expected - 1.0).abs() < 1e-12, "{found} {expected}");
 }

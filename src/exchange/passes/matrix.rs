@@ -186,16 +186,26 @@ impl ScenePairs<'_> {
         })
     }
 
-    /// Fills a row left of the diagonal, and computes what is on it, if the row may see itself.
+    /// Fills a row left of the diagonal, and computes what is on it.
     fn fill(&self, row: usize, entries: Row<'_>) -> Result<Filled, ExchangeError> {
+        self.lower_row(row, |column, answer| {
+            entries.values[column] = answer.exchange.value;
+            entries.errors[column] = answer.exchange.error;
+            entries.routes[column] = answer.route;
+        })
+    }
+
+    /// Visits the pairs of a row with those before it, and returns the counts and what is on the
+    /// diagonal, if the row may see itself.
+    pub(super) fn lower_row(
+        &self,
+        row: usize,
+        mut visit: impl FnMut(usize, &Answer),
+    ) -> Result<Filled, ExchangeError> {
         let mut counts = self.walk(
             &Block::of_row(row, 0..row),
             |place| place,
-            |[_, column], _, answer| {
-                entries.values[column] = answer.exchange.value;
-                entries.errors[column] = answer.exchange.error;
-                entries.routes[column] = answer.route;
-            },
+            |[_, column], _, answer| visit(column, answer),
         )?;
         self.advance(row);
         let mut own = None;

@@ -63,6 +63,11 @@ impl Tile {
         }
     }
 
+    /// A block as a tile.
+    pub(in crate::exchange) const fn of(block: Block) -> Self {
+        Self(block)
+    }
+
     pub(crate) const fn block(&self) -> &Block {
         &self.0
     }

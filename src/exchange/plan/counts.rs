@@ -13,7 +13,8 @@ use std::collections::BTreeMap;
 /// The pairs that were left out, shared and computed, and the routes that were taken.
 ///
 /// ```text
-///   pairs = untouched + congruent + computed = Σ routes
+///   pairs = untouched + congruent + computed + stored
+///   pairs − stored = Σ routes
 /// ```
 #[derive(Debug, Clone, PartialEq, Default, serde::Serialize)]
 pub struct PlanSummary {
@@ -34,6 +35,9 @@ pub struct PlanSummary {
     pub congruent: usize,
     /// Pairs that were computed; past screens, also those that took the value of a congruent one.
     pub computed: usize,
+    /// Pairs that were read from a store.
+    #[serde(skip_serializing_if = "is_none")]
+    pub stored: usize,
     /// Pairs by route; congruent ones are counted with the route of the one that was computed.
     pub routes: BTreeMap<&'static str, usize>,
     /// The surfaces that the resolution takes as plane, coplanar or touching; none where
@@ -46,6 +50,12 @@ pub struct PlanSummary {
     /// The occlusion that was ignored; none where nothing can stand in the way.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ignored: Option<IgnoredOcclusion>,
+}
+
+/// Whether a number of pairs is 0.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde gives a reference")]
+const fn is_none(pairs: &usize) -> bool {
+    *pairs == 0
 }
 
 /// Pairs whose planes face each other, by what stands in their way.
@@ -171,6 +181,72 @@ impl PassCounts {
         }
     }
 
+    /// How many [numbers](Self::numbers) stand for the counts.
+    pub(crate) const NUMBERS: usize = Route::ALL.len() + 13;
+
+    /// The counts as numbers, to be sent: whole ones are exact up to 2⁵³.
+    pub(crate) fn numbers(&self) -> [f64; Self::NUMBERS] {
+        let mut numbers = [0.0; Self::NUMBERS];
+        let (routes, others) = numbers.split_at_mut(Route::ALL.len());
+        for (number, pairs) in routes.iter_mut().zip(self.routes) {
+            *number = real(pairs);
+        }
+        let worst = self.worst.map(|worst| {
+            let pair = [worst.first, worst.second].map(real);
+            [1.0, pair[0], pair[1], worst.form_factor, worst.error]
+        });
+        others[..8].copy_from_slice(&[
+            real(self.visible),
+            real(self.alone),
+            real(self.left_out),
+            real(self.occluded[0]),
+            real(self.occluded[1]),
+            real(self.ignored.pairs),
+            self.ignored.exchange_area,
+            real(self.unreached),
+        ]);
+        others[8..].copy_from_slice(&worst.unwrap_or_default());
+        numbers
+    }
+
+    /// The counts that these numbers stand for.
+    pub(crate) fn of_numbers(numbers: &[f64]) -> Self {
+        let (routes, others) = numbers.split_at(Route::ALL.len());
+        let [
+            visible,
+            alone,
+            left_out,
+            partial,
+            hidden,
+            pairs,
+            unreached,
+            first,
+            second,
+        ] = [0, 1, 2, 3, 4, 5, 7, 9, 10].map(|place| whole(others[place]));
+        let mut counts = Self {
+            visible,
+            alone,
+            left_out,
+            occluded: [partial, hidden],
+            ignored: IgnoredOcclusion {
+                pairs,
+                exchange_area: others[6],
+            },
+            unreached,
+            worst: (others[8] > 0.0).then_some(Unreached {
+                first,
+                second,
+                form_factor: others[11],
+                error: others[12],
+            }),
+            ..Self::default()
+        };
+        for (pairs, number) in counts.routes.iter_mut().zip(routes) {
+            *pairs = whole(*number);
+        }
+        counts
+    }
+
     /// Adds the counts of another part of the pass.
     pub fn merge(&mut self, other: &Self) {
         for (pairs, more) in self.routes.iter_mut().zip(other.routes) {
@@ -217,6 +293,7 @@ impl PassCounts {
             back_facing: self.routes[Route::BackFacing as usize],
             congruent: self.visible.saturating_sub(computed),
             computed,
+            stored: 0,
             routes: routes
                 .filter(|(_, pairs)| *pairs > 0)
                 .map(|(route, pairs)| (route.name(), pairs))
@@ -241,4 +318,14 @@ impl PassCounts {
             is_turned_away: false,
         }
     }
+}
+
+/// A count that was sent as a number.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a whole number ≥ 0"
+)]
+const fn whole(number: f64) -> usize {
+    number as usize
 }

@@ -4,6 +4,8 @@ use super::StoreError;
 use super::error::at;
 use std::fs;
 use std::hash::{BuildHasher, RandomState};
+use std::io::{Read as _, Seek as _, SeekFrom};
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -103,6 +105,23 @@ impl Chunks {
         }
         let path = self.path(place);
         fs::read(&path).map(Some).map_err(at(&path))
+    }
+
+    /// Some of the bytes of a chunk.
+    pub(super) fn read_part(
+        &self,
+        place: &[usize],
+        part: Range<usize>,
+    ) -> Result<Vec<u8>, StoreError> {
+        let path = self.path(place);
+        let mut bytes = vec![0; part.len()];
+        let read = |bytes: &mut [u8]| {
+            let mut file = fs::File::open(&path)?;
+            file.seek(SeekFrom::Start(part.start as u64))?;
+            file.read_exact(bytes)
+        };
+        read(&mut bytes).map_err(at(&path))?;
+        Ok(bytes)
     }
 
     fn path(&self, place: &[usize]) -> PathBuf {

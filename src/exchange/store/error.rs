@@ -44,6 +44,16 @@ pub enum StoreError {
         /// The text that it would have.
         expected: String,
     },
+    /// Some of the matrix is not there.
+    #[error("{} lacks {missing} of {chunks} chunks of the matrix: fill it first", folder.display())]
+    Incomplete {
+        /// The folder.
+        folder: PathBuf,
+        /// Chunks that are not there, or not whole.
+        missing: usize,
+        /// Chunks of the whole matrix.
+        chunks: usize,
+    },
     /// A file cannot be read or written.
     #[error("{}: {source}", path.display())]
     Io {

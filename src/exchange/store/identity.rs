@@ -1,7 +1,8 @@
 //! All that the numbers of a store depend on, as lines of text.
 //!
 //! Two stores with the same text hold the same bytes. Numbers are written so that they read back to
-//! the same `f64`; a row is told with its name, and each of its polygons with a sign and its corners.
+//! the same `f64`; a row is told with its name, and each of its polygons with a sign and its
+//! corners.
 
 use super::StoreError;
 use super::chunk::FORM_FACTORS;
@@ -93,6 +94,16 @@ impl Identity {
             }
             Err(error) => Err(at(&path)(error)),
         }
+    }
+
+    /// Sees that a folder is the store of this matrix.
+    pub(super) fn require(&self, folder: &Path) -> Result<(), StoreError> {
+        let path = folder.join(FORM_FACTORS).join(FILE);
+        let found = fs::read_to_string(&path).map_err(|error| match error.kind() {
+            io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => no_store(folder),
+            _ => at(&path)(error),
+        })?;
+        self.compare(folder, &found)
     }
 
     fn compare(&self, folder: &Path, found: &str) -> Result<(), StoreError> {

@@ -8,15 +8,17 @@
 //!   DIR/form_factors/scene.txt all that the numbers depend on
 //! ```
 //!
-//! Chunks are raw, little-endian, of one size; what lies beyond the last row is NaN. A *tile* is the
-//! rows of I with those of J ≥ I: its exchange areas give the chunks (I, J) and (J, I). Each chunk is
-//! written aside and renamed, so that a chunk that exists is done. A tile needs nothing of others:
-//! any number of threads, processes or machines that share the folder write the same bytes, and
-//! one that is killed loses the tiles it had begun.
+//! Chunks are raw, little-endian, of one size; what lies beyond the last row is NaN. A *tile* is
+//! the rows of I with those of J ≥ I: its exchange areas give the chunks (I, J) and (J, I). Each
+//! chunk is written aside and renamed, so that a chunk that exists is done. A tile needs nothing of
+//! others: any number of threads, processes or machines that share the folder write the same bytes,
+//! and one that is killed loses the tiles it had begun.
 //!
 //! **Memory** per thread `40 side²` bytes, and what the scene's pairs take; no matrix is held.
 //!
-//! Open `identity` for what a store is of, `zarr` for its metadata, `check` for the state of one.
+//! Open `identity` for what a store is of, `zarr` for its metadata, `check` for the state of one,
+//! `stored` for how a whole one is read, `products` for what a solution leaves in it until it is
+//! finished.
 //!
 //! **Not covered**: loss of power, which may leave an empty chunk: it counts as missing.
 
@@ -24,12 +26,20 @@ mod check;
 mod chunk;
 mod error;
 mod identity;
+mod products;
+mod row_sums;
+mod stored;
 mod zarr;
 
 pub use check::{StoreState, check_store};
 pub use error::StoreError;
+pub use products::ProductFiles;
+pub use row_sums::PairSource;
+pub(crate) use stored::unread;
+pub use stored::{StoredBlocks, StoredMatrix};
 
 use super::passes::tiles::Block;
+use super::ranks::{Deal, RankFailed, agreed};
 use super::{Congruence, ExchangeError, PassCounts, PassSummary, ScenePairs};
 use crate::scene::{Occlusion, Scene};
 use chunk::{Aside, Chunks};
@@ -133,7 +143,8 @@ impl<'p> MatrixStore<'p> {
         places.iter().all(|place| is_there(place))
     }
 
-    /// Computes the tiles of a share that are not there yet.
+    /// Computes the tiles of a share that are not there yet, those of the other ranks of the pairs,
+    /// too.
     ///
     /// # Errors
     /// [`StoreError::Exchange`] if two patches are refused; [`StoreError::Io`]. Tiles that were
@@ -146,18 +157,28 @@ impl<'p> MatrixStore<'p> {
             .skip(shard.number)
             .step_by(shard.of.max(1))
             .collect();
+        let deal = Deal::new(self.pairs.ranks(), 0);
+        let own = deal.own_parts(0..ours.len());
+        let own: Vec<[usize; 2]> = own.map(|part| ours[part]).collect();
         let fill = |tile: &[usize; 2]| {
             let counts = (!self.is_done(*tile)).then(|| self.put(*tile)).transpose();
             self.pairs.advance(self.pairs_of(*tile));
             counts
         };
         let filled: Result<Vec<Option<PassCounts>>, StoreError> =
-            ours.par_iter().map(fill).collect();
+            own.par_iter().map(fill).collect();
+        let filled = agreed(deal.ranks(), filled)?;
+        let numbers = filled.into_iter().flat_map(|counts| {
+            let is_written = f64::from(u8::from(counts.is_some()));
+            let counts = counts.unwrap_or_default().numbers();
+            std::iter::once(is_written).chain(counts)
+        });
         let (mut counts, mut written) = (PassCounts::default(), 0);
-        for more in filled?.into_iter().flatten() {
-            counts.merge(&more);
-            written += 1;
-        }
+        let width = 1 + PassCounts::NUMBERS;
+        deal.share(0..ours.len(), width, numbers.collect(), &mut |numbers| {
+            counts.merge(&PassCounts::of_numbers(&numbers[1..]));
+            written += usize::from(numbers[0] > 0.0);
+        });
         Ok(StoreFilled {
             tiles: tiles.len(),
             found: ours.len() - written,
@@ -254,6 +275,12 @@ impl Values {
 fn side_of(rows: usize) -> usize {
     let even = rows.div_ceil(CHUNKS).next_multiple_of(SMALLEST_SIDE);
     even.clamp(SMALLEST_SIDE, LARGEST_SIDE)
+}
+
+impl From<RankFailed> for StoreError {
+    fn from(failed: RankFailed) -> Self {
+        Self::Exchange(failed.into())
+    }
 }
 
 impl From<ExchangeError> for StoreError {

@@ -7,6 +7,7 @@
 
 use crate::numeric::conjugate_gradients;
 use nalgebra::{DMatrix, DVector};
+use std::convert::Infallible;
 
 /// The residual at which the iteration ends, per right side.
 const REDUCTION: f64 = 1e-5;
@@ -71,12 +72,13 @@ impl DiscreteOperator {
             }
         };
         let right_side: Vec<f64> = right_side.iter().enumerate().map(scaled).collect();
-        let product = |x: &[f64]| -> Vec<f64> {
+        let product = |x: &[f64]| -> Result<Vec<f64>, Infallible> {
             let x = DVector::from_column_slice(x);
             let image = x.component_mul(&self.diagonal) - &self.exchange * &x;
-            image.as_slice().to_vec()
+            Ok(image.as_slice().to_vec())
         };
         let diagonal = self.diagonal.as_slice();
-        conjugate_gradients(product, diagonal, &right_side, REDUCTION, MOST).solution
+        let Ok(found) = conjugate_gradients(product, diagonal, &right_side, REDUCTION, MOST);
+        found.solution
     }
 }

@@ -132,7 +132,7 @@ pub fn scene_information_and_bias(
             bias_term(samples, exchange.value / total, i == j),
         ]
     };
-    let (information, sums) = information_with_sums(pairs, OpenScene::Refuse, with_bias)?;
+    let (information, sums) = information_with_sums(pairs.into(), OpenScene::Refuse, with_bias)?;
     let bias = compensated_sum(sums.iter().map(|[.., bias]| *bias)) / LN_2;
     Ok((information, bias))
 }

@@ -12,14 +12,16 @@ pub(crate) struct Iterated {
 /// the factor `reduction`, unless it takes more than `most` iterations, or rounding stops it. How
 /// good it is, others must find out.
 ///
+/// An error of a product ends it.
+///
 /// **Arguments** `product`: x ↦ M x; `diagonal` of M, > 0, or 0 where x is 0 for good.
-pub(crate) fn conjugate_gradients(
-    product: impl Fn(&[f64]) -> Vec<f64>,
+pub(crate) fn conjugate_gradients<E>(
+    product: impl Fn(&[f64]) -> Result<Vec<f64>, E>,
     diagonal: &[f64],
     right_side: &[f64],
     reduction: f64,
     most: usize,
-) -> Iterated {
+) -> Result<Iterated, E> {
     let preconditioned = |residual: &[f64]| -> Vec<f64> {
         let entries = residual.iter().zip(diagonal);
         entries
@@ -34,7 +36,7 @@ pub(crate) fn conjugate_gradients(
     let goal = reduction * reduction * energy;
     let mut iterations = 0;
     while iterations < most && energy > goal {
-        let image = product(&direction);
+        let image = product(&direction)?;
         iterations += 1;
         let curvature = dot(&direction, &image);
         let step = energy / curvature;
@@ -53,8 +55,8 @@ pub(crate) fn conjugate_gradients(
             *direction = scaled + share * *direction;
         }
     }
-    Iterated {
+    Ok(Iterated {
         solution,
         iterations,
-    }
+    })
 }

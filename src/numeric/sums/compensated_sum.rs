@@ -25,6 +25,16 @@ impl CompensatedSum {
         self.correction += other.correction;
     }
 
+    /// The leading number and what it lost.
+    pub(crate) const fn parts(&self) -> [f64; 2] {
+        [self.sum, self.correction]
+    }
+
+    /// The sum with these [parts](Self::parts).
+    pub(crate) const fn of_parts([sum, correction]: [f64; 2]) -> Self {
+        Self { sum, correction }
+    }
+
     /// The sum, rounded.
     #[must_use]
     pub(crate) fn total(&self) -> f64 {

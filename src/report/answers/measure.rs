@@ -26,7 +26,11 @@ pub(crate) fn plan_notes(plan: &PlanSummary) -> Vec<(String, String)> {
         "{} of {} planes: {} never looked at, {} congruent to another, {} computed",
         plan.pairs, plan.planes, plan.untouched, plan.congruent, plan.computed
     );
-    let mut notes = vec![("pairs", counts), ("routes", routes.join(", "))];
+    let stored = match plan.stored {
+        0 => String::new(),
+        stored => format!(", {stored} read from the store"),
+    };
+    let mut notes = vec![("pairs", counts + &stored), ("routes", routes.join(", "))];
     notes.extend(plan.occlusion.map(|pairs| {
         let text = format!(
             "{} pairs visible, {} past others in part, {} hidden",

@@ -87,6 +87,7 @@ pub(super) const fn named(subject: StudySubject) -> (&'static str, &'static str)
         StudySubject::Figure5 => ("figure-5", "Fig. 5 read as estimates from random lines"),
         StudySubject::Oracles => ("oracles", "Oracles of hierarchical radiosity"),
         StudySubject::Information => ("information", "How information ranks random meshes"),
+        StudySubject::Scale => ("scale", "Time and memory, here and on a cluster"),
     }
 }
 

@@ -14,14 +14,14 @@ fn pairs(scene: &Scene) -> ScenePairs<'_> {
     ScenePairs::try_new(scene, 1e-12, TREATMENT.0, TREATMENT.1).unwrap()
 }
 
-fn filled(scene: &Scene, folder: &Path, shard: Shard, resume: bool) -> StoreFilled {
+pub(super) fn filled(scene: &Scene, folder: &Path, shard: Shard, resume: bool) -> StoreFilled {
     let pairs = pairs(scene);
     let store = MatrixStore::open(folder, scene, &pairs, TREATMENT, resume).unwrap();
     store.fill(shard).unwrap()
 }
 
 /// All files of a folder with their bytes, but for what is unfinished.
-fn bytes(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+pub(super) fn bytes(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
     let mut found = BTreeMap::new();
     let mut open = vec![folder.to_owned()];
     while let Some(next) = open.pop() {

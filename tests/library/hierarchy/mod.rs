@@ -2,6 +2,7 @@
 
 mod balance;
 mod bound;
+mod distribution;
 mod divisions;
 mod gathers;
 mod importance;

@@ -46,6 +46,7 @@ fn is_a_room(seed: u64) {
     let moved = match exchange.resolution_errors() {
         Some(bounds) => system
             .resolution_errors(bounds, &light.values, &emittances)
+            .unwrap()
             .unwrap(),
         None => vec![0.0; exchange.rows()],
     };

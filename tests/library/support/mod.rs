@@ -5,6 +5,7 @@ pub mod furnished;
 pub mod high_precision;
 pub mod intervals;
 pub mod misrounded;
+pub mod ranks;
 pub mod references;
 pub mod rooms;
 pub mod rounded_rooms;

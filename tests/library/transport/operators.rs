@@ -1,6 +1,7 @@
 //! A solution reads the exchange areas through their products alone.
 
 use super::{radiosity, uneven};
+use infoscene::exchange::ExchangeError;
 use infoscene::numeric::{DoubleDouble, Symmetric};
 use infoscene::scene::Scene;
 use infoscene::transport::{ExchangeOperator, ExchangeRows, RadiositySystem};
@@ -32,20 +33,22 @@ impl ExchangeOperator for Plain<'_> {
         self.0.order()
     }
 
-    fn differences(&self, x: &[f64]) -> Vec<f64> {
-        high(self.sums(|i, j| DoubleDouble::difference(x[i], x[j])))
+    fn differences(&self, x: &[f64]) -> Result<Vec<f64>, ExchangeError> {
+        Ok(high(self.sums(|i, j| DoubleDouble::difference(x[i], x[j]))))
     }
 
-    fn absolute_differences(&self, x: &[f64]) -> Vec<f64> {
-        high(self.sums(|i, j| DoubleDouble::from((x[i] - x[j]).abs())))
+    fn absolute_differences(&self, x: &[f64]) -> Result<Vec<f64>, ExchangeError> {
+        Ok(high(
+            self.sums(|i, j| DoubleDouble::from((x[i] - x[j]).abs())),
+        ))
     }
 
-    fn gathered(&self, x: &[f64]) -> Vec<DoubleDouble> {
-        self.sums(|_, j| DoubleDouble::from(x[j]))
+    fn gathered(&self, x: &[f64]) -> Result<Vec<DoubleDouble>, ExchangeError> {
+        Ok(self.sums(|_, j| DoubleDouble::from(x[j])))
     }
 
-    fn precise_differences(&self, x: &[DoubleDouble]) -> Vec<DoubleDouble> {
-        self.sums(|i, j| x[i] - x[j])
+    fn precise_differences(&self, x: &[DoubleDouble]) -> Result<Vec<DoubleDouble>, ExchangeError> {
+        Ok(self.sums(|i, j| x[i] - x[j]))
     }
 }
 

@@ -2,9 +2,9 @@
 //!
 //! `measurements` has studies with one number per row, `routes` those that set several methods side
 //! by side, `gradient_cuts` the reach of the cuts of §4.2, `refinement` the approach to the
-//! continuous value, `sampling` the estimates from random lines and fig. 5,
-//! `tolerances` whole scenes, `oracles` the refinement of meshes, `information` the ranks of random
-//! ones.
+//! continuous value, `sampling` the estimates from random lines and fig. 5, `tolerances` whole
+//! scenes, `oracles` the refinement of meshes, `information` the ranks of random ones, `scale` what
+//! a cluster would take.
 
 mod gradient_cuts;
 mod information;
@@ -13,6 +13,7 @@ mod oracles;
 mod refinement;
 mod routes;
 mod sampling;
+mod scale;
 mod tolerances;
 
 use crate::question::StudyAnswer;
@@ -41,6 +42,7 @@ pub fn study_report(answer: &StudyAnswer) -> Result<Report, ReportError> {
         StudyAnswer::Figure5(rows) => sampling::figure_5_report(rows),
         StudyAnswer::Oracles(rows) => oracles::oracles_report(rows),
         StudyAnswer::Information(rows) => information::information_report(rows),
+        StudyAnswer::Scale(rows) => scale::scale_report(rows),
     }
 }
 
