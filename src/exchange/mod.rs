@@ -91,6 +91,7 @@ mod row_pair;
 mod rows;
 mod scene_pairs;
 mod selection;
+mod shared_values;
 mod sights;
 mod store;
 mod tolerance;

@@ -2,6 +2,7 @@
 
 mod bases;
 mod closure;
+mod frames;
 mod matrix_laws;
 mod occluded;
 mod plan;
