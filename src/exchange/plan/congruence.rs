@@ -20,7 +20,7 @@
 //! relations along the axes and needs n³ classes for n cells an edge, no comparison of pairs. The
 //! test `the_grid_of_six_cells_is_the_scene_cube_6` sets one against the other.
 //!
-//! **Not covered**: other polygons, and scenes with so many lines that the tables would outgrow the
+//! **Not covered**: other polygons (`turned`, `images`), and scenes with so many lines that the tables would outgrow the
 //! pairs.
 
 use super::line_differences::{Differences, others};

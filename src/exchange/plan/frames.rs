@@ -5,7 +5,8 @@
 //!   axis of a frame = Σ ± edges along it         then made orthonormal to 106 bits
 //! ```
 //!
-//! A polygon with a right angle has axes: two edges and its normal. Polygons are sorted by the
+//! The axes of a polygon are two edges at a right angle and its normal; without a right angle, its
+//! longest edge, the direction across in its plane, and its normal. Polygons are sorted by the
 //! number `s` of their axes, and those with one number compared, in O(n log n). The axes of a frame
 //! are sums over the edges of all its polygons, as a single short edge is turned by the rounding of
 //! its ends: where polygons adjoin, edges add up to the width of what they divide.
@@ -21,7 +22,7 @@ use glam::DVec3;
 const MOST_FRAMES: usize = 8;
 
 /// Fewest polygons of a frame.
-const FEWEST_POLYGONS: usize = 6;
+pub(crate) const FEWEST_POLYGONS: usize = 6;
 
 /// The numbers of axes of one frame differ by less: axes that rounding turns by up to 1e-10.
 const ALIKE: f64 = 1e-9;
@@ -42,6 +43,12 @@ const PROBES: [[f64; 3]; 4] = [
 pub(crate) struct Frame([Vector<DoubleDouble>; 3]);
 
 impl Frame {
+    /// The coordinate axes.
+    pub(crate) fn straight() -> Self {
+        let axis = |axis: DVec3| Vector::lifted(axis, DoubleDouble::from(0.0));
+        Self(DVec3::AXES.map(axis))
+    }
+
     /// The coordinates of a point along the axes, from an origin.
     pub(crate) fn coordinates(&self, point: DVec3, origin: DVec3) -> [DoubleDouble; 3] {
         let [point, origin] = [point, origin].map(|p| Vector::lifted(p, DoubleDouble::from(0.0)));
@@ -72,17 +79,17 @@ impl Frame {
     }
 }
 
-/// The axes of a polygon with a right angle.
+/// The axes of a polygon.
 struct Axes {
     polygon: usize,
-    /// The two edges at the right angle.
+    /// Two edges at a right angle, or an edge and the direction across.
     edges: [DVec3; 2],
     number: f64,
 }
 
 impl Axes {
     fn of(polygon: usize, patch: &Patch) -> Option<Self> {
-        let edges = right_angle(patch)?;
+        let edges = right_angle(patch).or_else(|| longest_edge(patch))?;
         let [u, v] = edges.map(DVec3::normalize);
         let probed = |axis: DVec3| {
             let powers = PROBES.into_iter().zip(1u8..);
@@ -112,6 +119,22 @@ fn right_angle(patch: &Patch) -> Option<[DVec3; 2]> {
         let is_right = u.dot(v).abs() <= allowed * u.length().max(v.length());
         is_right.then_some([u, v])
     })
+}
+
+/// The first of the longest edges of a polygon, and as long a way across it in the plane.
+fn longest_edge(patch: &Patch) -> Option<[DVec3; 2]> {
+    let corners = patch.corners();
+    let next = corners.iter().cycle().skip(1);
+    let edges = corners.iter().zip(next).map(|(from, to)| *to - *from);
+    // edges that rounding alone makes longer are not
+    let longest = edges.reduce(|one, other| {
+        if other.length() > one.length() * (1.0 + ALIKE) {
+            other
+        } else {
+            one
+        }
+    })?;
+    Some([longest, patch.normal().cross(longest)])
 }
 
 /// The frames of many polygons, with those that they were found by, in order: the largest first.

@@ -1,10 +1,8 @@
 //! Congruent pairs of rectangles along the axes of a turned frame.
 //!
 //! ```text
-//!   y = (a₁·(x − o), …)           the coordinates of corners about their middle, to 106 bits
-//!   lines                         groups of coordinates within some roundings; each its mean
-//!   model                         the rectangle between the lines that its corners belong to
-//!   offset                        most that a corner is off its model, along each axis
+//!   model                     the rectangle between the lines that its corners are on (`lines`)
+//!   offset                    most that a corner is off its model, along each axis
 //! ```
 //!
 //! Models lie between few lines, exactly along the axes: their pairs fall into classes as those of
@@ -14,27 +12,29 @@
 //!
 //! **Not covered**: pairs of rectangles in different frames.
 
+use super::classes::Classes;
 use super::congruence::Lattice;
+use super::facing::FacingPlanes;
 use super::frames::{Frame, frames};
+use super::lines::Lines;
+use super::{Representative, Source};
 use crate::geometry::FlatBox;
-use crate::numeric::{DoubleDouble, Scalar, real, tolerance};
 use crate::scene::NamedPatch;
-use glam::DVec3;
 
 /// The rectangles along the axes of one frame, and the models that stand for them.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct TurnedFrame {
+struct TurnedFrame {
     /// The polygons, in order.
-    pub(crate) members: Vec<usize>,
+    members: Vec<usize>,
     /// The rectangles that stand for them, along the axes of the frame.
-    pub(crate) models: Vec<FlatBox>,
+    models: Vec<FlatBox>,
     /// The largest distance of a corner from its model's along an axis.
-    pub(crate) offset: f64,
+    offset: f64,
 }
 
 impl TurnedFrame {
     /// The frames of the rectangles that are not along the coordinate axes, with their lattices.
-    pub(crate) fn all_of(patches: &[NamedPatch]) -> Vec<(Self, Lattice)> {
+    fn all_of(patches: &[NamedPatch]) -> Vec<(Self, Lattice)> {
         let is_turned = |polygon: &usize| {
             let shape = patches[*polygon].shape();
             shape.corners().len() == 4 && FlatBox::of(shape).is_none()
@@ -45,19 +45,9 @@ impl TurnedFrame {
     }
 
     fn of(frame: &Frame, patches: &[NamedPatch], candidates: &[usize]) -> Option<(Self, Lattice)> {
-        let corners = |polygon: &usize| patches[*polygon].shape().corners();
-        // about the middle numbers are smaller, and rounded to finer steps
-        let (middle, largest) = middle(candidates.iter().flat_map(corners));
-        let in_frame = |polygon: &usize| {
-            let places = corners(polygon).iter();
-            let places = places.map(|corner| frame.coordinates(*corner, middle));
-            places.collect::<Vec<_>>().try_into().ok()
-        };
-        let places: Vec<[[DoubleDouble; 3]; 4]> = candidates.iter().filter_map(in_frame).collect();
-        let lines =
-            [0, 1, 2].map(|axis| Lines::of(places.iter().flatten().map(|c| c[axis]), largest));
+        let lines = Lines::of(frame, patches, candidates);
         let (mut members, mut models) = (Vec::new(), Vec::new());
-        for (polygon, corners) in candidates.iter().zip(&places) {
+        for (polygon, corners) in candidates.iter().zip(&lines.corners) {
             let normal = frame.direction(patches[*polygon].shape().normal());
             if let Some(model) = model(&lines, corners, normal) {
                 members.push(*polygon);
@@ -65,8 +55,8 @@ impl TurnedFrame {
             }
         }
         let boxes: Vec<Option<FlatBox>> = models.iter().copied().map(Some).collect();
-        let lattice = Lattice::of_boxes(&boxes, largest)?;
-        let offset = lines.iter().map(|lines| lines.offset).fold(0.0, f64::max);
+        let lattice = Lattice::of_boxes(&boxes, lines.largest)?;
+        let offset = lines.offset();
         let turned = Self {
             members,
             models,
@@ -76,67 +66,11 @@ impl TurnedFrame {
     }
 }
 
-/// The middle of the box around some points, and their largest coordinate.
-fn middle<'p>(points: impl Iterator<Item = &'p DVec3>) -> (DVec3, f64) {
-    let ends = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    let (lower, upper) = points.fold(ends, |(lower, upper), p| (lower.min(*p), upper.max(*p)));
-    let largest = lower.abs().max(upper.abs()).max_element();
-    (lower + 0.5 * (upper - lower), largest)
-}
-
-/// Coordinates along one axis, in groups.
-struct Lines {
-    /// The smallest and the mean of each group, in order.
-    groups: Vec<[f64; 2]>,
-    /// The largest distance of a coordinate from the mean of its group.
-    offset: f64,
-}
-
-impl Lines {
-    /// The groups of coordinates that are equal within the rounding of the largest of the scene.
-    fn of(coordinates: impl Iterator<Item = DoubleDouble>, largest: f64) -> Self {
-        let mut all: Vec<DoubleDouble> = coordinates.collect();
-        all.sort_by(|one, other| one.high().total_cmp(&other.high()));
-        let (mut groups, mut offset) = (Vec::new(), 0.0_f64);
-        let mut rest = all.as_slice();
-        while let Some(first) = rest.first().map(|first| first.high()) {
-            let is_near = |x: &DoubleDouble| x.high() - first <= tolerance::ALIGNMENT * largest;
-            let (group, others) = rest.split_at(rest.partition_point(is_near).max(1));
-            let above = group
-                .iter()
-                .map(|x| (*x - DoubleDouble::from(first)).to_f64());
-            let mean = first + above.sum::<f64>() / real(group.len());
-            groups.push([first, mean]);
-            for x in group {
-                offset = offset.max((*x - DoubleDouble::from(mean)).to_f64().abs());
-            }
-            rest = others;
-        }
-        Self { groups, offset }
-    }
-
-    /// The group of a coordinate.
-    fn of_coordinate(&self, coordinate: DoubleDouble) -> usize {
-        let place = self
-            .groups
-            .partition_point(|[first, _]| *first <= coordinate.high());
-        place.saturating_sub(1)
-    }
-
-    fn mean(&self, line: usize) -> f64 {
-        // −0 and 0 are one line
-        self.groups[line][1] + 0.0
-    }
-}
-
 /// The rectangle between the lines of these corners; none if they are no rectangle's.
-fn model(
-    lines: &[Lines; 3],
-    corners: &[[DoubleDouble; 3]; 4],
-    normal: [f64; 3],
-) -> Option<FlatBox> {
-    let corners = corners.map(|c| [0, 1, 2].map(|axis| lines[axis].of_coordinate(c[axis])));
-    let [v0, v1, v2, v3] = corners;
+fn model(lines: &Lines, corners: &[[usize; 3]], normal: [f64; 3]) -> Option<FlatBox> {
+    let [v0, v1, v2, v3] = *corners else {
+        return None;
+    };
     let along = |from: [usize; 3], to: [usize; 3]| {
         let mut axes = (0..3).filter(|axis| from[*axis] != to[*axis]);
         axes.next().filter(|_| axes.next().is_none())
@@ -148,7 +82,7 @@ fn model(
     }
     let axis = 3 - u - v;
     let ends = |end: fn(f64, f64) -> f64| {
-        [0, 1, 2].map(|k| end(lines[k].mean(v0[k]), lines[k].mean(v2[k])))
+        [0, 1, 2].map(|k| end(lines.place(k, v0[k]), lines.place(k, v2[k])))
     };
     Some(FlatBox {
         axis,
@@ -156,4 +90,67 @@ fn model(
         lower: ends(f64::min),
         upper: ends(f64::max),
     })
+}
+
+/// The classes of congruent pairs in turned frames.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct TurnedClasses {
+    frames: Vec<(TurnedFrame, Classes)>,
+    /// The number of classes before those of each frame.
+    starts: Vec<usize>,
+    /// Number of classes of all frames.
+    pub(crate) count: usize,
+    /// The frame of each polygon, and its place there.
+    places: Vec<Option<[u32; 2]>>,
+}
+
+impl TurnedClasses {
+    /// The classes of all frames; none without frames.
+    pub(crate) fn of(patches: &[NamedPatch], facings: &FacingPlanes) -> Option<Self> {
+        let mut places = vec![None; patches.len()];
+        let (mut frames, mut starts, mut count) = (Vec::new(), Vec::new(), 0);
+        for (frame, lattice) in TurnedFrame::all_of(patches) {
+            let number = u32::try_from(frames.len()).ok()?;
+            for (place, polygon) in (0u32..).zip(&frame.members) {
+                places[*polygon] = Some([number, place]);
+            }
+            let classes = Classes::of(lattice, facings, &frame.members);
+            starts.push(count);
+            count += classes.representatives.len();
+            frames.push((frame, classes));
+        }
+        (count > 0).then_some(Self {
+            frames,
+            starts,
+            count,
+            places,
+        })
+    }
+
+    /// The place of a pair's class among those of all frames.
+    pub(crate) fn place(&self, first: usize, second: usize) -> Option<usize> {
+        let [[frame, one], [other_frame, other]] = [self.places[first]?, self.places[second]?];
+        if frame != other_frame {
+            return None;
+        }
+        let frame = frame as usize;
+        let place = self.frames[frame].1.place(one as usize, other as usize)?;
+        Some(self.starts[frame] + place)
+    }
+
+    pub(crate) fn representative(&self, class: usize) -> Option<Representative> {
+        let frame = self.starts.partition_point(|start| *start <= class) - 1;
+        let (turned, classes) = self.frames.get(frame)?;
+        let places = *classes.representatives.get(class - self.starts[frame])?;
+        Some(Representative {
+            pair: places.map(|place| turned.members[place]),
+            source: Source::Boxes(places.map(|place| turned.models[place])),
+            spread: turned.offset + classes.lattice.spread(),
+        })
+    }
+
+    /// Whether a polygon is in a frame.
+    pub(crate) fn has(&self, polygon: usize) -> bool {
+        self.places[polygon].is_some()
+    }
 }

@@ -7,7 +7,7 @@ use infoscene::scene::{NamedPatch, Occlusion, Scene};
 use proptest::prelude::*;
 
 /// Turns about no symmetric axes.
-fn turns() -> [DQuat; 3] {
+pub(super) fn turns() -> [DQuat; 3] {
     let about =
         |axis: [f64; 3], angle| DQuat::from_axis_angle(DVec3::from_array(axis).normalize(), angle);
     [
@@ -21,13 +21,13 @@ fn cube(cells: usize) -> Scene {
     Scene::built_in(&format!("cube:{cells}")).unwrap()
 }
 
-fn exchange(scene: &Scene, tolerance: f64, congruence: Congruence) -> ExchangeAreas {
+pub(super) fn exchange(scene: &Scene, tolerance: f64, congruence: Congruence) -> ExchangeAreas {
     let pairs = ScenePairs::try_new(scene, tolerance, congruence, Occlusion::Ignore).unwrap();
     pairs.exchange_areas().unwrap()
 }
 
 /// Numbers of pairs that were computed and that took the value of another.
-fn counts(scene: &Scene, tolerance: f64, congruence: Congruence) -> [usize; 2] {
+pub(super) fn counts(scene: &Scene, tolerance: f64, congruence: Congruence) -> [usize; 2] {
     let plan = exchange(scene, tolerance, congruence)
         .summary()
         .plan
@@ -94,7 +94,7 @@ fn turned_pairs_share_within_their_bounds() {
 }
 
 /// Every pair of two matrices agrees within the sum of the bounds.
-fn assert_agree(shared: &ExchangeAreas, apart: &ExchangeAreas) {
+pub(super) fn assert_agree(shared: &ExchangeAreas, apart: &ExchangeAreas) {
     for i in 0..shared.rows() {
         for j in 0..i {
             let (one, other) = (shared.get(i, j).exchange, apart.get(i, j).exchange);

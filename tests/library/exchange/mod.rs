@@ -3,6 +3,7 @@
 mod bases;
 mod closure;
 mod frames;
+mod images;
 mod matrix_laws;
 mod occluded;
 mod plan;
