@@ -80,20 +80,6 @@ fn images_share_within_their_bounds() {
     }
 }
 
-/// Corners that are rounded to 1e-14 change exchange areas of translates, and the bound has room for
-/// it.
-#[test]
-fn rounded_corners_of_images_are_in_the_bound() {
-    let floor = triangles(3, 0.3, 0.8);
-    for turn in turns() {
-        let turned = mapped(&floor, |corner| turn * (corner + DVec3::splat(40.0)));
-        let shared = exchange(&turned, 1e-9, Congruence::Shared);
-        let exact = exchange(&turned, 1e-14, Congruence::Ignored);
-        assert!(shared.summary().plan.congruent > 200);
-        assert_agree(&shared, &exact);
-    }
-}
-
 /// An L and its mirror image, under two triangles and their images: eight pairs, which are images of
 /// each other in twos.
 #[test]
