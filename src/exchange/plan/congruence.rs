@@ -20,8 +20,8 @@
 //! relations along the axes and needs n³ classes for n cells an edge, no comparison of pairs. The
 //! test `the_grid_of_six_cells_is_the_scene_cube_6` sets one against the other.
 //!
-//! **Not covered**: other polygons (`turned`, `images`), and scenes with so many lines that the tables would outgrow the
-//! pairs.
+//! **Not covered**: other polygons (`turned`, `images`), and scenes with so many lines that the
+//! tables would outgrow the pairs.
 
 use super::line_differences::{Differences, others};
 use crate::geometry::FlatBox;
@@ -95,8 +95,8 @@ impl Lattice {
 
     /// The lattice of these rectangles, if its tables are small beside their pairs.
     ///
-    /// **Arguments** `largest`: the largest coordinate that the rectangles were computed of, if that
-    /// is not theirs.
+    /// **Arguments** `largest`: the largest coordinate that the rectangles were computed of, if
+    /// that is not theirs.
     pub(crate) fn of_boxes(boxes: &[Option<FlatBox>], largest: f64) -> Option<Self> {
         let mut lines: [Vec<f64>; 3] = [Vec::new(), Vec::new(), Vec::new()];
         for flat in boxes.iter().flatten() {

@@ -28,8 +28,8 @@ pub(crate) struct Differences {
 impl Differences {
     /// Numbers the differences of the lines of each axis, which are sorted.
     ///
-    /// **Arguments** `largest`: the largest coordinate that lines were computed of, if that is not a
-    /// line.
+    /// **Arguments** `largest`: the largest coordinate that lines were computed of, if that is not
+    /// a line.
     pub(crate) fn of(lines: &[Vec<f64>; 3], largest: f64) -> Self {
         let (starts, spread) = groups(lines, largest);
         let number = |size: f64| starts.partition_point(|start| *start <= size) - 1;

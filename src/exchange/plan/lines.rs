@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   y = (a₁·(x − o), …)       the coordinates of corners about their middle, to 106 bits
-//!   line                      a group of coordinates within some roundings; its place is their mean
+//!   line                      a group of coordinates within some roundings, at their mean
 //!   offset                    most that a coordinate is off its line
 //! ```
 

@@ -8,12 +8,12 @@
 //! ```
 //!
 //! Open `facing` for the planes that see each other, `congruence` for the congruent pairs of
-//! axis-parallel rectangles (over `line_differences`), `turned` for those of rectangles along turned
-//! axes, which `frames` finds, `images` for those of any polygons that are translates or mirror
-//! images, `classes` and `image_classes` for the classes of congruent pairs that occur,
-//! `perturbation` and `model_offset` for the bounds on the difference
-//! between congruent pairs, `base_offsets` for parts that lie slightly off their base's plane, and `counts`
-//! for the summary of plan and pass.
+//! axis-parallel rectangles (over `line_differences`), `turned` for those of rectangles along
+//! turned axes, which `frames` finds, `images` for those of any polygons that are translates or
+//! mirror images, `classes` and `image_classes` for the classes of congruent pairs that occur,
+//! `perturbation` and `model_offset` for the bounds on the difference between congruent pairs,
+//! `base_offsets` for parts that lie slightly off their base's plane, and `counts` for the summary
+//! of plan and pass.
 //!
 //! **Not covered**: pairs that are congruent by a rotation alone, other than one that exchanges the
 //! axes of a frame.

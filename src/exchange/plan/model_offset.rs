@@ -1,28 +1,29 @@
 //! A bound on what an exchange area may differ by from that of rectangles that stand for the two.
 //!
 //! Two rectangles P and Q along the axes of a frame stand for two polygons whose corners are within
-//! `δ` of theirs along each axis. Q is moved first along its normal, by a height that is linear over
-//! it, then in its plane; then P. In its plane an edge sweeps at most `δ` times its length, and the
-//! wall between the boundaries of a motion along the normal is as large. The flux through either
-//! is no more than its area times the kernel:
+//! `δ` of theirs along each axis. Q is moved first along its normal, by a height that is linear
+//! over it, then in its plane; then P. In its plane an edge sweeps at most `δ` times its length,
+//! and the wall between the boundaries of a motion along the normal is as large. The flux through
+//! either is no more than its area times the kernel:
 //!
 //! ```text
 //!   |Δ(A F)| ≤ Σ_e δ |e| (D_k + D_w) [+ δ l],     D_k ≤ min(c_k, Σ_p A_p h d_k/(π r⁴))
 //! ```
 //!
 //! The sums are over pieces e of the edges of Q and parts p of P, and over those of the edges of P
-//! and parts of Q; `k` is the normal of Q, `w` the axis across the edge in its plane; `h` the height
-//! of e over P's plane, `d_k` the largest distance of a point of p from one of e along k, and `r`
-//! the distance of the two. At a place whose front runs along the plane of P, P fills half the sky
-//! at most: `c_k` is ½, and 1 where k is the normal of P.
+//! and parts of Q; `k` is the normal of Q, `w` the axis across the edge in its plane; `h` the
+//! height of e over P's plane, `d_k` the largest distance of a point of p from one of e along k,
+//! and `r` the distance of the two. At a place whose front runs along the plane of P, P fills half
+//! the sky at most: `c_k` is ½, and 1 where k is the normal of P.
 //!
 //! Where part of P is behind the plane of Q, the line in which this plane cuts P moves as well. Q
-//! shows that line its edge and receives nothing from it, unless it runs through Q itself, where the
-//! plane moves by at most `δ`, and P fills half the sky: the last term, of perpendicular rectangles
-//! that may touch in a line of length `l`. Parallel ones do not touch, as their planes are apart.
+//! shows that line its edge and receives nothing from it, unless it runs through Q itself, where
+//! the plane moves by at most `δ`, and P fills half the sky: the last term, of perpendicular
+//! rectangles that may touch in a line of length `l`. Parallel ones do not touch, as their planes
+//! are apart.
 //!
-//! The models of congruent pairs differ, too: put together at the middle of each axis, their ends are
-//! within the spread `ω` of the lattice of each other, as two of the four ends of an axis have
+//! The models of congruent pairs differ, too: put together at the middle of each axis, their ends
+//! are within the spread `ω` of the lattice of each other, as two of the four ends of an axis have
 //! differences equal within `ω`, or are two such steps apart. Their polygons are off by `δ + ω`.
 //!
 //! **Not covered**: rectangles shorter than a million times `δ`.
@@ -38,8 +39,8 @@ const SHORTEST: f64 = 1e6;
 const MOVED: f64 = 1.0 + 1e-4;
 
 /// A bound on the difference of the exchange areas of two rectangles along the axes of a frame and
-/// of two polygons whose corners are within `offset` of theirs along each axis; infinite where there
-/// is none.
+/// of two polygons whose corners are within `offset` of theirs along each axis; infinite where
+/// there is none.
 pub(crate) fn offset_allowance(offset: f64, first: &FlatBox, second: &FlatBox) -> f64 {
     if offset <= 0.0 {
         return 0.0;
@@ -121,8 +122,8 @@ fn swept(moved: &FlatBox, source: &FlatBox, reach: f64, pieces: usize) -> f64 {
     sum
 }
 
-/// The flux density from the parts of a source through a surface at a piece of an edge, whose normal
-/// is along an axis.
+/// The flux density from the parts of a source through a surface at a piece of an edge, whose
+/// normal is along an axis.
 fn density(edge: &FlatBox, axis: usize, parts: &[FlatBox], reach: f64) -> f64 {
     let cap = if axis == parts[0].axis { 1.0 } else { 0.5 };
     let mut sum = 0.0;

@@ -59,8 +59,8 @@ const WIDEST: f64 = 1e6;
 ///
 /// One is moved along its normal, by a height that is linear over it, then in its plane, and so is
 /// the other. Strips and walls are as above. Where the plane of one cuts the other, the line of the
-/// cut moves by no more than the corners do over the sine of the angle between the two, and receives
-/// something only where it runs through the first: along half its perimeter at most.
+/// cut moves by no more than the corners do over the sine of the angle between the two, and
+/// receives something only where it runs through the first: along half its perimeter at most.
 pub(crate) fn corner_allowance(offset: f64, first: &Patch, second: &Patch) -> f64 {
     if offset <= 0.0 {
         return 0.0;

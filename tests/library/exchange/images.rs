@@ -35,9 +35,10 @@ fn triangles(cells: u32, lean: f64, height: f64) -> Scene {
 
 /// Pairs of a triangle in the floor and one in the ceiling: two kinds of each, and offsets below N
 /// either way, m = 2 N − 1 along each axis. Three symmetries take them to each other: x and y are
-/// exchanged (offset (a, b) → (b, a)), both are reflected (kinds exchanged, offset → −offset), floor
-/// and ceiling are exchanged (kinds of the two exchanged, offset → −offset). The eight products
-/// leave 4 m², 4 m, 0, 0, 2, 2 m, 2 m², 2 m pairs as they are: (3 m + 1)(m + 1)/4 orbits, by Burnside.
+/// exchanged (offset (a, b) → (b, a)), both are reflected (kinds exchanged, offset → −offset),
+/// floor and ceiling are exchanged (kinds of the two exchanged, offset → −offset). The eight
+/// products leave 4 m², 4 m, 0, 0, 2, 2 m, 2 m², 2 m pairs as they are: (3 m + 1)(m + 1)/4 orbits,
+/// by Burnside.
 #[test]
 fn triangles_that_repeat_are_known_by_counting() {
     for cells in [2, 3, 4] {
@@ -80,8 +81,8 @@ fn images_share_within_their_bounds() {
     }
 }
 
-/// An L and its mirror image, under two triangles and their images: eight pairs, which are images of
-/// each other in twos.
+/// An L and its mirror image, under two triangles and their images: eight pairs, which are images
+/// of each other in twos.
 #[test]
 fn mirror_images_of_any_polygons_share() {
     let mirrored = |corners: &[[f64; 2]]| {
@@ -113,7 +114,8 @@ fn mirror_images_of_any_polygons_share() {
     }
 }
 
-/// Scalene tiles, which no symmetry takes to themselves, share by their offset alone, either way round.
+/// Scalene tiles, which no symmetry takes to themselves, share by their offset alone, either way
+/// round.
 #[test]
 fn translates_share_by_their_offsets() {
     let tile = |at: f64, z: f64, up: bool| {
