@@ -262,26 +262,12 @@ impl Image {
 
 /// The corners of a rectangle in words.
 fn corners(words: &Words) -> Vec<DVec3> {
-    let (axis, along) = (words[0] / 2, words[0] % 2 == 1);
-    let end = |first: usize, axis: usize| f64::from_bits(words[first + axis]);
-    let (u, v) = match axis {
-        0 => (1, 2),
-        1 => (2, 0),
-        _ => (0, 1),
+    let ends = |first: usize| [0, 1, 2].map(|axis| f64::from_bits(words[first + axis]));
+    let flat = FlatBox {
+        axis: usize::try_from(words[0] / 2).unwrap_or(0),
+        faces_along: words[0] % 2 == 1,
+        lower: ends(1),
+        upper: ends(4),
     };
-    let corner = |is_high: [bool; 2]| {
-        let mut place = [0, 1, 2].map(|axis| end(1, axis));
-        for (axis, is_high) in [u, v].into_iter().zip(is_high) {
-            if is_high {
-                place[axis] = end(4, axis);
-            }
-        }
-        DVec3::from_array(place)
-    };
-    let around = [[false, false], [true, false], [true, true], [false, true]];
-    let mut corners: Vec<DVec3> = around.map(corner).to_vec();
-    if !along {
-        corners.reverse();
-    }
-    corners
+    flat.corners()
 }

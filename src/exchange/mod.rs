@@ -28,7 +28,8 @@
 //! runs in three steps:
 //!
 //! 1. **Plan** (`plan`). Pairs of planes that do not face each other are left out whole; congruent
-//!    pairs of axis-parallel rectangles share one value.
+//!    pairs share one value: those of rectangles along the axes, however these are turned, and
+//!    translates and mirror images of any polygons.
 //! 2. **Tiles** (`passes/tiles`). The other pairs are walked in tiles, each pair once, on all
 //!    threads. The exchange area of two rows (`row_pair`) is the sum over the terms of both, pairs
 //!    of polygons (`polygon_pair`).
@@ -54,6 +55,10 @@
 //! | 16 | 1,536 | 1,178,880 | 2,312 |
 //! | 32 | 6,144 | 18,871,296 | 17,424 |
 //! | 64 | 24,576 | 301,977,600 | 135,200 |
+//!
+//! Corners that were turned are rounded, and congruent pairs equal within a bound, which is part of
+//! the error of the value that they share: where it does not meet the tolerance, near 1e-13, each
+//! pair is computed.
 //!
 //! A pass takes time of order n², as every pair that is not left out looks its class up, and memory
 //! of order n, unless the matrix is held. `--every-pair` ([`Congruence::Ignored`]) computes each
@@ -96,6 +101,7 @@ mod row_pair;
 mod rows;
 mod scene_pairs;
 mod selection;
+mod shared_values;
 mod sights;
 mod store;
 mod tolerance;

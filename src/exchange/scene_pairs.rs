@@ -21,11 +21,10 @@ use super::{ExchangeError, Selection, Tolerance};
 use crate::exchange::plan::base_offsets::BaseOffsets;
 use crate::exchange::plan::counts::{PassCounts, PassSummary};
 use crate::exchange::plan::facing::{Facing, FacingPlanes};
-use crate::exchange::plan::perturbation::allowance;
 use crate::exchange::rows::plane_sets::PlaneSets;
 use crate::exchange::rows::polygons::Polygons;
 use crate::exchange::rows::terms::RowTerms;
-use crate::exchange::sights::{Sight, Sights};
+use crate::exchange::sights::Sights;
 use crate::form_factor::Answer;
 use crate::numeric::{compensated_sum, try_parallel_map};
 use crate::scene::{NamedPatch, Occlusion, Scene};
@@ -160,7 +159,7 @@ impl<'p> ScenePairs<'p> {
         });
         let plan = Plan::of(&shapes, facings, congruence);
         let is_few = selection.is_some_and(Selection::is_few);
-        let classes = plan.representatives().len();
+        let classes = plan.classes();
         let sights = Sights::of(scene, occlusion, is_few, congruence, classes);
         let [areas, area_bounds] = areas(&terms, &shapes);
         let mut pairs = Self {
@@ -180,19 +179,8 @@ impl<'p> ScenePairs<'p> {
             shared: Vec::new(),
             sights,
         };
-        let spread = pairs.plan.spread();
-        let representatives = pairs.plan.representatives();
-        pairs.shared = try_parallel_map(representatives.len(), &|class| {
-            let [first, second] = representatives[class];
-            let tolerance = pairs.relative_tolerance(first, second)?;
-            // half of it is for the differences between congruent pairs
-            let part = if spread > 0.0 { 0.5 } else { 1.0 };
-            let mut answer = pairs.evaluate(first, second, &Sight::Clear, part * tolerance)?;
-            let [one, other] = [first, second].map(|index| shapes[index].shape());
-            let apart = allowance(spread, one, other);
-            let exchange = &mut answer.exchange;
-            exchange.error += apart;
-            Ok::<_, ExchangeError>((apart <= 0.5 * tolerance * exchange.value).then_some(answer))
+        pairs.shared = try_parallel_map(pairs.plan.classes(), &|class| {
+            pairs.shared_value(class, &shapes)
         })?;
         Ok(pairs)
     }

@@ -123,6 +123,8 @@ struct PartWeights<'w> {
     unit: i32,
     sum: f64,
     exact: &'w dyn Fn(usize) -> Expansion,
+    /// Each weight in its own power of two, once it is needed.
+    exact_own: Vec<OnceCell<Expansion>>,
     exact_sum: OnceCell<Expansion>,
 }
 
@@ -137,6 +139,7 @@ impl<'w> PartWeights<'w> {
             unit,
             sum,
             exact,
+            exact_own: vec![OnceCell::new(); weights.len()],
             exact_sum: OnceCell::new(),
         }
     }
@@ -156,8 +159,8 @@ impl<'w> PartWeights<'w> {
     }
 
     /// Weight `k` in its own power of two.
-    fn exact(&self, k: usize) -> Expansion {
-        (self.exact)(k).times_power(-self.scaled[k].exponent)
+    fn exact(&self, k: usize) -> &Expansion {
+        self.exact_own[k].get_or_init(|| (self.exact)(k).times_power(-self.scaled[k].exponent))
     }
 
     /// All weights in units.
@@ -190,6 +193,7 @@ fn block_divergence(
         return (0.0, 0);
     }
     let exact_flux = OnceCell::new();
+    let flux_of_rows = vec![OnceCell::new(); m];
     let positive = |kl: &usize| rows.values[kl / n] > 0.0 && columns.values[kl % n] > 0.0;
     let terms = (0..m * n).filter(positive).map(|kl| {
         let (k, l) = (kl / n, kl % n);
@@ -217,7 +221,8 @@ fn block_divergence(
         } else {
             let flux = exact_flux.get_or_init(|| Expansion::sum(fluxes.iter().copied()));
             let cross = &(&Expansion::from(own_flux) * rows.exact_sum()) * columns.exact_sum();
-            let other = &(flux * &rows.exact(k)) * &columns.exact(l);
+            let row = flux_of_rows[k].get_or_init(|| flux * rows.exact(k));
+            let other = row * columns.exact(l);
             (cross - &other).to_f64() / independent
         };
         a * b * divergence_kernel(x)

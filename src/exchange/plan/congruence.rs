@@ -20,8 +20,8 @@
 //! relations along the axes and needs n³ classes for n cells an edge, no comparison of pairs. The
 //! test `the_grid_of_six_cells_is_the_scene_cube_6` sets one against the other.
 //!
-//! **Not covered**: other polygons, and scenes with so many lines that the tables would outgrow the
-//! pairs.
+//! **Not covered**: other polygons (`turned`, `images`), and scenes with so many lines that the
+//! tables would outgrow the pairs.
 
 use super::line_differences::{Differences, others};
 use crate::geometry::FlatBox;
@@ -89,10 +89,15 @@ type Lines = [usize; 2];
 impl Lattice {
     /// The lattice of a scene, if its tables are small beside its pairs.
     pub(crate) fn of(patches: &[NamedPatch]) -> Option<Self> {
-        let boxes: Vec<Option<FlatBox>> = patches
-            .iter()
-            .map(|patch| FlatBox::of(patch.shape()))
-            .collect();
+        let boxes = patches.iter().map(|patch| FlatBox::of(patch.shape()));
+        Self::of_boxes(&boxes.collect::<Vec<_>>(), 0.0)
+    }
+
+    /// The lattice of these rectangles, if its tables are small beside their pairs.
+    ///
+    /// **Arguments** `largest`: the largest coordinate that the rectangles were computed of, if
+    /// that is not theirs.
+    pub(crate) fn of_boxes(boxes: &[Option<FlatBox>], largest: f64) -> Option<Self> {
         let mut lines: [Vec<f64>; 3] = [Vec::new(), Vec::new(), Vec::new()];
         for flat in boxes.iter().flatten() {
             for (axis, lines) in lines.iter_mut().enumerate() {
@@ -103,13 +108,13 @@ impl Lattice {
             lines.sort_by(f64::total_cmp);
             lines.dedup();
         }
-        let most = TABLE[0].max(TABLE[1] * patches.len());
+        let most = TABLE[0].max(TABLE[1] * boxes.len());
         let pairs_of_lines: usize = lines.iter().map(|lines| lines.len().pow(2)).sum();
         if pairs_of_lines == 0 || pairs_of_lines > most {
             return None;
         }
-        let differences = Differences::of(&lines);
-        Tables::default().fill(&boxes, &lines, &differences, most)
+        let differences = Differences::of(&lines, largest);
+        Tables::default().fill(boxes, &lines, &differences, most)
     }
 
     /// The distance by which coordinates of congruent pairs may differ; 0 if all differences of

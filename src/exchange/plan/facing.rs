@@ -143,6 +143,11 @@ impl FacingPlanes {
         self.of[polygon] as usize
     }
 
+    /// The relation of the planes of two polygons.
+    pub(crate) fn facing_of(&self, [first, second]: [usize; 2]) -> Facing {
+        self.facing(self.of_patch(first), self.of_patch(second))
+    }
+
     /// The relation of two planes.
     pub(crate) fn facing(&self, first: usize, second: usize) -> Facing {
         if first == second {

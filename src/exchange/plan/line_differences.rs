@@ -27,8 +27,11 @@ pub(crate) struct Differences {
 
 impl Differences {
     /// Numbers the differences of the lines of each axis, which are sorted.
-    pub(crate) fn of(lines: &[Vec<f64>; 3]) -> Self {
-        let (starts, spread) = groups(lines);
+    ///
+    /// **Arguments** `largest`: the largest coordinate that lines were computed of, if that is not
+    /// a line.
+    pub(crate) fn of(lines: &[Vec<f64>; 3], largest: f64) -> Self {
+        let (starts, spread) = groups(lines, largest);
         let number = |size: f64| starts.partition_point(|start| *start <= size) - 1;
         let signed = |from: f64, to: f64| {
             let number = i32::try_from(number((to - from).abs())).unwrap_or(i32::MAX);
@@ -59,11 +62,11 @@ impl Differences {
 
 /// The smallest of each group of differences that count as equal, in order, and the spread of the
 /// widest group.
-fn groups(lines: &[Vec<f64>; 3]) -> (Vec<f64>, f64) {
+fn groups(lines: &[Vec<f64>; 3], largest: f64) -> (Vec<f64>, f64) {
     let extent = lines
         .iter()
         .flatten()
-        .fold(0.0, |most: f64, x| most.max(x.abs()));
+        .fold(largest, |most: f64, x| most.max(x.abs()));
     // each with what rounding took from it
     let mut sizes = vec![(0.0, 0.0)];
     for lines in lines {

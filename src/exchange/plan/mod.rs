@@ -7,26 +7,42 @@
 //!   congruent    pairs equal up to a motion or reflection: the first of them is computed
 //! ```
 //!
-//! Open `facing` for the planes that see each other, `congruence` for the classes of congruent
-//! pairs (over `line_differences`), `perturbation` for the bound on the difference between
-//! congruent pairs, `base_offsets` for parts that lie slightly off their base's plane, and `counts`
-//! for the summary of plan and pass.
+//! Open `facing` for the planes that see each other, `congruence` for the congruent pairs of
+//! axis-parallel rectangles (over `line_differences`), `turned` for those of rectangles along
+//! turned axes, which `frames` finds, `images` for those of any polygons that are translates or
+//! mirror images, `classes` and `image_classes` for the classes of congruent pairs that occur,
+//! `perturbation` and `model_offset` for the bounds on the difference between congruent pairs,
+//! `base_offsets` for parts that lie slightly off their base's plane, and `counts` for the summary
+//! of plan and pass.
 //!
-//! **Not covered**: congruence of polygons that are not axis-parallel rectangles.
+//! **Not covered**: pairs that are congruent by a rotation alone, other than one that exchanges the
+//! axes of a frame.
 
 pub(crate) mod base_offsets;
+mod classes;
 pub(crate) mod congruence;
 pub(crate) mod counts;
 pub(crate) mod facing;
+mod frames;
+mod image_classes;
+mod images;
 pub(crate) mod line_differences;
+mod lines;
+pub(crate) mod model_offset;
 pub(crate) mod perturbation;
+mod poses;
+mod symmetry;
+mod turned;
 
+use crate::geometry::FlatBox;
 use crate::scene::NamedPatch;
+use classes::Classes;
 use congruence::Lattice;
 use facing::{Facing, FacingPlanes};
-use rayon::prelude::*;
-use std::num::NonZeroU32;
-use std::sync::atomic::{AtomicU64, Ordering};
+use frames::FEWEST_POLYGONS;
+use glam::DVec3;
+use image_classes::ImageClasses;
+use turned::TurnedClasses;
 
 /// Whether congruent pairs share a value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -42,7 +58,32 @@ pub enum Congruence {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Plan {
     facings: FacingPlanes,
-    classes: Option<Classes>,
+    straight: Option<Classes>,
+    turned: Option<TurnedClasses>,
+    images: Option<ImageClasses>,
+}
+
+/// The pair that a class takes its value from.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Representative {
+    /// The first pair of the class.
+    pub(crate) pair: [usize; 2],
+    /// What the value is computed of.
+    pub(crate) source: Source,
+    /// The distance by which coordinates of congruent pairs may differ, or corners be off those of
+    /// the models.
+    pub(crate) spread: f64,
+}
+
+/// What the value of a class is computed of.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Source {
+    /// The pair itself, along the coordinate axes.
+    Straight,
+    /// The models of the pair along the axes of a turned frame.
+    Boxes([FlatBox; 2]),
+    /// The pair itself, whose corners in a frame are these.
+    Image([Vec<DVec3>; 2]),
 }
 
 impl Plan {
@@ -52,12 +93,31 @@ impl Plan {
         facings: FacingPlanes,
         congruence: Congruence,
     ) -> Self {
-        let lattice = match congruence {
-            Congruence::Shared => Lattice::of(patches),
-            Congruence::Ignored => None,
+        let mut plan = Self {
+            facings,
+            straight: None,
+            turned: None,
+            images: None,
         };
-        let classes = lattice.map(|lattice| Classes::of(lattice, &facings, patches.len()));
-        Self { facings, classes }
+        if congruence == Congruence::Shared {
+            let all: Vec<usize> = (0..patches.len()).collect();
+            let lattice = Lattice::of(patches);
+            plan.straight = lattice.map(|lattice| Classes::of(lattice, &plan.facings, &all));
+            plan.turned = TurnedClasses::of(patches, &plan.facings);
+            let turned = plan.turned.as_ref();
+            let is_covered = |polygon: &usize| turned.is_some_and(|turned| turned.has(*polygon));
+            let is_straight = |polygon: &usize| FlatBox::of(patches[*polygon].shape()).is_some();
+            let others = all
+                .into_iter()
+                .filter(|k| !is_covered(k) && !is_straight(k));
+            let others: Vec<usize> = others.collect();
+            if others.len() >= FEWEST_POLYGONS {
+                plan.images = ImageClasses::of(patches, &others, |one, other| {
+                    plan.facing(one, other) == Facing::Visible && plan.shared(one, other).is_none()
+                });
+            }
+        }
+        plan
     }
 
     /// The planes, and which of them face each other.
@@ -67,95 +127,59 @@ impl Plan {
 
     /// Whether two polygons can exchange anything.
     pub(crate) fn facing(&self, first: usize, second: usize) -> Facing {
-        facing(&self.facings, first, second)
+        self.facings.facing_of([first, second])
     }
 
-    /// The place of a pair's class among [`representatives`](Self::representatives).
+    /// Number of classes of congruent pairs that occur.
+    pub(crate) fn classes(&self) -> usize {
+        let images = self.images.as_ref();
+        self.turned_end() + images.map_or(0, |images| images.representatives.len())
+    }
+
+    fn straight_count(&self) -> usize {
+        let straight = self.straight.as_ref();
+        straight.map_or(0, |classes| classes.representatives.len())
+    }
+
+    /// Number of straight and turned classes.
+    fn turned_end(&self) -> usize {
+        let turned = self.turned.as_ref();
+        self.straight_count() + turned.map_or(0, |turned| turned.count)
+    }
+
+    /// The place of a pair's class among all of them.
+    #[inline]
     pub(crate) fn shared(&self, first: usize, second: usize) -> Option<usize> {
-        self.classes.as_ref()?.place(first, second)
+        let straight = self.straight.as_ref();
+        let place = straight.and_then(|classes| classes.place(first, second));
+        if place.is_some() || (self.turned.is_none() && self.images.is_none()) {
+            return place;
+        }
+        let turned = self.turned.as_ref();
+        if let Some(place) = turned.and_then(|turned| turned.place(first, second)) {
+            return Some(self.straight_count() + place);
+        }
+        let place = self.images.as_ref()?.place(first, second)?;
+        Some(self.turned_end() + place)
     }
 
-    /// The first pair of each class.
-    pub(crate) fn representatives(&self) -> &[[usize; 2]] {
-        let classes = self.classes.as_ref();
-        classes.map_or(&[], |classes| &classes.representatives)
-    }
-
-    /// The distance by which coordinates of congruent pairs may differ.
-    pub(crate) fn spread(&self) -> f64 {
-        let classes = self.classes.as_ref();
-        classes.map_or(0.0, |classes| classes.lattice.spread())
-    }
-}
-
-fn facing(facings: &FacingPlanes, first: usize, second: usize) -> Facing {
-    facings.facing(facings.of_patch(first), facings.of_patch(second))
-}
-
-/// The classes of congruent pairs that occur.
-#[derive(Debug, Clone, PartialEq)]
-struct Classes {
-    lattice: Lattice,
-    /// The number of each class that occurs, from 1, among the representatives.
-    numbers: Vec<Option<NonZeroU32>>,
-    /// The first pair of each class that occurs.
-    representatives: Vec<[usize; 2]>,
-}
-
-impl Classes {
-    /// The classes of those pairs whose planes face each other: the same whatever the order in
-    /// which threads come upon them.
-    fn of(lattice: Lattice, facings: &FacingPlanes, patches: usize) -> Self {
-        let first: Vec<FirstPair> = (0..lattice.classes()).map(|_| FirstPair::none()).collect();
-        (0..patches).into_par_iter().for_each(|one| {
-            for other in one + 1..patches {
-                if facing(facings, one, other) != Facing::Visible {
-                    continue;
-                }
-                if let Some(class) = lattice.class(one, other) {
-                    first[class].offer([one, other]);
-                }
+    /// What a class takes its value from; none if there is no such class, or no value.
+    pub(crate) fn representative(&self, class: usize) -> Option<Representative> {
+        if let Some(classes) = &self.straight
+            && let Some(pair) = classes.representatives.get(class)
+        {
+            return Some(Representative {
+                pair: *pair,
+                source: Source::Straight,
+                spread: classes.lattice.spread(),
+            });
+        }
+        match class.checked_sub(self.turned_end()) {
+            Some(place) => self.images.as_ref()?.representative(place),
+            None => {
+                let place = class.checked_sub(self.straight_count())?;
+                self.turned.as_ref()?.representative(place)
             }
-        });
-        let mut representatives = Vec::new();
-        let numbers = first.into_iter().map(|first| {
-            representatives.push(first.pair()?);
-            u32::try_from(representatives.len())
-                .ok()
-                .and_then(NonZeroU32::new)
-        });
-        Self {
-            numbers: numbers.collect(),
-            lattice,
-            representatives,
         }
-    }
-
-    /// The place of a pair's class among the representatives.
-    fn place(&self, first: usize, second: usize) -> Option<usize> {
-        let number = self.numbers[self.lattice.class(first, second)?]?;
-        Some(number.get() as usize - 1)
-    }
-}
-
-/// The first of the pairs of a class that threads have come upon, `one · 2³² + other`.
-struct FirstPair(AtomicU64);
-
-impl FirstPair {
-    const fn none() -> Self {
-        Self(AtomicU64::new(u64::MAX))
-    }
-
-    fn offer(&self, [one, other]: [usize; 2]) {
-        let pair = ((one as u64) << 32) | other as u64;
-        // mostly an earlier pair is known already
-        if self.0.load(Ordering::Relaxed) > pair {
-            self.0.fetch_min(pair, Ordering::Relaxed);
-        }
-    }
-
-    fn pair(self) -> Option<[usize; 2]> {
-        let pair = self.0.into_inner();
-        (pair != u64::MAX).then_some([(pair >> 32) as usize, (pair & 0xffff_ffff) as usize])
     }
 }

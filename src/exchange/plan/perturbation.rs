@@ -17,6 +17,7 @@
 //! most `ω`, those of Q by `ω` and `2 ω`. So edges sweep at most `3/2 ω` times the perimeter.
 
 use crate::geometry::Patch;
+use crate::numeric::tolerance;
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -42,6 +43,48 @@ pub(crate) fn allowance(spread: f64, first: &Patch, second: &Patch) -> f64 {
         0.0
     };
     let allowance = spread * (SWEPT * strips + walls);
+    if allowance.is_nan() {
+        f64::INFINITY
+    } else {
+        allowance
+    }
+}
+
+/// Polygons are so many times wider than corners are off, at least.
+const WIDEST: f64 = 1e6;
+
+/// A bound on the difference of the exchange areas of two pairs of polygons, put together by a
+/// motion or reflection, whose corners are within `offset` of each other along each axis; infinite
+/// where there is none.
+///
+/// One is moved along its normal, by a height that is linear over it, then in its plane, and so is
+/// the other. Strips and walls are as above. Where the plane of one cuts the other, the line of the
+/// cut moves by no more than the corners do over the sine of the angle between the two, and
+/// receives something only where it runs through the first: along half its perimeter at most.
+pub(crate) fn corner_allowance(offset: f64, first: &Patch, second: &Patch) -> f64 {
+    if offset <= 0.0 {
+        return 0.0;
+    }
+    let moved = tolerance::SQRT_3 * offset;
+    if first.width().min(second.width()) < WIDEST * moved {
+        return f64::INFINITY;
+    }
+    let reach = 4.0 * moved;
+    let distance = (gap(first, second) - reach).max(0.0);
+    let heights = [height(first, second), height(second, first)].map(|height| height + reach);
+    let received = |from: &Patch, height: f64| {
+        let area = from.area();
+        let strip = (area * heights[0] * heights[1] / (PI * distance.powi(4))).min(1.0);
+        strip + (area * height / (PI * distance.powi(3))).min(1.0)
+    };
+    let mut strips = second.perimeter() * received(first, heights[1])
+        + first.perimeter() * received(second, heights[0]);
+    if distance <= 0.0 {
+        let sine = first.normal().cross(second.normal()).length();
+        strips += first.perimeter().min(second.perimeter()) / (sine - reach).max(0.0);
+    }
+    // areas, perimeters and heights change by less while corners move
+    let allowance = (1.0 + 1e-4) * moved * strips;
     if allowance.is_nan() {
         f64::INFINITY
     } else {

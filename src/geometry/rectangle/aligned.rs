@@ -121,4 +121,24 @@ impl FlatBox {
             upper: ends(f64::max),
         })
     }
+
+    /// The corners, counter-clockwise seen from the front.
+    pub(crate) fn corners(&self) -> Vec<DVec3> {
+        let (u, v) = ((self.axis + 1) % 3, (self.axis + 2) % 3);
+        let corner = |is_high: [bool; 2]| {
+            let mut place = self.lower;
+            for (axis, is_high) in [u, v].into_iter().zip(is_high) {
+                if is_high {
+                    place[axis] = self.upper[axis];
+                }
+            }
+            DVec3::from_array(place)
+        };
+        let around = [[false, false], [true, false], [true, true], [false, true]];
+        let mut corners: Vec<DVec3> = around.map(corner).to_vec();
+        if !self.faces_along {
+            corners.reverse();
+        }
+        corners
+    }
 }

@@ -2,6 +2,8 @@
 
 mod bases;
 mod closure;
+mod frames;
+mod images;
 mod matrix_laws;
 mod occluded;
 mod plan;
