@@ -82,12 +82,13 @@ fn fill(
 ) {
     let mut corners = [[[0.0; LANES]; 3]; 4];
     for (corner, from) in corners.iter_mut().zip(&side.corners) {
-        for axis in 0..3 {
+        for ((corner, from), origin) in corner.iter_mut().zip(from).zip(origin) {
             for l in 0..LANES {
-                corner[axis][l] = from[axis][l] - origin[axis][l];
+                corner[l] = from[l] - origin[l];
             }
         }
     }
+    let [first, second, third, fourth] = &corners;
     let [j, js, jt] = &side.jacobian;
     let nodes = nodes.blocks().iter().flat_map(|[s, t, weights]| {
         let at = |i: usize| [s[i], t[i], weights[i]];
@@ -96,12 +97,11 @@ fn fill(
     for ([s, t, weight], out) in nodes.zip(out) {
         let (a, b) = ((1.0 - s) * (1.0 - t), s * (1.0 - t));
         let (c, d) = (s * t, (1.0 - s) * t);
-        for axis in 0..3 {
+        for (axis, point) in out.point.iter_mut().enumerate() {
+            let [p, q] = [&first[axis], &second[axis]];
+            let [r, s] = [&third[axis], &fourth[axis]];
             for l in 0..LANES {
-                out.point[axis][l] = a * corners[0][axis][l]
-                    + b * corners[1][axis][l]
-                    + c * corners[2][axis][l]
-                    + d * corners[3][axis][l];
+                point[l] = a * p[l] + b * q[l] + c * r[l] + d * s[l];
             }
         }
         for l in 0..LANES {

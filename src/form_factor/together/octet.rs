@@ -281,8 +281,8 @@ fn heights(
         };
         mean[l] = sum / polygon.count[l];
         is_sure[l] = if least[l] > certain { 1.0 } else { 0.0 };
-        for k in 0..4 {
-            out.heights[side][k][l] = h[k];
+        for (heights, h) in out.heights[side].iter_mut().zip(h) {
+            heights[l] = h;
         }
     }
 }
@@ -308,13 +308,13 @@ fn distances([first, second]: &[Side; 2], spans: &[[Lanes; 3]; 2]) -> (Lanes, La
     }
     for x in &first.corners {
         for y in &second.corners {
-            for l in 0..LANES {
-                far[l] = f64::max(far[l], squared_distance(x, y, l));
+            for (l, far) in far.iter_mut().enumerate() {
+                *far = f64::max(*far, squared_distance(x, y, l));
             }
         }
     }
-    for l in 0..LANES {
-        far[l] = far[l].sqrt();
+    for far in &mut far {
+        *far = far.sqrt();
     }
     (near, far)
 }
