@@ -137,8 +137,7 @@ impl ScenePairs<'_> {
             let Some([one, other]) = single else {
                 continue;
             };
-            let class = self.class(one, other);
-            if class.is_some_and(|place| self.shared[place].is_some()) {
+            if self.class(one, other).is_some() {
                 continue;
             }
             let Ok(polygons) = self.both(one.min(other), one.max(other)) else {
