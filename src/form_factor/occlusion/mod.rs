@@ -24,7 +24,7 @@
 //! | stretches of edges, and the faces through them, between which x looks past | `outer`, `pages` |
 //! | planes of sight through y(t) and an edge, linear in t | `trace`, `sight`, `region` |
 //! | the boundary of R at one t, and where it keeps this shape | `chord`, `covers`, `arrangement`, `validity` |
-//! | its corners as rational functions of t, Gauss rules with a-priori bounds | `corner`, `bound`, `rule` |
+//! | its corners as rational functions of t, Gauss rules with a-priori bounds | `corner`, `bound`, `reach`, `rule` |
 //! | all shapes along a stretch, and the sum of their rules | `stretch` |
 //! | what displaced corners can change | `slack` |
 //! | from a point, in closed form | `point` |
@@ -74,6 +74,7 @@ mod occluders;
 mod outer;
 mod pages;
 mod point;
+mod reach;
 mod region;
 mod rule;
 mod setting;

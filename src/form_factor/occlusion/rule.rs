@@ -4,7 +4,7 @@
 //!   W(t) = Σ (v·u) (s1 ln|X1| − s0 ln|X0| + d θ)     over the sides of the boundary, X = x − y
 //! ```
 //!
-//! With a bound M on |W| for complex t up to R from a panel's middle ([`Outline`]),
+//! With a bound M on |W| for complex t up to R from a panel's middle (`reach`),
 //! a rule with n points on a panel of half the length H errs by at most
 //! `(64/15) M H ρ^(−2n)/(1 − ρ^(−2))` with `ρ + 1/ρ = 2 R/H`.
 //!
@@ -116,7 +116,14 @@ impl<'a> Panel<'a> {
         );
         let reach = RATIOS.map(|ratio| ratio * half);
         let largest = vector_value!([f64::INFINITY; LANES], outline.largest(&reach));
-        let (blocks, truncation) = rule(largest, half, wanted)?;
+        let (blocks, truncation) = match rule(largest, half, wanted) {
+            Some(found) if found.0 <= FEW => found,
+            known => {
+                let finer =
+                    vector_value!([f64::INFINITY; LANES], outline.largest_with_slides(&reach));
+                rule(finer, half, wanted).or(known)?
+            }
+        };
         let (shifts, rest) = outline.shifts(&self.corners, half);
         let rule = GaussLegendre::with(blocks * LANES);
         let [value, lost] = self.sums(rule, &shifts, outline.unit);
@@ -281,6 +288,9 @@ const UNIT: f64 = 0.5 * f64::EPSILON;
 
 /// Radii of discs, in halves of a panel.
 const RATIOS: Lanes = [1.15, 1.3, 1.7, 2.4, 3.5, 5.0, 8.0, 14.0];
+
+/// Blocks of nodes for which no better bound is looked for.
+const FEW: usize = 3;
 
 /// Most blocks of nodes of a rule: as a panel takes as long as some blocks to be set up, two of them
 /// with few nodes take longer than one with many.
