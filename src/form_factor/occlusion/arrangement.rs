@@ -8,6 +8,7 @@
 //! another shadow or past the end of its own side is compared with that alone.
 
 use super::chord::chord;
+use super::convex::Convex;
 use super::covers::{Cover, Segment, joined, places, segments};
 use super::outer::{Outer, Piece};
 use super::pages::Part;
@@ -42,6 +43,8 @@ impl Arrangement {
 pub(super) struct Roster<'a> {
     outer: &'a Outer<'a>,
     piece: &'a Piece,
+    /// The region, if it is convex.
+    convex: Option<Convex<'a>>,
     members: Vec<Member>,
 }
 
@@ -82,6 +85,7 @@ impl<'a> Roster<'a> {
         Self {
             outer,
             piece,
+            convex: Convex::of(outer, piece),
             members: members.collect(),
         }
     }
@@ -90,7 +94,12 @@ impl<'a> Roster<'a> {
     pub(super) fn arrange(&mut self, range: [f64; 2], t: f64) -> Option<Arrangement> {
         let sight = &self.outer.sight;
         let lines = 0..sight.traces.len();
-        let placed: Vec<Placed> = lines.map(|line| sight.placed(line, t)).collect();
+        let placed: SmallVec<[Placed; 16]> = lines.map(|line| sight.placed(line, t)).collect();
+        let convex = self.convex.as_ref();
+        let found = convex.and_then(|convex| convex.arrange(&placed, range, t));
+        if found.is_some() {
+            return found;
+        }
         let mut slice = Slice {
             outer: self.outer,
             piece: self.piece,

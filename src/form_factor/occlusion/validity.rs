@@ -267,23 +267,26 @@ impl Validity<'_> {
         }
     }
 
-    /// The Bernstein coefficients of a quadratic on the range.
-    fn outer(&self, [c, b, a]: [f64; 3]) -> [f64; 3] {
-        let at = |t: f64| c + t * (b + t * a);
-        let [low, high] = self.range;
-        [
-            at(low),
-            c + 0.5 * b * (low + high) + a * low * high,
-            at(high),
-        ]
+    fn outer(&self, quadratic: [f64; 3]) -> [f64; 3] {
+        outer_coefficients(quadratic, self.range)
     }
 }
 
+/// The Bernstein coefficients of a quadratic on a range.
+pub(super) fn outer_coefficients([c, b, a]: [f64; 3], [low, high]: [f64; 2]) -> [f64; 3] {
+    let at = |t: f64| c + t * (b + t * a);
+    [
+        at(low),
+        c + 0.5 * b * (low + high) + a * low * high,
+        at(high),
+    ]
+}
+
 /// What cannot be told from zero, of the size of the terms.
-const NOISE: f64 = 64.0 * f64::EPSILON;
+pub(super) const NOISE: f64 = 64.0 * f64::EPSILON;
 
 /// The roots of `c + b t + a t²`.
-fn roots([c, b, a]: [f64; 3]) -> [Option<f64>; 2] {
+pub(super) fn roots([c, b, a]: [f64; 3]) -> [Option<f64>; 2] {
     let square = b * b - 4.0 * a * c;
     if square < 0.0 {
         return [None; 2];
@@ -293,7 +296,8 @@ fn roots([c, b, a]: [f64; 3]) -> [Option<f64>; 2] {
     [finite(sum / a), finite(c / sum)]
 }
 
-fn product(one: [DVec2; 2], other: [DVec2; 2]) -> [f64; 3] {
+/// `(n1 × n2)_z`, a quadratic in t.
+pub(super) fn product(one: [DVec2; 2], other: [DVec2; 2]) -> [f64; 3] {
     [
         one[0].perp_dot(other[0]),
         one[0].perp_dot(other[1]) + one[1].perp_dot(other[0]),
