@@ -1,7 +1,7 @@
 //! The boundary at the middle of a panel, as bounds on the integrand need it.
 
 use super::corner::{Corner, Drift};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 /// A side of the boundary: its corners, and whether its line goes through y.
 #[derive(Debug, Clone, Copy)]
@@ -15,6 +15,7 @@ pub(super) struct BoundarySide {
 pub(super) struct Outline {
     pub drifts: Vec<Drift>,
     pub sides: Vec<Measured>,
+    along: DVec2,
     pub speed: f64,
     pub height: f64,
     /// |v_z|.
@@ -53,15 +54,30 @@ impl Measured {
 }
 
 impl Outline {
-    /// **Arguments** `places`: the corners' places at the middle; `height`: the height there, and
-    /// v_z.
-    pub(super) fn new(
+    /// No sides yet, of a stretch along v.
+    pub(super) fn along(v: DVec3, is_level: bool) -> Self {
+        Self {
+            drifts: Vec::new(),
+            sides: Vec::new(),
+            along: v.truncate(),
+            speed: v.truncate().length(),
+            height: 0.0,
+            rise: v.z.abs(),
+            unit: 1.0,
+            is_level,
+        }
+    }
+
+    /// Takes other sides.
+    ///
+    /// **Arguments** `places`: the corners' places at the middle; `height`: the height there.
+    pub(super) fn set(
+        &mut self,
         (corners, places): (&[Corner], &[DVec2]),
         sides: &[BoundarySide],
-        v: DVec2,
-        [height, rise]: [f64; 2],
-        is_level: bool,
-    ) -> Self {
+        height: f64,
+    ) {
+        let v = self.along;
         let height = height.abs();
         let measured = sides.iter().map(|side| {
             let [from, to] = side.corners.map(|corner| places[corner]);
@@ -95,17 +111,13 @@ impl Outline {
                 ends,
             }
         });
-        let mut outline = Self {
-            drifts: corners.iter().map(Corner::drift).collect(),
-            sides: measured.collect(),
-            speed: v.length(),
-            height,
-            rise: rise.abs(),
-            unit: 1.0,
-            is_level,
-        };
-        outline.take_logarithms();
-        outline
+        self.drifts.clear();
+        self.drifts.extend(corners.iter().map(Corner::drift));
+        self.sides.clear();
+        self.sides.extend(measured);
+        self.height = height;
+        self.unit = 1.0;
+        self.take_logarithms();
     }
 
     fn take_logarithms(&mut self) {
@@ -142,12 +154,12 @@ impl Outline {
 
     /// How far rounding moves the corners of each side, at most, on a panel of this half: along, and
     /// across the side, in sums of both ends. Where a side may touch y, and on lines through y, it is
-    /// in the second answer: what it changes of W.
+    /// in the answer: what it changes of W.
     ///
     /// A side whose corners move by δ, and by η across it, sweeps over
     /// `½ (L + δ0 + δ1)(η0 + η1)` at most; its ends alone change W by δ (1 + |ln r|). The height is
     /// off, too: by 2u of itself, as much for all corners.
-    pub(super) fn shifts(&self, corners: &[Corner], half: f64) -> (Vec<[f64; 2]>, f64) {
+    pub(super) fn shifts(&self, corners: &[Corner], half: f64, shifts: &mut Vec<[f64; 2]>) -> f64 {
         let tilt = half * self.rise;
         let highest = self.height + tilt;
         let noise = |corner: usize| {
@@ -163,7 +175,8 @@ impl Outline {
             [moved, across, drift.displacement(half) * unit + tilted]
         };
         let mut rest = 0.0;
-        let shifts = self.sides.iter().map(|measured| {
+        shifts.clear();
+        shifts.extend(self.sides.iter().map(|measured| {
             let [from, to] = measured.side.corners.map(noise);
             let [log, last] = measured.log.map(|log| 2.0 + log.min(MOST_LOG));
             if measured.side.is_through {
@@ -176,8 +189,8 @@ impl Outline {
             }
             rest += self.speed * moved * log;
             [0.0; 2]
-        });
-        (shifts.collect(), rest)
+        }));
+        rest
     }
 }
 

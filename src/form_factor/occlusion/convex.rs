@@ -12,9 +12,7 @@
 
 use super::arrangement::Arrangement;
 use super::covers::Segment;
-use super::outer::{Outer, Piece};
-use super::pages::Part;
-use super::region::HalfPlane;
+use super::region::{HalfPlane, Region};
 use super::sight::Sight;
 use super::trace::Placed;
 use super::validity::{NOISE, outer_coefficients, product, roots};
@@ -26,8 +24,12 @@ use smallvec::SmallVec;
 pub(super) struct Convex<'a> {
     sight: &'a Sight<'a>,
     halves: SmallVec<[HalfPlane; 16]>,
+    /// The corners of P.
+    corners: Vec<Crossing>,
     /// The number of sides of P.
     first: usize,
+    /// Whether P is on the other side of a level plane.
+    is_empty: bool,
 }
 
 /// The crossing of two lines, as a point `(ξ, −1)` but for a factor, of degree 2.
@@ -55,60 +57,100 @@ struct Scope {
     range: [f64; 2],
 }
 
+/// A region, with what is known of it.
+#[derive(Debug)]
+pub(super) struct Known<'a> {
+    convex: Option<Convex<'a>>,
+    found: Vec<Arrangement>,
+}
+
+impl<'a> Known<'a> {
+    pub(super) fn of(convex: Option<Convex<'a>>) -> Self {
+        Self {
+            convex,
+            found: Vec::new(),
+        }
+    }
+
+    /// The boundary at t with all of the range in which it is that; none if that cannot be told.
+    pub(super) fn at(&mut self, placed: &[Placed], t: f64) -> Option<&Arrangement> {
+        let is_there = |found: &Arrangement| found.range[0] < t && t < found.range[1];
+        let place = match self.found.iter().position(is_there) {
+            Some(place) => place,
+            None => {
+                let found = self.convex.as_ref()?.arrange(placed, t)?;
+                self.found.push(found);
+                self.found.len() - 1
+            }
+        };
+        self.found.get(place)
+    }
+}
+
 type Corners = SmallVec<[Crossing; 12]>;
 
 impl<'a> Convex<'a> {
-    /// The region of a piece, if it is convex.
-    pub(super) fn of(outer: &'a Outer<'a>, piece: &Piece) -> Option<Self> {
-        let sight = &outer.sight;
-        let shadow = match (piece.part, outer.shadows.as_slice()) {
-            (Part::Lit, []) => None,
-            (Part::InShadow, [shadow]) => Some(shadow),
-            _ => return None,
-        };
+    /// What of a region lies in a shadow, or all of it, if that is convex as seen.
+    pub(super) fn of(sight: &'a Sight, region: &Region, shadow: Option<&Region>) -> Option<Self> {
         if sight.is_level {
             // lines of sight are lines through y there
             return None;
         }
         let mut halves: SmallVec<[HalfPlane; 16]> = SmallVec::new();
-        let first = piece.region.cones.first()?.sides.len();
-        let inner = shadow.into_iter().flat_map(|shadow| shadow.sides());
-        for half in piece.region.sides().chain(inner) {
+        let first = region.cones.first()?.sides.len();
+        let inner = shadow.into_iter().flat_map(Region::sides);
+        let mut is_empty = false;
+        for half in region.sides().chain(inner) {
+            let trace = &sight.traces[half.line];
+            if trace.is_level {
+                // all of P is on one side of it
+                let [start, slope] = trace.normal.map(|normal| -half.sign * normal.z);
+                if start * (start + slope) <= 0.0 || halves.len() < first {
+                    return None;
+                }
+                is_empty |= start < 0.0;
+                continue;
+            }
             match halves.iter().find(|known| known.line == half.line) {
                 Some(known) if known.sign * half.sign < 0.0 || halves.len() < first => return None,
                 Some(_) => {}
                 None => halves.push(*half),
             }
         }
-        Some(Self {
+        let mut convex = Self {
             sight,
             halves,
+            corners: Vec::new(),
             first,
-        })
+            is_empty,
+        };
+        // its sides turn as they do wherever y is
+        let corners = (0..first).map(|i| convex.crossing([i, (i + 1) % first], 0.5));
+        convex.corners = corners.collect::<Option<_>>()?;
+        Some(convex)
     }
 
     /// The boundary at t; none if something cannot be told there.
-    pub(super) fn arrange(
-        &self,
-        placed: &[Placed],
-        range: [f64; 2],
-        t: f64,
-    ) -> Option<Arrangement> {
+    pub(super) fn arrange(&self, placed: &[Placed], t: f64) -> Option<Arrangement> {
+        let mut scope = Scope {
+            t,
+            range: [0.0, 1.0],
+        };
+        let none = |scope: Scope| Arrangement {
+            segments: Vec::new(),
+            range: scope.range,
+        };
+        if self.is_empty {
+            return Some(none(scope));
+        }
         if !self.halves.iter().all(|half| placed[half.line].is_line) {
             return None;
         }
-        let mut scope = Scope { t, range };
-        let mut corners = Corners::new();
-        for i in 0..self.first {
-            corners.push(self.crossing([i, (i + 1) % self.first], &scope)?);
-        }
+        let mut corners = Corners::from_slice(&self.corners);
         for k in self.first..self.halves.len() {
             if !self.cut(&mut corners, k, &scope)? {
                 self.keeps_out(&corners, k, placed, &mut scope)?;
-                return Some(Arrangement {
-                    segments: Vec::new(),
-                    range: scope.range,
-                });
+                return Some(none(scope));
             }
         }
         self.keeps(&corners, &mut scope)?;
@@ -126,11 +168,11 @@ impl<'a> Convex<'a> {
     }
 
     /// The crossing of two lines; none if it may be at infinity.
-    fn crossing(&self, halves: [usize; 2], scope: &Scope) -> Option<Crossing> {
+    fn crossing(&self, halves: [usize; 2], t: f64) -> Option<Crossing> {
         let [one, two] = halves.map(|half| &self.sight.traces[self.halves[half].line]);
         let ([a, b], [c, d]) = (one.normal, two.normal);
         let [q0, q1, q2] = product(one.planar, two.planar);
-        let turn = q0 + scope.t * (q1 + scope.t * q2);
+        let turn = q0 + t * (q1 + t * q2);
         (turn.abs() > NOISE * one.planar_size * two.planar_size).then_some(Crossing {
             halves,
             point: [a.cross(c), a.cross(d) + b.cross(c), b.cross(d)],
@@ -140,6 +182,7 @@ impl<'a> Convex<'a> {
     }
 
     /// The determinant that tells on which side of a half-plane a crossing is, and its noise.
+    #[inline]
     fn determinant(&self, corner: &Crossing, k: usize) -> ([f64; 3], f64) {
         let trace = &self.sight.traces[self.halves[k].line];
         let ([c, d], [p, q, r]) = (trace.normal, corner.point);
@@ -152,6 +195,7 @@ impl<'a> Convex<'a> {
     }
 
     /// The side of a half-plane on which a crossing is at t; none if that cannot be told.
+    #[inline]
     fn side(&self, corner: &Crossing, k: usize, scope: &Scope) -> Option<Side> {
         if corner.halves.contains(&k) {
             return Some(Side::In);
@@ -162,33 +206,32 @@ impl<'a> Convex<'a> {
 
     /// Cuts what a half-plane leaves; whether it leaves anything.
     fn cut(&self, corners: &mut Corners, k: usize, scope: &Scope) -> Option<bool> {
-        let sides = corners.iter().map(|corner| self.side(corner, k, scope));
-        let sides: Option<SmallVec<[Side; 12]>> = sides.collect();
-        let (sides, n) = (sides?, corners.len());
+        let n = corners.len();
+        let mut sides: SmallVec<[Side; 16]> = SmallVec::new();
+        for corner in corners.iter() {
+            sides.push(self.side(corner, k, scope)?);
+        }
         if !sides.contains(&Side::Out) {
             return Some(true);
         }
-        let Some(start) = (0..n).find(|i| sides[*i] == Side::In && sides[(i + 1) % n] != Side::In)
-        else {
+        // the last corner that is in, before the part that is cut off
+        let is_last = |i: &usize| sides[*i] == Side::In && sides[(i + 1) % n] != Side::In;
+        let Some(last) = (0..n).find(is_last) else {
             return (!sides.contains(&Side::In)).then_some(false);
         };
-        // what is in, from after the part that is cut off
-        let cut = (1..n).take_while(|i| sides[(start + i) % n] != Side::In);
-        let end = start + 1 + cut.count();
-        let kept = (end..=start + n).map(|i| corners[i % n]);
-        let mut kept: Corners = kept.collect();
-        let outside = (start + 1..end).any(|i| sides[i % n] == Side::Out);
-        let is_one_part = (end..=start + n).all(|i| sides[i % n] == Side::In);
-        if !outside || !is_one_part {
+        let cut = (1..n).take_while(|i| sides[(last + i) % n] != Side::In);
+        let cut = cut.count();
+        let is_one_part = sides.iter().filter(|side| **side == Side::In).count() == n - cut;
+        let is_out = (1..=cut).any(|i| sides[(last + i) % n] == Side::Out);
+        if !is_one_part || !is_out {
             return None;
         }
-        let [into, from] = [
-            corners[(start + 1) % n].halves[0],
-            corners[(end - 1) % n].halves[1],
-        ];
-        kept.push(self.crossing([into, k], scope)?);
-        kept.push(self.crossing([k, from], scope)?);
-        *corners = kept;
+        corners.rotate_left((last + 1) % n);
+        let [into, from] = [corners[0].halves[0], corners[cut - 1].halves[1]];
+        corners.rotate_left(cut % n);
+        corners.truncate(n - cut);
+        corners.push(self.crossing([into, k], scope.t)?);
+        corners.push(self.crossing([k, from], scope.t)?);
         Some(true)
     }
 

@@ -215,16 +215,14 @@ impl Drift {
     #[inline(always)]
     pub(super) fn displacements(&self, [n1, n2]: [f64; 2], reach: &Lanes) -> Lanes {
         let [d0, d1, d2] = self.denominator;
-        std::array::from_fn(|l| {
+        let mut moved = [f64::INFINITY; LANES];
+        for l in 0..LANES {
             let reach = reach[l];
             let left = d0 - reach * (d1 + reach * d2);
-            let moved = reach * (n1 + reach * n2);
-            if left > 0.0 {
-                moved / left
-            } else {
-                f64::INFINITY
-            }
-        })
+            let far = reach * (n1 + reach * n2) / left;
+            moved[l] = if left > 0.0 { far } else { f64::INFINITY };
+        }
+        moved
     }
 }
 

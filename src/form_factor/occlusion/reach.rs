@@ -40,7 +40,7 @@ impl Outline {
         }
         let mut sum = [0.0; LANES];
         for side in &self.sides {
-            let [near, far] = side.ends.map(|end| &moved[end]);
+            let [near, far] = [&moved[side.ends[0]], &moved[side.ends[1]]];
             if side.side.is_through {
                 self.add_through(side, [near, far], &mut sum);
                 continue;
@@ -63,17 +63,28 @@ impl Outline {
         let (mut plain, mut per_height) = ([0.0; LANES], [0.0; LANES]);
         for side in &self.sides {
             let normal = side.normal();
-            let drifts = side.ends.map(|end| &self.drifts[end]);
-            let whole = drifts.map(|drift| self.moved(drift, drift.sizes(), reach, &tilt));
+            let [near, far] = [&self.drifts[side.ends[0]], &self.drifts[side.ends[1]]];
+            let whole = [
+                self.moved(near, near.sizes(), reach, &tilt),
+                self.moved(far, far.sizes(), reach, &tilt),
+            ];
             if side.side.is_through {
                 self.add_through(side, [&whole[0][0], &whole[1][0]], &mut plain);
                 continue;
             }
-            let across = drifts.map(|drift| self.moved(drift, drift.across(normal), reach, &tilt));
+            let across = [
+                self.moved(near, near.across(normal), reach, &tilt),
+                self.moved(far, far.across(normal), reach, &tilt),
+            ];
             for l in 0..LANES {
-                let of = |k: usize| [0, 1].map(|end| [whole[end][k][l], across[end][k][l]]);
-                plain[l] += bound(side, of(0), tilt[l], self.speed);
-                per_height[l] += bound(side, of(1), 0.0, self.speed);
+                let near = [whole[0][0][l], across[0][0][l]];
+                let far = [whole[1][0][l], across[1][0][l]];
+                plain[l] += bound(side, [near, far], tilt[l], self.speed);
+            }
+            for l in 0..LANES {
+                let near = [whole[0][1][l], across[0][1][l]];
+                let far = [whole[1][1][l], across[1][1][l]];
+                per_height[l] += bound(side, [near, far], 0.0, self.speed);
             }
         }
         for l in 0..LANES {
@@ -142,14 +153,14 @@ fn bound(side: &Measured, [near, far]: [[f64; 2]; 2], tilt: f64, speed: f64) -> 
     let whole = (along + speed * (near[0] + far[0])) * (log + widened(share));
     let left = q2.sqrt() - near[0] - far[0];
     let slope = (near[1] + far[1]) / left;
-    let [one, other] = [near, far].map(|[moved, across]| across + slope * moved);
+    let [one, other] = [near[1] + slope * near[0], far[1] + slope * far[0]];
     let share = largest_share([lifted(one), lifted(other)], side.square);
     let mut slid = (along + speed * (one + other)) * (log + widened(share));
-    for ([moved, across], square) in [(near, q0), (far, q0 + 2.0 * q1 + q2)] {
-        let path = (1.0 + slope) * moved;
-        let share = lifted(path + across) / square.sqrt();
-        slid += speed * path * (log + widened(share));
-    }
+    let [first, last] = [(1.0 + slope) * near[0], (1.0 + slope) * far[0]];
+    let share = lifted(first + near[1]) / q0.sqrt();
+    slid += speed * first * (log + widened(share));
+    let share = lifted(last + far[1]) / (q0 + 2.0 * q1 + q2).sqrt();
+    slid += speed * last * (log + widened(share));
     // what is not a number stays so
     if left > 0.0 && slid < whole {
         slid
