@@ -155,6 +155,30 @@ impl<'a> Slice<'a> {
         Some(ends)
     }
 
+    /// The parts of a window of a line that lie in shadows which it does not bound; none if they leave
+    /// nothing that counts.
+    fn covers(&mut self, member: &mut Member, window: [Place; 2]) -> Option<SmallVec<[Cover; 4]>> {
+        let mut covers: SmallVec<[Cover; 4]> = SmallVec::new();
+        for name in self.active.iter().copied() {
+            if member.shadows[name].is_some() {
+                continue;
+            }
+            let Some(ends) = self.chord(member, name) else {
+                continue;
+            };
+            match self.clipped(member, window, ends, name) {
+                Some([low, high]) if low.line == window[0].line && high.line == window[1].line => {
+                    // both sides are in this shadow all along
+                    let counts = member.own.is_some() && self.piece.part == Part::InShadow;
+                    return counts.then(|| smallvec![(window, None)]);
+                }
+                Some(ends) => covers.push((ends, None)),
+                None => {}
+            }
+        }
+        Some(covers)
+    }
+
     /// Finds the segments on a line.
     pub(super) fn on_line(&mut self, member: &mut Member) {
         let (line, count) = (member.line, member.shadows.len());
@@ -186,27 +210,9 @@ impl<'a> Slice<'a> {
                 return;
             }
         }
-        let mut covers: SmallVec<[Cover; 4]> = SmallVec::new();
-        for name in self.active.iter().copied() {
-            if member.shadows[name].is_some() {
-                continue;
-            }
-            let Some(ends) = self.chord(member, name) else {
-                continue;
-            };
-            match self.clipped(member, window, ends, name) {
-                Some([low, high]) if low.line == window[0].line && high.line == window[1].line => {
-                    // both sides are in this shadow all along
-                    covers = smallvec![(window, None)];
-                    if member.own.is_none() || self.piece.part == Part::Lit {
-                        return;
-                    }
-                    break;
-                }
-                Some(ends) => covers.push((ends, None)),
-                None => {}
-            }
-        }
+        let Some(covers) = self.covers(member, window) else {
+            return;
+        };
         for end in window {
             self.stays(member, end.line, count);
             if let Some((_, name)) = only {
