@@ -4,6 +4,7 @@
 //! shadows reach into a region at all, and which lines bound anything there. Where several shadows do,
 //! the boundary is found on each of these lines.
 
+use super::boundary::Arrangement;
 use super::convex::{Convex, Known};
 use super::covers::Segment;
 use super::outer::{Outer, Piece};
@@ -13,35 +14,6 @@ use super::slice::{Member, Slice};
 use super::trace::Placed;
 use super::validity::{NONE, Validity};
 use smallvec::{SmallVec, smallvec};
-
-/// A boundary, and the range of t in which it is one.
-#[derive(Debug, Clone)]
-pub(super) struct Arrangement {
-    pub segments: Vec<Segment>,
-    pub range: [f64; 2],
-}
-
-impl Arrangement {
-    /// The same in this range at most.
-    fn within(&self, [from, to]: [f64; 2]) -> Self {
-        Self {
-            segments: self.segments.clone(),
-            range: [self.range[0].max(from), self.range[1].min(to)],
-        }
-    }
-
-    /// Whether each corner at which a side ends is one at which a side begins.
-    pub(super) fn is_closed_by_name(&self) -> bool {
-        let name = |line: usize, other: usize| [line.min(other), line.max(other)];
-        let named = |which: fn(&Segment) -> usize| {
-            let names = self.segments.iter().map(|s| name(s.line, which(s)));
-            let mut names: SmallVec<[[usize; 2]; 16]> = names.collect();
-            names.sort_unstable();
-            names
-        };
-        named(|segment| segment.from) == named(|segment| segment.to)
-    }
-}
 
 /// A piece with the shadows on it, and what is known of their boundaries.
 #[derive(Debug)]

@@ -10,7 +10,7 @@
 //! of degree 2 in t both. While all corners stay in all half-planes the boundary is the same; while one
 //! corner stays out of a half-plane, and both its lines run away from that, there is none.
 
-use super::arrangement::Arrangement;
+use super::boundary::Arrangement;
 use super::covers::Segment;
 use super::region::{HalfPlane, Region};
 use super::sight::Sight;

@@ -23,7 +23,7 @@
 //! | the pair in the frame of P, clipped, cut into convex faces, edges and corners shared | `frame`, `setting` |
 //! | stretches of edges, and the faces through them, between which x looks past | `outer`, `pages` |
 //! | planes of sight through y(t) and an edge, linear in t | `trace`, `sight`, `region` |
-//! | the boundary of R at one t, and where it keeps this shape | `arrangement`, `convex`, `slice`, `chord`, `covers`, `validity` |
+//! | the boundary of R at one t, and where it keeps this shape | `arrangement`, `boundary`, `convex`, `slice`, `chord`, `covers`, `validity` |
 //! | its corners as rational functions of t, Gauss rules with a-priori bounds | `corner`, `bound`, `reach`, `rule` |
 //! | all shapes along a stretch, and the sum of their rules | `stretch`, `gap` |
 //! | what displaced corners can change | `slack` |
@@ -66,6 +66,7 @@
 
 mod arrangement;
 mod bound;
+mod boundary;
 mod chord;
 mod convex;
 mod corner;

@@ -10,8 +10,8 @@
 //!
 //! On an edge in P's plane the sides on lines through y have `(v·X1) ln|X1| − (v·X0) ln|X0|`.
 
-use super::arrangement::Arrangement;
 use super::bound::{BoundarySide, Outline};
+use super::boundary::Arrangement;
 use super::corner::Corner;
 use super::covers::Segment;
 use super::share::Share;

@@ -8,7 +8,8 @@
 //! until what W can change by in them is nothing, and taken as their neighbours are; of those that
 //! are left after many halvings the bound has all that they may change.
 
-use super::arrangement::{Arrangement, Roster};
+use super::arrangement::Roster;
+use super::boundary::Arrangement;
 use super::outer::{Outer, Piece};
 use super::rule::Panel;
 use super::share::Share;
