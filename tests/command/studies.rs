@@ -18,10 +18,9 @@ fn number(row: &Value, key: &str) -> f64 {
         .unwrap_or_else(|| panic!("{key} is no number: {row}"))
 }
 
-/// Pairs past others of which the route knows little, and says so: the form in the height of a
-/// screen has few digits where that is 1e-6 of the size or a million sizes.
-const UNKNOWN: [&str; 4] = [
-    "half-plane between squares 1e-6 apart",
+/// Pairs past others of which the route knows little, and says so: the form along edges has few
+/// digits of squares a million sizes apart, and of strips a billionth as wide as long.
+const UNKNOWN: [&str; 3] = [
     "half-plane between squares 1e6 apart",
     "half-plane between strips 1e-9 wide",
     "plate, squares 1e6 apart",

@@ -1,88 +1,41 @@
 //! The boundary of a region that is seen from a point of a stretch, and how far it keeps its shape.
 //!
-//! On each line, a stretch is a boundary if just one of its sides belongs to the region; lines on
-//! which sides of two shadows coincide are settled by that, too. The boundary is found at one t, by
-//! comparing places on lines; each comparison that the outcome rests on is the sign of a polynomial
-//! of degree 2 in t, and narrows the range of t for which the boundary has the same corners and
-//! sides to what is between its nearest zeros on either side. What lies outside of the region, in
-//! another shadow or past the end of its own side is compared with that alone.
+//! Parts of P that are seen through one screen alone are convex: what is known of these tells which
+//! shadows reach into a region at all, and which lines bound anything there. Where several shadows do,
+//! the boundary is found on each of these lines.
 
-use super::chord::chord;
-use super::covers::{Cover, Segment, joined, places, segments};
+use super::boundary::Arrangement;
+use super::convex::{Convex, Known};
+use super::covers::Segment;
 use super::outer::{Outer, Piece};
 use super::pages::Part;
 use super::region::Region;
+use super::slice::{Member, Slice};
 use super::trace::Placed;
-use super::validity::{NONE, Place, Validity};
+use super::validity::{NONE, Validity};
 use smallvec::{SmallVec, smallvec};
 
-/// A boundary, and the range of t in which it is one.
-#[derive(Debug, Clone)]
-pub(super) struct Arrangement {
-    pub segments: Vec<Segment>,
-    pub range: [f64; 2],
-}
-
-impl Arrangement {
-    /// Whether each corner at which a side ends is one at which a side begins.
-    pub(super) fn is_closed_by_name(&self) -> bool {
-        let name = |line: usize, other: usize| [line.min(other), line.max(other)];
-        let named = |which: fn(&Segment) -> usize| {
-            let names = self.segments.iter().map(|s| name(s.line, which(s)));
-            let mut names: SmallVec<[[usize; 2]; 16]> = names.collect();
-            names.sort_unstable();
-            names
-        };
-        named(|segment| segment.from) == named(|segment| segment.to)
-    }
-}
-
-/// The lines around a piece and the shadows on it.
+/// A piece with the shadows on it, and what is known of their boundaries.
 #[derive(Debug)]
 pub(super) struct Roster<'a> {
     outer: &'a Outer<'a>,
     piece: &'a Piece,
-    members: Vec<Member>,
-}
-
-/// A line, and what it bounds.
-#[derive(Debug)]
-struct Member {
-    line: usize,
-    /// The side of it on which the piece's region is.
-    own: Option<f64>,
-    /// The side of it on which each shadow is that it bounds.
-    shadows: Vec<Option<f64>>,
-    /// What is known of its chords in the shadows, and in the piece's region.
-    chords: Vec<Known>,
-}
-
-/// What was found of a line and a region, with the ranges in which it is so.
-#[derive(Debug, Clone, Default)]
-struct Known {
-    /// Where the line misses the region.
-    missed: Option<[f64; 2]>,
-    /// Lines that the line crosses inside of the region, and where.
-    inside: SmallVec<[(usize, [f64; 2]); 4]>,
+    /// The region, and what of it is in each of the shadows.
+    region: Known<'a>,
+    shadows: Vec<Known<'a>>,
+    /// The lines around all these, once they are asked for.
+    members: Option<Vec<Member>>,
 }
 
 impl<'a> Roster<'a> {
     pub(super) fn of(outer: &'a Outer<'a>, piece: &'a Piece) -> Self {
-        let regions = outer.shadows.iter().chain([&piece.region]);
-        let sides = regions.flat_map(Region::sides);
-        let mut lines: Vec<usize> = sides.map(|half| half.line).collect();
-        lines.sort_unstable();
-        lines.dedup();
-        let members = lines.into_iter().map(|line| Member {
-            line,
-            own: piece.region.side_of(line),
-            shadows: outer.shadows.iter().map(|s| s.side_of(line)).collect(),
-            chords: vec![Known::default(); outer.shadows.len() + 1],
-        });
+        let convex = |shadow| Known::of(Convex::of(&outer.sight, &piece.region, shadow));
         Self {
             outer,
             piece,
-            members: members.collect(),
+            region: convex(None),
+            shadows: outer.shadows.iter().map(|s| convex(Some(s))).collect(),
+            members: None,
         }
     }
 
@@ -90,25 +43,99 @@ impl<'a> Roster<'a> {
     pub(super) fn arrange(&mut self, range: [f64; 2], t: f64) -> Option<Arrangement> {
         let sight = &self.outer.sight;
         let lines = 0..sight.traces.len();
-        let placed: Vec<Placed> = lines.map(|line| sight.placed(line, t)).collect();
+        let placed: SmallVec<[Placed; 16]> = lines.map(|line| sight.placed(line, t)).collect();
+        let mut validity = Validity {
+            sight,
+            placed: &placed,
+            t,
+            range,
+            is_certain: true,
+        };
+        let is_all = self.shadows.is_empty() && self.piece.part == Part::Lit;
+        let Region { cones, halves } = &self.piece.region;
+        if is_all || cones.len() > 1 || !halves.is_empty() {
+            let whole = self.region.at(&placed, t);
+            if let Some(found) = whole.filter(|found| is_all || found.segments.is_empty()) {
+                return Some(found.within(range));
+            }
+        }
+        let mut active: SmallVec<[usize; 8]> = SmallVec::new();
+        for (name, shadow) in self.shadows.iter_mut().enumerate() {
+            match shadow.at(&placed, t) {
+                Some(found) if found.segments.is_empty() => validity.within(found.range),
+                _ => active.push(name),
+            }
+        }
+        let known = match (self.piece.part, active.as_slice()) {
+            (Part::InShadow, []) => {
+                return Some(Arrangement {
+                    segments: Vec::new(),
+                    range: validity.range,
+                });
+            }
+            (Part::InShadow, [name]) => self.shadows[*name].at(&placed, t),
+            (Part::Lit, []) => self.region.at(&placed, t),
+            _ => None,
+        };
+        if let Some(found) = known {
+            return Some(found.within(validity.range));
+        }
+        let lines = self.lines(&mut validity, &active);
+        self.bounded(validity, &active, &lines)
+    }
+
+    /// Whether each line bounds the region or what is in one of the shadows, as far as that is known.
+    fn lines(&mut self, validity: &mut Validity, active: &[usize]) -> SmallVec<[bool; 64]> {
+        let (placed, t) = (validity.placed, validity.t);
+        let mut lines: SmallVec<[bool; 64]> = smallvec![false; placed.len()];
+        let shadows = active.iter().map(|name| &self.outer.shadows[*name]);
+        let own = (self.piece.part == Part::Lit).then_some(&self.piece.region);
+        let found = self.shadows.iter_mut().enumerate();
+        let found = found.filter(|(name, _)| active.contains(name));
+        let found = found.map(|(_, shadow)| shadow);
+        let known = own.map(|_| &mut self.region);
+        for (region, known) in shadows.chain(own).zip(found.chain(known)) {
+            if let Some(found) = known.at(placed, t) {
+                validity.within(found.range);
+                for segment in &found.segments {
+                    lines[segment.line] = true;
+                }
+            } else {
+                for half in region.sides().chain(self.piece.region.sides()) {
+                    lines[half.line] = true;
+                }
+            }
+        }
+        lines
+    }
+
+    /// The same past some of the shadows, from the chords of some lines.
+    fn bounded(
+        &mut self,
+        validity: Validity,
+        active: &[usize],
+        lines: &[bool],
+    ) -> Option<Arrangement> {
         let mut slice = Slice {
             outer: self.outer,
             piece: self.piece,
-            validity: Validity {
-                sight,
-                placed: &placed,
-                t,
-                range,
-                is_certain: true,
-            },
+            active,
+            validity,
             segments: Vec::new(),
         };
-        for member in &mut self.members {
-            if placed[member.line].is_line {
+        let members = self
+            .members
+            .get_or_insert_with(|| Member::all(self.outer, self.piece));
+        for member in members {
+            if !lines[member.line] {
+                continue;
+            }
+            if slice.validity.placed[member.line].is_line {
                 slice.on_line(member);
             } else {
                 // level for a moment: it may be met beside
-                slice.validity.is_certain &= sight.traces[member.line].is_level;
+                let trace = &self.outer.sight.traces[member.line];
+                slice.validity.is_certain &= trace.is_level;
             }
             if !slice.validity.is_certain {
                 return None;
@@ -123,182 +150,5 @@ impl<'a> Roster<'a> {
             segments,
             range: validity.range,
         })
-    }
-}
-
-/// A piece at one t, and what is found of its boundary.
-struct Slice<'a> {
-    outer: &'a Outer<'a>,
-    piece: &'a Piece,
-    validity: Validity<'a>,
-    segments: Vec<Segment>,
-}
-
-impl<'a> Slice<'a> {
-    /// The region of a shadow, or after these of the piece.
-    fn region(&self, name: usize) -> &'a Region {
-        let shadows = &self.outer.shadows;
-        shadows.get(name).unwrap_or(&self.piece.region)
-    }
-
-    /// The ends of the chord of a line in such a region, if it has any.
-    fn chord(&mut self, member: &mut Member, name: usize) -> Option<[Place; 2]> {
-        let known = &mut member.chords[name].missed;
-        if let Some(range) = known.filter(|range| self.is_in(*range)) {
-            self.validity.within(range);
-            return None;
-        }
-        let region = self.region(name);
-        let found = self
-            .validity
-            .widest(|validity| chord(region, member.line, validity));
-        self.validity.is_certain &= found.is_some();
-        let (ends, range) = found?;
-        if ends.is_none() {
-            *known = Some(range);
-            self.validity.within(range);
-        }
-        ends
-    }
-
-    /// The crossing of a line and another stays in such a region.
-    fn stays(&mut self, member: &mut Member, other: usize, name: usize) {
-        let region = self.region(name);
-        let inside = &mut member.chords[name].inside;
-        let place = inside.iter().position(|(known, _)| *known == other);
-        if let Some(place) = place {
-            let (_, range) = inside[place];
-            if self.is_in(range) {
-                self.validity.within(range);
-                return;
-            }
-            inside.remove(place);
-        }
-        let line = member.line;
-        let found = self.validity.widest(|validity| {
-            validity.contains(line, other, region);
-        });
-        self.validity.is_certain &= found.is_some();
-        if let Some(((), range)) = found {
-            inside.push((other, range));
-            self.validity.within(range);
-        }
-    }
-
-    fn is_in(&self, range: [f64; 2]) -> bool {
-        range[0] < self.validity.t && self.validity.t < range[1]
-    }
-
-    /// The part of a window of a line in a region, from the ends of its chord there; none if that
-    /// is elsewhere.
-    fn clipped(
-        &mut self,
-        member: &mut Member,
-        window: [Place; 2],
-        [low, high]: [Place; 2],
-        name: usize,
-    ) -> Option<[Place; 2]> {
-        let line = member.line;
-        if high.at <= window[0].at {
-            self.validity.separates(line, [window[0].line, high.line]);
-            return None;
-        }
-        if low.at >= window[1].at {
-            self.validity.separates(line, [low.line, window[1].line]);
-            return None;
-        }
-        let ends = [
-            if low.at > window[0].at {
-                low
-            } else {
-                window[0]
-            },
-            if high.at < window[1].at {
-                high
-            } else {
-                window[1]
-            },
-        ];
-        for end in ends {
-            self.stays(member, end.line, name);
-            self.validity.follow(line, &[window[0], end, window[1]]);
-        }
-        Some(ends)
-    }
-
-    /// Finds the segments on a line.
-    fn on_line(&mut self, member: &mut Member) {
-        let (line, count) = (member.line, member.shadows.len());
-        let Some(base) = self.chord(member, count) else {
-            return;
-        };
-        let mut own: SmallVec<[([Place; 2], usize); 2]> = SmallVec::new();
-        for name in 0..count {
-            if member.shadows[name].is_some() {
-                own.extend(self.chord(member, name).map(|ends| (ends, name)));
-            }
-        }
-        // a line that bounds one shadow alone matters along the side of that
-        let only = match own.as_slice() {
-            [] if member.own.is_none() => return,
-            [(ends, name)] if member.own.is_none() => Some((*ends, *name)),
-            _ => None,
-        };
-        let mut window = base;
-        if let Some(([low, high], _)) = only {
-            if low.at > window[0].at {
-                window[0] = low;
-            }
-            if high.at < window[1].at {
-                window[1] = high;
-            }
-            if window[0].at >= window[1].at {
-                self.validity.separates(line, window.map(|end| end.line));
-                return;
-            }
-        }
-        let mut covers: SmallVec<[Cover; 4]> = SmallVec::new();
-        for name in 0..count {
-            if member.shadows[name].is_some() {
-                continue;
-            }
-            let Some(ends) = self.chord(member, name) else {
-                continue;
-            };
-            match self.clipped(member, window, ends, name) {
-                Some([low, high]) if low.line == window[0].line && high.line == window[1].line => {
-                    // both sides are in this shadow all along
-                    covers = smallvec![(window, None)];
-                    if member.own.is_none() || self.piece.part == Part::Lit {
-                        return;
-                    }
-                    break;
-                }
-                Some(ends) => covers.push((ends, None)),
-                None => {}
-            }
-        }
-        for end in window {
-            self.stays(member, end.line, count);
-            if let Some((_, name)) = only {
-                self.stays(member, end.line, name);
-            }
-        }
-        self.validity.follow(line, &window);
-        let mut covers = joined(line, covers, &mut self.validity);
-        for (ends, name) in own {
-            let ends = if only.is_some() {
-                // what is in its own shadow alone is so from end to end
-                Some(window)
-            } else {
-                self.clipped(member, window, ends, name)
-            };
-            covers.extend(ends.map(|ends| (ends, member.shadows[name])));
-        }
-        if only.is_none() {
-            self.validity.follow(line, &places(window, &covers));
-        }
-        let sides = (member.own, self.piece.part);
-        self.segments.extend(segments(line, window, &covers, sides));
     }
 }

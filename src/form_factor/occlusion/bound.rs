@@ -1,21 +1,7 @@
-//! Bounds on the integrand along a stretch, for complex places near the middle of a panel.
-//!
-//! The corners X are rational functions of t, of degree at most 2. Where they stay within δ of
-//! their places at a panel's middle as t takes complex values up to R from it, and r is the least
-//! distance of a side from y,
-//!
-//! ```text
-//!   |∫ ½ ln q ds| ≤ max |ln r| + ½ |ln(1 − κ)|,     κ = 2 δ/r + (δ/r)² < 1,   q = X·X on the side
-//!   |W| ≤ M = Σ (|v·ΔX| + 2 |v| δ) (max |ln r| + ½ |ln(1 − κ)|)
-//!   |ln(1 − κ)| ≤ κ (1 − κ/2)/(1 − κ)
-//! ```
-//!
-//! As ∮dX = 0, distances may be taken in any unit, and in units of h(t), too: then nothing is
-//! singular as y comes down to P.
+//! The boundary at the middle of a panel, as bounds on the integrand need it.
 
 use super::corner::{Corner, Drift};
-use crate::numeric::{LANES, Lanes};
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 /// A side of the boundary: its corners, and whether its line goes through y.
 #[derive(Debug, Clone, Copy)]
@@ -27,41 +13,71 @@ pub(super) struct BoundarySide {
 /// A boundary as it is at the middle of a panel, with what does not depend on the reach.
 #[derive(Debug)]
 pub(super) struct Outline {
-    drifts: Vec<Drift>,
-    sides: Vec<Measured>,
-    speed: f64,
-    height: f64,
+    pub drifts: Vec<Drift>,
+    pub sides: Vec<Measured>,
+    along: DVec2,
+    pub speed: f64,
+    pub height: f64,
     /// |v_z|.
-    rise: f64,
+    pub rise: f64,
     /// The unit of distances, a geometric mean of those of sides and corners from y.
     pub unit: f64,
     /// Whether the stretch lies in P's plane: then no height is a unit.
-    is_level: bool,
+    pub is_level: bool,
 }
 
 /// A side at the middle of a panel.
 #[derive(Debug, Clone, Copy)]
-struct Measured {
-    side: BoundarySide,
+pub(super) struct Measured {
+    pub side: BoundarySide,
     /// `|v·ΔX|`; for a line through y `|v·X|` of both ends.
-    along: [f64; 2],
+    pub along: [f64; 2],
     /// The least distance from y; of a line through y those of both ends.
-    nearest: [f64; 2],
+    pub nearest: [f64; 2],
     farthest: f64,
     /// The largest |ln r|; for a line through y that of each end.
-    log: [f64; 2],
+    pub log: [f64; 2],
+    /// From the corner that is nearer to the other one.
+    run: DVec2,
+    /// The squared distance from y of the side, `q0 + 2 q1 s + q2 s²` for s from 0, at the corner
+    /// that is nearer, to 1.
+    pub square: [f64; 3],
+    /// The corner that is nearer, and the other one.
+    pub ends: [usize; 2],
+}
+
+impl Measured {
+    /// The unit normal of the side; none of a side without length.
+    pub(super) fn normal(&self) -> DVec2 {
+        self.run.perp().normalize_or_zero()
+    }
 }
 
 impl Outline {
-    /// **Arguments** `places`: the corners' places at the middle; `height`: the height there, and
-    /// v_z.
-    pub(super) fn new(
+    /// No sides yet, of a stretch along v.
+    pub(super) fn along(v: DVec3, is_level: bool) -> Self {
+        Self {
+            drifts: Vec::new(),
+            sides: Vec::new(),
+            along: v.truncate(),
+            speed: v.truncate().length(),
+            height: 0.0,
+            rise: v.z.abs(),
+            unit: 1.0,
+            is_level,
+        }
+    }
+
+    /// Takes other sides.
+    ///
+    /// **Arguments** `places`: the corners' places at the middle; `height`: the height there.
+    pub(super) fn set(
+        &mut self,
         (corners, places): (&[Corner], &[DVec2]),
         sides: &[BoundarySide],
-        v: DVec2,
-        [height, rise]: [f64; 2],
-        is_level: bool,
-    ) -> Self {
+        height: f64,
+    ) {
+        let v = self.along;
         let height = height.abs();
         let measured = sides.iter().map(|side| {
             let [from, to] = side.corners.map(|corner| places[corner]);
@@ -74,25 +90,34 @@ impl Outline {
                 let nearest = distance([from, to], height);
                 ([v.dot(run).abs(), 0.0], [nearest, 0.0])
             };
+            let [start, end] = side.corners;
+            let (ends, near, run) = if squares[1] < squares[0] {
+                ([end, start], to, -run)
+            } else {
+                (side.corners, from, run)
+            };
             Measured {
                 side: *side,
                 along,
                 nearest,
                 farthest: (squares[0].max(squares[1]) + height * height).sqrt(),
                 log: [0.0; 2],
+                run,
+                square: [
+                    near.length_squared() + height * height,
+                    near.dot(run),
+                    run.length_squared(),
+                ],
+                ends,
             }
         });
-        let mut outline = Self {
-            drifts: corners.iter().map(Corner::drift).collect(),
-            sides: measured.collect(),
-            speed: v.length(),
-            height,
-            rise: rise.abs(),
-            unit: 1.0,
-            is_level,
-        };
-        outline.take_logarithms();
-        outline
+        self.drifts.clear();
+        self.drifts.extend(corners.iter().map(Corner::drift));
+        self.sides.clear();
+        self.sides.extend(measured);
+        self.height = height;
+        self.unit = 1.0;
+        self.take_logarithms();
     }
 
     fn take_logarithms(&mut self) {
@@ -120,69 +145,6 @@ impl Outline {
         }
     }
 
-    /// Bounds on |W| for complex t up to each `reach` from the middle, from distances and from
-    /// distances per height.
-    #[inline(always)]
-    pub(super) fn largest(&self, reach: &Lanes) -> Lanes {
-        let (height, speed) = (self.height, self.speed);
-        let mut tilt = [0.0; LANES];
-        for l in 0..LANES {
-            tilt[l] = self.rise * reach[l];
-        }
-        let mut moved: Vec<[Lanes; 2]> = Vec::with_capacity(self.drifts.len());
-        for drift in &self.drifts {
-            let mut own = drift.displacements(reach);
-            let mut other = own;
-            let place = drift.place / if drift.is_per_height { 1.0 } else { height };
-            for l in 0..LANES {
-                if drift.is_per_height {
-                    own[l] = (height + tilt[l]) * own[l] + place * tilt[l];
-                } else {
-                    other[l] = (other[l] + place * tilt[l]) / (height - tilt[l]);
-                }
-            }
-            moved.push([own, other]);
-        }
-        let (mut plain, mut per_height) = ([0.0; LANES], [0.0; LANES]);
-        for Measured {
-            side,
-            along,
-            nearest,
-            log,
-            ..
-        } in &self.sides
-        {
-            let [from, to] = side.corners.map(|corner| &moved[corner]);
-            if side.is_through {
-                for (end, moved) in [from[0], to[0]].into_iter().enumerate() {
-                    for l in 0..LANES {
-                        if nearest[end] > 0.0 {
-                            plain[l] += (along[end] + speed * moved[l])
-                                * (log[end] + widened(moved[l] / nearest[end]));
-                        }
-                    }
-                }
-                continue;
-            }
-            let inverse = 1.0 / nearest[0];
-            for l in 0..LANES {
-                let most = from[0][l].max(to[0][l]);
-                let share = (most * most + tilt[l] * tilt[l]).sqrt() * inverse;
-                plain[l] +=
-                    (along[0] + speed * (from[0][l] + to[0][l])) * (log[0] + widened(share));
-                let share = from[1][l].max(to[1][l]) * height * inverse;
-                per_height[l] += (along[0] / height + speed * (from[1][l] + to[1][l]))
-                    * (log[0] + widened(share));
-            }
-        }
-        for l in 0..LANES {
-            if !self.is_level && tilt[l] < height {
-                plain[l] = plain[l].min((height + tilt[l]) * per_height[l]);
-            }
-        }
-        plain
-    }
-
     /// What a gap that the sides leave open changes of W.
     pub(super) fn gap(&self, width: f64) -> f64 {
         let logs = self.sides.iter().flat_map(|measured| measured.log);
@@ -192,18 +154,19 @@ impl Outline {
 
     /// How far rounding moves the corners of each side, at most, on a panel of this half: along, and
     /// across the side, in sums of both ends. Where a side may touch y, and on lines through y, it is
-    /// in the second answer: what it changes of W.
+    /// in the answer: what it changes of W.
     ///
     /// A side whose corners move by δ, and by η across it, sweeps over
     /// `½ (L + δ0 + δ1)(η0 + η1)` at most; its ends alone change W by δ (1 + |ln r|). The height is
     /// off, too: by 2u of itself, as much for all corners.
-    pub(super) fn shifts(&self, corners: &[Corner], half: f64) -> (Vec<[f64; 2]>, f64) {
+    pub(super) fn shifts(&self, corners: &[Corner], half: f64, shifts: &mut Vec<[f64; 2]>) -> f64 {
         let tilt = half * self.rise;
         let highest = self.height + tilt;
         let noise = |corner: usize| {
             let (corner, drift) = (&corners[corner], &self.drifts[corner]);
             let (unit, place, tilted) = if corner.is_per_height {
-                (highest, drift.place, drift.place * tilt)
+                let place = drift.place.length();
+                (highest, place, place * tilt)
             } else {
                 (1.0, 0.0, 0.0)
             };
@@ -212,7 +175,8 @@ impl Outline {
             [moved, across, drift.displacement(half) * unit + tilted]
         };
         let mut rest = 0.0;
-        let shifts = self.sides.iter().map(|measured| {
+        shifts.clear();
+        shifts.extend(self.sides.iter().map(|measured| {
             let [from, to] = measured.side.corners.map(noise);
             let [log, last] = measured.log.map(|log| 2.0 + log.min(MOST_LOG));
             if measured.side.is_through {
@@ -225,8 +189,8 @@ impl Outline {
             }
             rest += self.speed * moved * log;
             [0.0; 2]
-        });
-        (shifts.collect(), rest)
+        }));
+        rest
     }
 }
 
@@ -244,18 +208,3 @@ fn distance([from, to]: [DVec2; 2], height: f64) -> f64 {
     };
     ((from + share * run).length_squared() + height * height).sqrt()
 }
-
-/// A bound on the growth of the logarithm of a distance by a displacement, a share of it.
-#[inline(always)]
-fn widened(share: f64) -> f64 {
-    let kappa = share * (2.0 + share);
-    if kappa < MOST_WIDENED {
-        0.5 * kappa * (1.0 - 0.5 * kappa) / (1.0 - kappa)
-    } else {
-        // what is not a number comes here, too
-        f64::INFINITY
-    }
-}
-
-/// The largest κ that is made use of.
-const MOST_WIDENED: f64 = 0.95;

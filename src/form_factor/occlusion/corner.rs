@@ -139,9 +139,9 @@ impl Corner {
         let ([n0, n1, n2], [d0, d1, d2]) = (self.numerator, self.denominator);
         let place = n0 / d0;
         Drift {
-            numerator: [(n1 - place * d1).length(), (n2 - place * d2).length()],
+            moves: [n1 - place * d1, n2 - place * d2],
             denominator: [d0.abs(), d1.abs(), d2.abs()],
-            place: place.length(),
+            place,
             is_per_height: self.is_per_height,
         }
     }
@@ -182,10 +182,11 @@ impl Corner {
 /// What bounds the displacement of a corner.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Drift {
-    numerator: [f64; 2],
+    /// The parts of degree 1 and 2 of the displacement's numerator.
+    pub moves: [DVec2; 2],
     denominator: [f64; 3],
-    /// |X|, or |X/h|.
-    pub place: f64,
+    /// X, or X/h, at the middle.
+    pub place: DVec2,
     pub is_per_height: bool,
 }
 
@@ -194,28 +195,34 @@ impl Drift {
     fn limits(&self, reach: f64) -> (f64, f64) {
         let [d0, d1, d2] = self.denominator;
         let least = d0 - reach * (d1 + reach * d2);
-        (least, self.place + self.displacement(reach))
+        (least, self.place.length() + self.displacement(reach))
     }
 
     /// The distance by which it moves for t up to `reach` from the middle.
     pub(super) fn displacement(&self, reach: f64) -> f64 {
-        self.displacements(&[reach; LANES])[0]
+        let [d0, d1, d2] = self.denominator;
+        let left = d0 - reach * (d1 + reach * d2);
+        let moved = reach * (self.moves[0].length() + reach * self.moves[1].length());
+        if left > 0.0 {
+            moved / left
+        } else {
+            f64::INFINITY
+        }
     }
 
-    /// The distances by which it moves for complex t up to each `reach` from the middle.
+    /// The distances by which it moves for complex t up to each `reach` from the middle, from the
+    /// sizes of the parts that displace it.
     #[inline(always)]
-    pub(super) fn displacements(&self, reach: &Lanes) -> Lanes {
-        let ([n1, n2], [d0, d1, d2]) = (self.numerator, self.denominator);
-        std::array::from_fn(|l| {
+    pub(super) fn displacements(&self, [n1, n2]: [f64; 2], reach: &Lanes) -> Lanes {
+        let [d0, d1, d2] = self.denominator;
+        let mut moved = [f64::INFINITY; LANES];
+        for l in 0..LANES {
             let reach = reach[l];
             let left = d0 - reach * (d1 + reach * d2);
-            let moved = reach * (n1 + reach * n2);
-            if left > 0.0 {
-                moved / left
-            } else {
-                f64::INFINITY
-            }
-        })
+            let far = reach * (n1 + reach * n2) / left;
+            moved[l] = if left > 0.0 { far } else { f64::INFINITY };
+        }
+        moved
     }
 }
 

@@ -23,9 +23,9 @@
 //! | the pair in the frame of P, clipped, cut into convex faces, edges and corners shared | `frame`, `setting` |
 //! | stretches of edges, and the faces through them, between which x looks past | `outer`, `pages` |
 //! | planes of sight through y(t) and an edge, linear in t | `trace`, `sight`, `region` |
-//! | the boundary of R at one t, and where it keeps this shape | `chord`, `covers`, `arrangement`, `validity` |
-//! | its corners as rational functions of t, Gauss rules with a-priori bounds | `corner`, `bound`, `rule` |
-//! | all shapes along a stretch, and the sum of their rules | `stretch` |
+//! | the boundary of R at one t, and where it keeps this shape | `arrangement`, `boundary`, `convex`, `slice`, `chord`, `covers`, `validity` |
+//! | its corners as rational functions of t, Gauss rules with a-priori bounds | `corner`, `bound`, `reach`, `rule` |
+//! | all shapes along a stretch, and the sum of their rules | `stretch`, `gap` |
 //! | what displaced corners can change | `slack` |
 //! | from a point, in closed form | `point` |
 //!
@@ -66,20 +66,25 @@
 
 mod arrangement;
 mod bound;
+mod boundary;
 mod chord;
+mod convex;
 mod corner;
 mod covers;
 mod frame;
+mod gap;
 mod occluders;
 mod outer;
 mod pages;
 mod point;
+mod reach;
 mod region;
 mod rule;
 mod setting;
 mod share;
 mod sight;
 mod slack;
+mod slice;
 mod stretch;
 mod trace;
 mod validity;

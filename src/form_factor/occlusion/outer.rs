@@ -218,16 +218,29 @@ impl<'a> Book<'a> {
             return None;
         }
         let mut sight = Sight::new(setting, self.line, stretch, is_level);
-        let (east, north) = self.across();
-        let pages = contacts().flat_map(|contact| {
-            let inward = contact.inward.into_iter().flatten();
-            inward.map(|inward| Page {
-                angle: inward.dot(north).atan2(inward.dot(east)),
-                is_second: contact.is_second,
-            })
-        });
-        let pages: Vec<Page> = pages.collect();
-        let spread = spread(&pages, setting.touching);
+        let base = self.base(&mut sight, is_on_second)?;
+        let pages = self.pages(contacts());
+        let mut pieces = self.pieces(&mut sight, &base, (&pages, is_on_second), wanted);
+        if pieces.is_empty() {
+            return None;
+        }
+        let shadows = self.shadows(&mut sight, &base, is_on_second);
+        if shadows.is_empty() {
+            pieces.retain(|piece| piece.part == Part::Lit);
+        }
+        sight.measure();
+        let displaced = displaced + sight.leaves;
+        (!pieces.is_empty()).then_some(Outer {
+            sight,
+            shadows,
+            pieces,
+            displaced,
+        })
+    }
+
+    /// P, or what of it sees Q through the stretch if that is not on an edge of Q; none if nothing
+    /// does.
+    fn base(&self, sight: &mut Sight<'a>, is_on_second: bool) -> Option<Region> {
         let [first, second] = self.ends;
         let mut base = Region {
             cones: vec![sight.cone(first, -1.0)],
@@ -240,22 +253,45 @@ impl<'a> Book<'a> {
                 return None;
             }
         }
+        Some(base)
+    }
+
+    /// The faces that touch the stretch, around it.
+    fn pages<'c>(&self, contacts: impl Iterator<Item = &'c Contact>) -> Vec<Page> {
+        let (east, north) = self.across();
+        let pages = contacts.flat_map(|contact| {
+            let inward = contact.inward.into_iter().flatten();
+            inward.map(|inward| Page {
+                angle: inward.dot(north).atan2(inward.dot(east)),
+                is_second: contact.is_second,
+            })
+        });
+        pages.collect()
+    }
+
+    /// The parts of a region between the planes of the pages, with what counts there.
+    fn pieces(
+        &self,
+        sight: &mut Sight<'a>,
+        base: &Region,
+        (pages, is_on_second): (&[Page], bool),
+        wanted: Wanted,
+    ) -> Vec<Piece> {
+        let touching = self.setting.touching;
+        let spread = spread(pages, touching);
+        let corners = self.ends[0].corners();
+        let corners = corners.map(|corner| self.setting.corners[corner] - sight.start);
+        let corners: Vec<DVec3> = corners.collect();
         let mut pieces = Vec::new();
-        let corners = first.corners();
-        let corners: Vec<DVec3> = corners
-            .map(|corner| setting.corners[corner] - start)
-            .collect();
-        for (angle, bounds) in sectors(&pages, &corners, (east, north), setting.touching) {
+        for (angle, bounds) in sectors(pages, &corners, self.across(), touching) {
             let mut region = base.clone();
-            region.halves.extend(
-                bounds
-                    .into_iter()
-                    .map(|normal| sight.through(normal, spread)),
-            );
+            let bounds = bounds.into_iter();
+            let bounds = bounds.map(|normal| sight.through(normal, spread));
+            region.halves.extend(bounds);
             if region.is_flat() {
                 continue;
             }
-            for (part, sign) in states(&pages, angle, is_on_second, wanted) {
+            for (part, sign) in states(pages, angle, is_on_second, wanted) {
                 if sign != 0.0 {
                     pieces.push(Piece {
                         region: region.clone(),
@@ -265,11 +301,13 @@ impl<'a> Book<'a> {
                 }
             }
         }
-        if pieces.is_empty() {
-            return None;
-        }
-        let mut shadows = Vec::new();
-        let centre = start + 0.5 * along;
+        pieces
+    }
+
+    /// The shadows of the other screens, cast from the stretch, and those of screens beyond.
+    fn shadows(&self, sight: &mut Sight<'a>, base: &Region, is_on_second: bool) -> Vec<Region> {
+        let [first, second] = self.ends;
+        let centre = sight.point(0.5);
         let misses_base = |sight: &Sight, screen: &Face, way: f64| {
             base.cones
                 .iter()
@@ -279,30 +317,21 @@ impl<'a> Book<'a> {
             cones: vec![cone],
             ..Region::default()
         };
+        let mut shadows = Vec::new();
         for screen in &self.others {
             let side = screen.height(centre).signum();
             let below = sight.cone(screen, -side);
-            if !sight.misses(&below, first, 1.0) && !misses_base(&sight, screen, 1.0) {
+            if !sight.misses(&below, first, 1.0) && !misses_base(sight, screen, 1.0) {
                 shadows.push(shadow(below));
             }
             if !is_on_second {
                 let above = sight.cone(screen, side);
-                if !sight.misses(&above, second, -1.0) && !misses_base(&sight, screen, -1.0) {
+                if !sight.misses(&above, second, -1.0) && !misses_base(sight, screen, -1.0) {
                     shadows.push(shadow(above));
                 }
             }
         }
-        if shadows.is_empty() {
-            pieces.retain(|piece| piece.part == Part::Lit);
-        }
-        sight.measure();
-        let displaced = displaced + sight.leaves;
-        (!pieces.is_empty()).then_some(Outer {
-            sight,
-            shadows,
-            pieces,
-            displaced,
-        })
+        shadows
     }
 
     /// Two directions across the line, which with it form a right-handed frame.

@@ -4,14 +4,14 @@
 //!   W(t) = Σ (v·u) (s1 ln|X1| − s0 ln|X0| + d θ)     over the sides of the boundary, X = x − y
 //! ```
 //!
-//! With a bound M on |W| for complex t up to R from a panel's middle ([`Outline`]),
+//! With a bound M on |W| for complex t up to R from a panel's middle (`reach`),
 //! a rule with n points on a panel of half the length H errs by at most
 //! `(64/15) M H ρ^(−2n)/(1 − ρ^(−2))` with `ρ + 1/ρ = 2 R/H`.
 //!
 //! On an edge in P's plane the sides on lines through y have `(v·X1) ln|X1| − (v·X0) ln|X0|`.
 
-use super::arrangement::Arrangement;
 use super::bound::{BoundarySide, Outline};
+use super::boundary::Arrangement;
 use super::corner::Corner;
 use super::covers::Segment;
 use super::share::Share;
@@ -23,7 +23,7 @@ use glam::DVec2;
 use smallvec::{SmallVec, smallvec};
 use std::sync::LazyLock;
 
-/// A boundary on a panel.
+/// A boundary on a panel, in memory that panels of a stretch use in turn.
 #[derive(Debug)]
 pub(super) struct Panel<'a> {
     sight: &'a Sight<'a>,
@@ -32,24 +32,42 @@ pub(super) struct Panel<'a> {
     /// Their places at the middle.
     places: Vec<DVec2>,
     sides: Vec<BoundarySide>,
+    outline: Outline,
+    shifts: Vec<[f64; 2]>,
+    /// The corners at the nodes of a block.
+    lanes: Vec<[Lanes; 3]>,
 }
 
 impl<'a> Panel<'a> {
-    pub(super) fn new(
-        sight: &'a Sight<'a>,
-        arrangement: &Arrangement,
-        [from, to]: [f64; 2],
-    ) -> Self {
-        let middle = sight.middle(0.5 * (from + to), 0.5 * (to - from));
-        let most = 2 * arrangement.segments.len();
-        let mut panel = Self {
+    /// A panel without a boundary.
+    pub(super) fn of(sight: &'a Sight<'a>) -> Self {
+        Self {
             sight,
-            middle,
-            corners: Vec::with_capacity(most),
-            places: Vec::with_capacity(most),
-            sides: Vec::with_capacity(most),
-        };
+            middle: sight.middle(0.5, 0.5),
+            corners: Vec::new(),
+            places: Vec::new(),
+            sides: Vec::new(),
+            outline: Outline::along(sight.along, sight.is_level),
+            shifts: Vec::new(),
+            lanes: Vec::new(),
+        }
+    }
+
+    pub(super) fn new(sight: &'a Sight<'a>, arrangement: &Arrangement, range: [f64; 2]) -> Self {
+        let mut panel = Self::of(sight);
+        panel.set(arrangement, range);
+        panel
+    }
+
+    /// Takes another boundary on another panel.
+    pub(super) fn set(&mut self, arrangement: &Arrangement, [from, to]: [f64; 2]) {
+        let sight = self.sight;
+        let middle = sight.middle(0.5 * (from + to), 0.5 * (to - from));
         let height = middle.height();
+        self.middle = middle;
+        self.corners.clear();
+        self.places.clear();
+        self.sides.clear();
         let mut named: SmallVec<[[usize; 2]; 16]> = SmallVec::new();
         for Segment { line, from, to } in &arrangement.segments {
             let corners = [*from, *to].map(|other| {
@@ -58,18 +76,17 @@ impl<'a> Panel<'a> {
                 known.unwrap_or_else(|| {
                     named.push(pair);
                     let corner = Corner::at_crossing(sight, pair, &middle);
-                    panel.places.push(corner.at(0.0, height));
-                    panel.corners.push(corner);
+                    self.places.push(corner.at(0.0, height));
+                    self.corners.push(corner);
                     named.len() - 1
                 })
             });
-            panel.sides.push(BoundarySide {
+            self.sides.push(BoundarySide {
                 corners,
                 // an edge in P's plane is a line of its own
                 is_through: sight.is_level && sight.traces[*line].edge.is_none(),
             });
         }
-        panel
     }
 
     /// Whether the sides go round.
@@ -102,25 +119,28 @@ impl<'a> Panel<'a> {
     }
 
     /// The integral over the panel; none if no rule is certain enough.
-    pub(super) fn integral(&self, wanted: f64) -> Option<Share> {
+    pub(super) fn integral(&mut self, wanted: f64) -> Option<Share> {
         if self.sides.is_empty() {
             return Some(Share::default());
         }
         let half = self.middle.half;
-        let outline = &Outline::new(
-            (&self.corners, &self.places),
-            &self.sides,
-            self.sight.along.truncate(),
-            [self.middle.height(), self.sight.along.z],
-            self.sight.is_level,
-        );
+        let (corners, places) = (self.corners.as_slice(), self.places.as_slice());
+        let height = self.middle.height();
+        self.outline.set((corners, places), &self.sides, height);
+        let outline = &self.outline;
         let reach = RATIOS.map(|ratio| ratio * half);
         let largest = vector_value!([f64::INFINITY; LANES], outline.largest(&reach));
-        let (blocks, truncation) = rule(largest, half, wanted)?;
-        let (shifts, rest) = outline.shifts(&self.corners, half);
-        let rule = GaussLegendre::with(blocks * LANES);
-        let [value, lost] = self.sums(rule, &shifts, outline.unit);
+        let (blocks, truncation) = match rule(largest, half, wanted) {
+            Some(found) if found.0 <= FEW => found,
+            known => {
+                let finer =
+                    vector_value!([f64::INFINITY; LANES], outline.largest_with_slides(&reach));
+                rule(finer, half, wanted).or(known)?
+            }
+        };
+        let rest = outline.shifts(corners, half, &mut self.shifts);
         let noise = rest + outline.gap(self.gap());
+        let [value, lost] = self.sums(GaussLegendre::with(blocks * LANES));
         let rounding = half * (UNIT * lost + 2.0 * noise);
         // of corners that nothing bounds smaller panels may tell more
         rounding.is_finite().then_some(Share {
@@ -131,14 +151,15 @@ impl<'a> Panel<'a> {
     }
 
     /// The rule's sums of W and of its rounding, in units of u.
-    fn sums(&self, rule: &GaussLegendre, shifts: &[[f64; 2]], unit: f64) -> [f64; 2] {
+    fn sums(&mut self, rule: &GaussLegendre) -> [f64; 2] {
         let (corners, sides) = (self.corners.as_slice(), self.sides.as_slice());
+        let (shifts, unit) = (self.shifts.as_slice(), self.outline.unit);
         let (start, rise) = (self.middle.height(), self.sight.along.z);
         let v = self.sight.along.truncate();
         let inverse = 1.0 / (unit * unit);
         let (half, lanes) = (self.middle.half, rule.lanes.as_slice());
-        let mut places = vec![[[0.0; LANES]; 3]; corners.len()];
-        let places = places.as_mut_slice();
+        self.lanes.resize(corners.len(), [[0.0; LANES]; 3]);
+        let places = self.lanes.as_mut_slice();
         let sums = vector_value!([[0.0; LANES]; 2], {
             let mut sums = [[0.0; LANES]; 2];
             for [nodes, weights] in lanes {
@@ -280,8 +301,11 @@ fn rule(largest: Lanes, half: f64, wanted: f64) -> Option<(usize, f64)> {
 const UNIT: f64 = 0.5 * f64::EPSILON;
 
 /// Radii of discs, in halves of a panel.
-const RATIOS: Lanes = [1.15, 1.3, 1.7, 2.4, 3.5, 5.0, 8.0, 14.0];
+const RATIOS: Lanes = [1.06, 1.15, 1.35, 1.7, 2.4, 3.5, 6.0, 12.0];
+
+/// Blocks of nodes for which no better bound is looked for.
+const FEW: usize = 5;
 
 /// Most blocks of nodes of a rule: as a panel takes as long as some blocks to be set up, two of them
 /// with few nodes take longer than one with many.
-const MOST: usize = 5;
+const MOST: usize = 8;

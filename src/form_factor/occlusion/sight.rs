@@ -12,14 +12,13 @@
 
 use super::region::{Cone, HalfPlane};
 use super::setting::{Face, Setting};
-use super::share::Share;
 use super::trace::{LEVEL, Middle, Placed, Stretch, Trace};
 use glam::{DVec2, DVec3};
 
 /// A stretch y(t) and the lines of sight from it.
 #[derive(Debug, Clone)]
 pub(super) struct Sight<'a> {
-    setting: &'a Setting,
+    pub setting: &'a Setting,
     /// The line that the stretch is on.
     line: usize,
     stretch: Stretch,
@@ -75,7 +74,7 @@ impl<'a> Sight<'a> {
     ///
     /// **Arguments** `error`: of the normal.
     pub(super) fn through(&mut self, normal: DVec3, error: f64) -> HalfPlane {
-        let (line, sign) = self.fixed(normal, error);
+        let (line, sign) = self.fixed(normal, [error, 0.0]);
         HalfPlane { line, sign }
     }
 
@@ -86,7 +85,8 @@ impl<'a> Sight<'a> {
         let ends = self.setting.lines[space].ends;
         let [a, b] = ends.map(|corner| self.setting.corners[corner]);
         let trace = Trace::of_edge(&self.stretch, [a, b], space);
-        let touching = self.setting.touching;
+        let setting = self.setting;
+        let touching = setting.touching;
         let middle = trace.normal[0] + 0.5 * trace.normal[1];
         let length = middle.length();
         // how far the stretch leaves the plane
@@ -97,11 +97,15 @@ impl<'a> Sight<'a> {
         });
         let found = if let Some((alpha, [gamma, slope])) = through {
             let error = (gamma.abs() + slope.abs()) / alpha.length() / self.along.length();
-            self.fixed(alpha.normalize().extend(0.0), f64::EPSILON + error)
+            let normal = alpha.normalize().extend(0.0);
+            self.fixed(normal, [f64::EPSILON + error, 0.0])
         } else if leaves <= touching && !is_level_edge {
             self.leaves = self.leaves.max(leaves);
             let unit = middle / length;
             let edge = b - a;
+            // what the rounding of corners turns the plane by
+            let turned = 4.0 * (setting.displaced + f64::EPSILON) * edge.length() / length;
+            let turned = turned.min(ONE_PLANE);
             let sine = edge.cross(self.along).length() / (edge.length() * self.along.length());
             if sine <= PARALLEL {
                 let lines = [self.line.min(space), self.line.max(space)];
@@ -109,14 +113,12 @@ impl<'a> Sight<'a> {
                 let ends = lines.map(|ends| ends.map(|corner| self.setting.corners[corner]));
                 let normal = Trace::plane_of(ends);
                 let normal = normal.dot(unit).signum() * normal;
-                self.fixed(
-                    if normal.is_finite() { normal } else { unit },
-                    2.0 * f64::EPSILON,
-                )
+                let normal = if normal.is_finite() { normal } else { unit };
+                self.fixed(normal, [2.0 * f64::EPSILON, turned])
             } else {
                 let [start, slope] = trace.error;
-                let turned = (start + 0.5 * slope + 0.5 * leaves * edge.length()) / length;
-                self.fixed(unit, 2.0 * f64::EPSILON + turned)
+                let error = (start + 0.5 * slope + 0.5 * leaves * edge.length()) / length;
+                self.fixed(unit, [2.0 * f64::EPSILON + error, turned])
             }
         } else {
             self.traces.push(trace);
@@ -126,18 +128,33 @@ impl<'a> Sight<'a> {
         found
     }
 
-    fn fixed(&mut self, normal: DVec3, error: f64) -> (usize, f64) {
+    /// The line of a plane that holds the stretch, and whether that has the other side on its left.
+    ///
+    /// Where the stretch lies in P's plane, all such planes meet that in the line of the stretch.
+    fn fixed(&mut self, mut normal: DVec3, [mut error, turned]: [f64; 2]) -> (usize, f64) {
+        let slope = normal.truncate().length();
+        if self.is_level && slope > LEVEL {
+            normal = (normal.truncate() / slope).extend(0.0);
+            error = error / slope + f64::EPSILON;
+        }
+        let touching = self.setting.touching;
         for (line, trace) in self.traces.iter_mut().enumerate() {
             if !trace.is_fixed {
                 continue;
             }
             let apart = trace.normal[0].cross(normal).length();
-            if apart <= self.setting.touching {
+            if apart <= touching.max(turned).max(trace.turned) {
+                let sign = trace.normal[0].dot(normal).signum();
+                if turned < trace.turned {
+                    // the one of which more is known
+                    let error = trace.error[0].max(error);
+                    *trace = Trace::fixed(sign * normal, [error, turned]);
+                }
                 trace.error[0] = trace.error[0].max(error + apart);
-                return (line, trace.normal[0].dot(normal).signum());
+                return (line, sign);
             }
         }
-        self.traces.push(Trace::fixed(normal, error));
+        self.traces.push(Trace::fixed(normal, [error, turned]));
         (self.traces.len() - 1, 1.0)
     }
 
@@ -192,8 +209,8 @@ impl<'a> Sight<'a> {
         let corners: Vec<DVec3> = corners.collect();
         cone.sides.iter().any(|half| {
             let trace = &self.traces[half.line];
-            if self.is_level && trace.edge.is_some() {
-                // no plane of sight
+            if self.is_level && (trace.edge.is_some() || trace.is_fixed) {
+                // a line in P's plane, no plane of sight
                 return false;
             }
             let [from, slope] = trace.normal;
@@ -208,83 +225,6 @@ impl<'a> Sight<'a> {
             }
             most <= 0.0 && least < 0.0
         })
-    }
-
-    /// A piece of the stretch on which nothing is certain but that `|W| ≤ |v| ∫_P dx/r`, which is
-    /// largest in a disc around y: at most `2 √(π A_P)`.
-    pub(super) fn unsettled(&self, width: f64) -> Share {
-        Share {
-            truncation: self.setting.most * self.along.truncate().length() * width,
-            ..Share::default()
-        }
-    }
-
-    /// A gap in which W is taken as it is beside it: it changes by at most K times the width.
-    ///
-    /// The integrand `n·(v × (y − x))/r²` changes by at most `3 |v|²/r²` and the lines of the
-    /// boundary sweep over at most their speed times their length; r is at least h. Lines that
-    /// miss P all along the gap sweep over nothing.
-    pub(super) fn bridge(&self, from: f64, to: f64) -> Share {
-        let width = to - from;
-        let unsettled = self.unsettled(width);
-        if width <= 0.0 {
-            return Share::default();
-        }
-        let height = self.point(from).z.min(self.point(to).z);
-        let speed = self.along.length();
-        let reach = self.setting.most;
-        let lines = (0..self.traces.len()).filter(|line| self.may_meet(*line, [from, to]));
-        let swept: f64 = lines.map(|line| self.speed_of(line, [from, to])).sum();
-        let change = speed * (swept * reach + 3.0 * speed * reach * reach / height) / height;
-        let truncation = (change * width * width).min(unsettled.truncation);
-        Share {
-            truncation: if truncation.is_nan() {
-                unsettled.truncation
-            } else {
-                truncation
-            },
-            ..unsettled
-        }
-    }
-
-    /// Whether a line may meet P somewhere in a range of t: the heights of P's corners over its
-    /// plane are linear in t.
-    fn may_meet(&self, line: usize, [from, to]: [f64; 2]) -> bool {
-        let corners = self.setting.first.iter().flat_map(Face::corners);
-        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
-        for corner in corners {
-            let [start, end] = self.ends_of_height(line, corner);
-            for height in [from, to].map(|t| start + t * (end - start)) {
-                (least, most) = (least.min(height), most.max(height));
-            }
-        }
-        least <= 0.0 && most >= 0.0
-    }
-
-    /// The most that the places of a line in P move by for each unit of t in a range.
-    fn speed_of(&self, line: usize, [from, to]: [f64; 2]) -> f64 {
-        let trace = &self.traces[line];
-        let reach = self.setting.most;
-        let height = self.point(from).z.max(self.point(to).z);
-        let (change, turn) = match trace.edge {
-            Some((_, [_, slope])) => (slope.abs(), 0.0),
-            None => {
-                let [_, slope] = trace.normal;
-                let normal = trace.normal[0] + from * slope;
-                let turn = slope.truncate().length();
-                let level = normal.z.abs() + (to - from) * slope.z.abs();
-                let rise = height * slope.z.abs() + self.along.z.abs() * level;
-                (turn * reach + rise, turn)
-            }
-        };
-        // the least slope of the plane in the range
-        let (alpha, _) = self.line_at(line, from);
-        let slope = alpha.length() - (to - from) * turn;
-        if slope > 0.0 {
-            change / slope
-        } else {
-            f64::INFINITY
-        }
     }
 
     /// A line at t.
@@ -336,6 +276,9 @@ impl<'a> Sight<'a> {
         }
     }
 }
+
+/// The largest angle between planes that count as one, as corners near the stretch are rounded.
+const ONE_PLANE: f64 = 1e-12;
 
 /// Edges at less than this angle are seen in the plane between them.
 const PARALLEL: f64 = 1e-6;

@@ -8,7 +8,8 @@
 //! until what W can change by in them is nothing, and taken as their neighbours are; of those that
 //! are left after many halvings the bound has all that they may change.
 
-use super::arrangement::{Arrangement, Roster};
+use super::arrangement::Roster;
+use super::boundary::Arrangement;
 use super::outer::{Outer, Piece};
 use super::rule::Panel;
 use super::share::Share;
@@ -19,15 +20,20 @@ pub(super) fn stretch(outer: &Outer, piece: &Piece, accuracy: f64) -> Share {
     let mut sum = Share::default();
     let arrangements = arrangements(outer, piece, accuracy * length, &mut sum);
     let mut count = 0;
+    let mut panel = Panel::of(&outer.sight);
+    let mut panels = Vec::new();
     for found in &arrangements {
-        let mut panels = vec![found.range];
+        if found.segments.is_empty() {
+            continue;
+        }
+        panels.push(found.range);
         while let Some([from, to]) = panels.pop() {
             count += 1;
             if count > MOST_PANELS || to - from < SHORTEST {
                 sum.add(outer.sight.unsettled(to - from));
                 continue;
             }
-            let panel = Panel::new(&outer.sight, found, [from, to]);
+            panel.set(found, [from, to]);
             let wanted = accuracy * length * (to - from).max(1e-3);
             match panel.integral(wanted) {
                 Some(share) => sum.add(share),
@@ -167,7 +173,7 @@ fn as_beside(outer: &Outer, beside: &Arrangement, gap: [f64; 2], accuracy: f64) 
         .sight
         .bridge(strip[0].min(gap[0]), strip[1].max(gap[1]));
     let unsettled = outer.sight.unsettled(width);
-    let panel = Panel::new(&outer.sight, beside, strip);
+    let mut panel = Panel::new(&outer.sight, beside, strip);
     let Some(share) = panel.integral(NOTHING * accuracy) else {
         return unsettled;
     };

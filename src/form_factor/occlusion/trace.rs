@@ -155,6 +155,8 @@ pub(super) struct Trace {
     pub space: Option<usize>,
     /// Whether the plane holds the stretch.
     pub is_fixed: bool,
+    /// What the rounding of corners turns such a plane by at most.
+    pub turned: f64,
     /// The normal of the line in P's plane but for a positive factor, linear in t, and its size.
     pub planar: [DVec2; 2],
     pub planar_size: f64,
@@ -193,10 +195,12 @@ impl Trace {
         to.minus(from).cross(direction).to_doubles().normalize()
     }
 
-    /// A plane that holds the stretch, with this unit normal, within this error.
-    pub(super) fn fixed(normal: DVec3, error: f64) -> Self {
+    /// A plane that holds the stretch, with this unit normal, within this error, and what the
+    /// rounding of corners turns it by.
+    pub(super) fn fixed(normal: DVec3, [error, turned]: [f64; 2]) -> Self {
         Self {
             is_fixed: true,
+            turned,
             ..Self::new([normal, DVec3::ZERO], None, [error, 0.0], None)
         }
     }
@@ -219,6 +223,7 @@ impl Trace {
             error,
             space,
             is_fixed: false,
+            turned: 0.0,
             planar,
             planar_size,
             size,

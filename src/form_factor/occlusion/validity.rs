@@ -13,7 +13,6 @@ use super::region::{Cone, Region};
 use super::sight::Sight;
 use super::trace::Placed;
 use glam::DVec2;
-use smallvec::SmallVec;
 
 /// A place on a line, and the line that crosses there.
 #[derive(Debug, Clone, Copy)]
@@ -39,16 +38,14 @@ pub(super) const NONE: usize = usize::MAX;
 impl Validity<'_> {
     /// The sides of a cone that the plane of sight of a line cuts; none if it does not.
     pub(super) fn crossing(&self, cone: &Cone, line: usize) -> Option<[usize; 2]> {
-        let mut signs: SmallVec<[f64; 8]> = SmallVec::new();
         let (mut above, mut below) = (0, 0);
         for corner in &cone.corners {
             let height = self.height(line, *corner);
             above += usize::from(height > 0.0);
             below += usize::from(height < 0.0);
-            signs.push(height);
         }
         // a side in the plane counts as across from the others, a corner does not
-        let n = signs.len();
+        let n = cone.corners.len();
         let is_up = match (above, below) {
             (0, 0) => return None,
             (_, 0) if above + 2 <= n => false,
@@ -56,15 +53,20 @@ impl Validity<'_> {
             (_, 0) | (0, _) => return None,
             _ => true,
         };
-        let up = |height: f64| height > 0.0 || (height == 0.0 && is_up);
+        let up = |corner: usize| {
+            let height = self.height(line, corner);
+            height > 0.0 || (height == 0.0 && is_up)
+        };
         let mut found = [n; 2];
         let mut count = 0;
-        for side in 0..n {
-            let next = if side + 1 < n { side + 1 } else { 0 };
-            if up(signs[side]) != up(signs[next]) && count < 2 {
-                found[count] = side;
+        let mut before = up(cone.corners[n - 1]);
+        for (corner, name) in cone.corners.iter().enumerate() {
+            let here = up(*name);
+            if here != before && count < 2 {
+                found[count] = if corner > 0 { corner - 1 } else { n - 1 };
                 count += 1;
             }
+            before = here;
         }
         (count == 2).then_some(found)
     }
@@ -267,23 +269,26 @@ impl Validity<'_> {
         }
     }
 
-    /// The Bernstein coefficients of a quadratic on the range.
-    fn outer(&self, [c, b, a]: [f64; 3]) -> [f64; 3] {
-        let at = |t: f64| c + t * (b + t * a);
-        let [low, high] = self.range;
-        [
-            at(low),
-            c + 0.5 * b * (low + high) + a * low * high,
-            at(high),
-        ]
+    fn outer(&self, quadratic: [f64; 3]) -> [f64; 3] {
+        outer_coefficients(quadratic, self.range)
     }
 }
 
+/// The Bernstein coefficients of a quadratic on a range.
+pub(super) fn outer_coefficients([c, b, a]: [f64; 3], [low, high]: [f64; 2]) -> [f64; 3] {
+    let at = |t: f64| c + t * (b + t * a);
+    [
+        at(low),
+        c + 0.5 * b * (low + high) + a * low * high,
+        at(high),
+    ]
+}
+
 /// What cannot be told from zero, of the size of the terms.
-const NOISE: f64 = 64.0 * f64::EPSILON;
+pub(super) const NOISE: f64 = 64.0 * f64::EPSILON;
 
 /// The roots of `c + b t + a t²`.
-fn roots([c, b, a]: [f64; 3]) -> [Option<f64>; 2] {
+pub(super) fn roots([c, b, a]: [f64; 3]) -> [Option<f64>; 2] {
     let square = b * b - 4.0 * a * c;
     if square < 0.0 {
         return [None; 2];
@@ -293,7 +298,8 @@ fn roots([c, b, a]: [f64; 3]) -> [Option<f64>; 2] {
     [finite(sum / a), finite(c / sum)]
 }
 
-fn product(one: [DVec2; 2], other: [DVec2; 2]) -> [f64; 3] {
+/// `(n1 × n2)_z`, a quadratic in t.
+pub(super) fn product(one: [DVec2; 2], other: [DVec2; 2]) -> [f64; 3] {
     [
         one[0].perp_dot(other[0]),
         one[0].perp_dot(other[1]) + one[1].perp_dot(other[0]),

@@ -1,5 +1,6 @@
 //! Form factors past polygons that stand in the way.
 
+mod bounds;
 mod laws;
 mod points;
 mod reference_values;
