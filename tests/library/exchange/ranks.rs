@@ -1,5 +1,6 @@
 //! Passes that are shared out among ranks have the same answers, to the last bit.
 
+use crate::support::breadth::some_of;
 use crate::support::ranks::among;
 use infoscene::exchange::{Congruence, PassSummary, ScenePairs, failure};
 use infoscene::scene::{Occlusion, Scene};
@@ -25,7 +26,7 @@ fn row_sums_do_not_depend_on_the_number_of_ranks() {
         let scene = Scene::built_in(name).unwrap();
         let (scene, _) = scene.subdivided(subdivide).unwrap();
         let expected = sums(&pairs(&scene));
-        for count in [1, 2, 3, 5] {
+        for count in some_of([3, 1, 5, 2]) {
             let found = among(count, |ranks| {
                 let pairs = pairs(&scene).among(ranks);
                 sums(&pairs)

@@ -1,7 +1,7 @@
 //! The breadth of the default run: of long lists of cases every other one, of all if asked for.
 
 /// Every other item of a list, the first included; all of them where the environment has
-/// `INFOSCENE_THOROUGH`, as it has in `.ci/run`.
+/// `INFOSCENE_THOROUGH`.
 pub fn some_of<T>(all: impl IntoIterator<Item = T>) -> impl Iterator<Item = T> {
     all.into_iter().step_by(step())
 }
