@@ -84,7 +84,8 @@ fn measured(
     );
 }
 
-/// Asserts that bounds meet the tolerance but for one in a hundred, and that rows of a closed scene sum to 1 within them.
+/// Asserts that bounds meet the tolerance but for one in a hundred, and that rows of a closed scene
+/// sum to 1 within them.
 fn check(areas: &ExchangeAreas, is_closed: bool) {
     let rows = areas.rows();
     let summary = areas.summary();

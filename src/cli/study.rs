@@ -15,7 +15,8 @@ pub(super) struct Study {
     /// Fewer cases and repetitions for the timings.
     #[arg(long)]
     quick: bool,
-    /// Draw the study of refinements, of accuracy, of tolerances or of oracles, too, into an SVG file.
+    /// Draw the study of refinements, of accuracy, of tolerances or of oracles, too, into an SVG
+    /// file.
     #[arg(long, value_name = "PATH")]
     figure: Option<PathBuf>,
     #[command(flatten)]

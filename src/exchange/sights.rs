@@ -7,9 +7,9 @@
 //! ```
 //!
 //! What is in the way is looked up as a pair is evaluated ([`Screening`]; where few pairs are asked
-//! for, [`Blockers`]), so that nothing is held for a pair; the polygons of screens are prepared when
-//! they are first met, once. A part blocks what its base blocks, so only the base counts. In a room
-//! that is convex inside there is nothing to look up, and none of this is made.
+//! for, [`Blockers`]), so that nothing is held for a pair; the polygons of screens are prepared
+//! when they are first met, once. A part blocks what its base blocks, so only the base counts. In a
+//! room that is convex inside there is nothing to look up, and none of this is made.
 //!
 //! **A base and its parts.** What blocks a part of a base blocks the base, too: the space between
 //! the part and another polygon lies in that of the base. So the exchange area of a base less that
@@ -62,8 +62,8 @@ impl Sights {
     /// The lines of sight of a scene under a policy; none if nothing can be in the way, or if it
     /// was checked that nothing is.
     ///
-    /// **Arguments** `is_few`: whether few pairs will be asked for; `congruence`: whether pairs share
-    /// values; `classes`: number of classes of congruent pairs.
+    /// **Arguments** `is_few`: whether few pairs will be asked for; `congruence`: whether pairs
+    /// share values; `classes`: number of classes of congruent pairs.
     pub(crate) fn of(
         scene: &Scene,
         occlusion: Occlusion,

@@ -330,8 +330,8 @@ fn from(origin: DVec3, point: DVec3, unit: f64) -> Vector<DoubleDouble> {
     Vector::lifted(point / unit, like).minus(Vector::lifted(origin / unit, like))
 }
 
-/// Twice the area of a polygon along its normal, in this unit, to 106 bits: in doubles the normal of
-/// a sliver is off by ε over its thinness.
+/// Twice the area of a polygon along its normal, in this unit, to 106 bits: in doubles the normal
+/// of a sliver is off by ε over its thinness.
 fn area_vector(corners: &[DVec3], unit: f64) -> Vector<DoubleDouble> {
     let from_origin = |point: DVec3| from(corners[0], point, unit);
     corners

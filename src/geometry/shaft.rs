@@ -289,8 +289,8 @@ impl Shaft {
     }
 }
 
-/// Tells whether a plane parts a convex polygon `k` from the hull of `a` and `b`, with a gap of more
-/// than `gap`.
+/// Tells whether a plane parts a convex polygon `k` from the hull of `a` and `b`, with a gap of
+/// more than `gap`.
 ///
 /// **Arguments** `normals`: of the planes of `k`, `a` and `b`.
 pub(crate) fn are_apart([a, b]: [&[DVec3]; 2], k: &[DVec3], normals: [DVec3; 3], gap: f64) -> bool {

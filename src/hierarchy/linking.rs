@@ -4,9 +4,10 @@
 //!   error of link (i, j) ≈ ω_i R_i F_ij √A_i (B_j (h_i/d)² + σ_j h_j/d)  ≤  ε
 //! ```
 //!
-//! with the sizes h, the distance d of the centres, the deviation σ_j of the leaves of j from
-//! their mean B_j, and the weight ω_i of the receiver towards a goal, 1 without one. The first term is what the linear function misses over the receiver, the second
-//! what the mean misses of the source; the side with the larger one is cut, as far as the mesh is.
+//! with the sizes h, the distance d of the centres, the deviation σ_j of the leaves of j from their
+//! mean B_j, and the weight ω_i of the receiver towards a goal, 1 without one. The first term is
+//! what the linear function misses over the receiver, the second what the mean misses of the
+//! source; the side with the larger one is cut, as far as the mesh is.
 //!
 //! Of exact factors both links of a pair are made together, so that they are reciprocal: it is cut
 //! where either of them asks for it.

@@ -22,9 +22,10 @@
 //! # Errors
 //!
 //! Measured on three lit boxes against a reference of its own ([`Reference`],
-//! [`crate::reference::BoxRadiosity`]): 14 to 18 % of ‖B‖ for constants on 100 elements, 7 to 9 % on 400
-//! and half as much on four times as many; 4 to 6, 2 and 0.6 % for linear functions on 100, 400 and
-//! 1,600. Light that is gathered once more ([`Refinement::gathered`]) is some ten times better.
+//! [`crate::reference::BoxRadiosity`]): 14 to 18 % of ‖B‖ for constants on 100 elements, 7 to 9 %
+//! on 400 and half as much on four times as many; 4 to 6, 2 and 0.6 % for linear functions on 100,
+//! 400 and 1,600. Light that is gathered once more ([`Refinement::gathered`]) is some ten times
+//! better.
 //!
 //! ```
 //! use infoscene::hierarchy::{Factors, Goal, Lighting, OracleName, Refinement};

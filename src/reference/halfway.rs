@@ -9,9 +9,9 @@
 //! ```
 //!
 //! A line from (x₁, y₁) to (x₂, y₂) crosses the middle at (x₁ + x₂)/2. With x₁ + x₂ < 2c ≤ 1 both
-//! ends are below 2c, and the map (x₁, x₂) → (2c − x₂, 2c − x₁) of such ends keeps x₁ − x₂, on which
-//! alone the kernel depends, and exchanges the two sides of x₁ + x₂ = 2c: so it is one half of what
-//! the strips below 2c exchange.
+//! ends are below 2c, and the map (x₁, x₂) → (2c − x₂, 2c − x₁) of such ends keeps x₁ − x₂, on
+//! which alone the kernel depends, and exchanges the two sides of x₁ + x₂ = 2c: so it is one half
+//! of what the strips below 2c exchange.
 //!
 //! **Not covered**: plates that overlap each other, in the sum of which an overlap counts twice.
 
@@ -31,8 +31,8 @@ use std::collections::BTreeMap;
 /// **Returns** an enclosure with 256 bits.
 ///
 /// # Errors
-/// [`FormFactorError::NonPositiveLength`] if the height is not positive; [`FormFactorError`] if it is
-/// infinite, or if the value leaves the range of `f64`.
+/// [`FormFactorError::NonPositiveLength`] if the height is not positive; [`FormFactorError`] if it
+/// is infinite, or if the value leaves the range of `f64`.
 ///
 /// # Examples
 /// ```

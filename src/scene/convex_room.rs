@@ -99,7 +99,8 @@ impl Scene {
         Ok(())
     }
 
-    /// The face that these patches of a plane cover, corners nearer than `noise` to a line left out.
+    /// The face that these patches of a plane cover, corners nearer than `noise` to a line left
+    /// out.
     fn face(&self, patches: &[usize], noise: f64) -> Result<Patch, SceneError> {
         let index = patches[0];
         let shapes = || patches.iter().map(|patch| &self.patches[*patch].shape);

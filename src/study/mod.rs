@@ -5,8 +5,8 @@
 //! * [`gain`]: the digits that naive forms of the gain lose; `gain::fuzz` (feature `proptest`)
 //!   throws random refinements at Theorem 1 and at the gain's promised accuracy.
 //! * [`light`]: the digits that solvers keep of stiff radiosities; the variance of random walks.
-//! * [`hierarchy`]: the oracles of refinement, on equal terms; information against error over random
-//!   meshes.
+//! * [`hierarchy`]: the oracles of refinement, on equal terms; information against error over
+//!   random meshes.
 //! * [`cuts`]: the cuts of §4.2 followed to their limits, for other radiosities, and turned.
 //! * [`lines`]: estimates from random lines, and fig. 5 read as one of them.
 //! * [`scale`]: time and memory against the number of patches, and what they would be on a cluster.

@@ -143,8 +143,8 @@ fn accuracy_study_meets_what_was_asked_for() {
     }
 }
 
-/// Errors of whole scenes are within their bounds, and bounds within the tolerance where none is said
-/// to miss it; a loose tolerance is used.
+/// Errors of whole scenes are within their bounds, and bounds within the tolerance where none is
+/// said to miss it; a loose tolerance is used.
 #[test]
 fn tolerances_study_has_errors_within_bounds() {
     let answer = json(&["study", "tolerances", "--quick"]);

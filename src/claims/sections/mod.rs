@@ -5,8 +5,8 @@
 //! [`Verdict`](crate::claims::Verdict) judges it. [`Computation`](crate::claims::Computation) names
 //! the functions, and `data/paper` says which claim calls which. `continuous_limit` belongs to §2
 //! and Corollary 1, `figure_5` and `regular_grids` to §4.1, `section_3_light` to §3.4 and §3.5;
-//! `shadows` is fig. 1 and App. B in general position, `refinement` the oracle of §5 and §6 at work;
-//! `lit` and `enclosed` hold scenes that several share.
+//! `shadows` is fig. 1 and App. B in general position, `refinement` the oracle of §5 and §6 at
+//! work; `lit` and `enclosed` hold scenes that several share.
 
 pub(crate) mod appendix;
 pub(crate) mod continuous_limit;

@@ -19,8 +19,8 @@ fn cut(case: &Case<'_>) -> Result<GradientCut, ClaimError> {
 ///   E ∝ lⁿ − ρ l,  ρ = RH/(B l) > 0;  with l = s ρ^(1/(n−1)):  E ∝ ρ^(n/(n−1)) (sⁿ − s)
 /// ```
 ///
-/// The least of `sⁿ − s` is at `s = n^(−1/(n−1))`: the number is the same for every ρ. It is below 0
-/// for n ≥ 2; for n = 1 the exponents n + 2 and 2n + 1 agree, and no emission is needed.
+/// The least of `sⁿ − s` is at `s = n^(−1/(n−1))`: the number is the same for every ρ. It is below
+/// 0 for n ≥ 2; for n = 1 the exponents n + 2 and 2n + 1 agree, and no emission is needed.
 pub(crate) fn objective_follows(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let (least, largest) = (
         case.count("least_exponent")?,
@@ -59,9 +59,9 @@ fn rounded(position: &Interval) -> f64 {
     (1e4 * position.to_f64()).round() / 1e4
 }
 
-/// Two divisions of one patch: at the cut of highest mutual information, and `offset` beyond that of
-/// least mean square error. The first has more information; the number is its error relative to the
-/// other's.
+/// Two divisions of one patch: at the cut of highest mutual information, and `offset` beyond that
+/// of least mean square error. The first has more information; the number is its error relative to
+/// the other's.
 pub(crate) fn highest_information_is_most_precise(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let patch = cut(case)?;
     let highest = patch.certified_mutual_information_cut(case.bits())?;

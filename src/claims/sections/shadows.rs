@@ -278,8 +278,8 @@ pub(crate) fn hanging_screens_darken_most_at_the_umbra(
 const DARK: f64 = 1e-12;
 
 /// Parallel unit squares at distance 1 and a half-plane x > `edge` at `height`: the gain along the
-/// better of the umbra line and the lit line, as a share of that of the best cut in between; does it
-/// stay below `most`?
+/// better of the umbra line and the lit line, as a share of that of the best cut in between; does
+/// it stay below `most`?
 pub(crate) fn penumbra_cuts_beat_both_lines(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let shadow = HalfPlaneShadow::try_new(case.number("edge")?, case.number("height")?)?;
     let most = case.interval("most")?;

@@ -16,8 +16,8 @@
 //!   H′(w) = (w/p) atan(1/p) + √2 atan(w/√2) − atan w
 //! ```
 //!
-//! the corner function of [`parallel`](crate::form_factor::rectangles::parallel) for sides from 0 to
-//! 1 along y. What the floor before t and the ceiling exchange is then, with l the lit line,
+//! the corner function of [`parallel`](crate::form_factor::rectangles::parallel) for sides from 0
+//! to 1 along y. What the floor before t and the ceiling exchange is then, with l the lit line,
 //!
 //! ```text
 //!   πG(t) = H(1) − H(0) + H(t) − H(1 − t)                             up to the lit line

@@ -228,8 +228,8 @@ impl OccludedPair {
         Ok(())
     }
 
-    /// The views on either side of a place of a line; none if it is on the receiver's outline, or if
-    /// nothing, or all, is seen on both sides.
+    /// The views on either side of a place of a line; none if it is on the receiver's outline, or
+    /// if nothing, or all, is seen on both sides.
     fn views(
         &self,
         section: &Section,

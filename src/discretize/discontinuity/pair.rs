@@ -28,8 +28,8 @@ impl OccludedPair {
     /// The receiver, the source and polygons, which block from both sides; those that hide nothing
     /// may be among them.
     ///
-    /// **Arguments** `receiver`, `source`: patches that see each other with their fronts, in one unit
-    /// of length with the `blockers`, of any number and either orientation.
+    /// **Arguments** `receiver`, `source`: patches that see each other with their fronts, in one
+    /// unit of length with the `blockers`, of any number and either orientation.
     /// **Returns** the pair, in which only what rounding moves counts as touching.
     #[must_use]
     pub fn new(receiver: Patch, source: Patch, blockers: Vec<Patch>) -> Self {
@@ -48,8 +48,8 @@ impl OccludedPair {
     /// Two patches of a scene, receiver and source, with all that may stand between them; nothing
     /// if occlusion is ignored.
     ///
-    /// **Arguments** the indices of two different patches, receiver first, each without others lying
-    /// in it.
+    /// **Arguments** the indices of two different patches, receiver first, each without others
+    /// lying in it.
     /// **Returns** the pair with the names of its blockers, in which coordinates within the scene's
     /// noise count as touching.
     ///
@@ -87,8 +87,8 @@ impl OccludedPair {
 
     /// The form factor from a point of the receiver's plane to the source, past the blockers.
     ///
-    /// **Arguments** `point`: in the receiver's plane, of coordinates up to 1e60; it need not lie in
-    /// the receiver.
+    /// **Arguments** `point`: in the receiver's plane, of coordinates up to 1e60; it need not lie
+    /// in the receiver.
     /// **Returns** a number in `[0, 1]`, dimensionless, with a bound on its error.
     ///
     /// # Errors

@@ -47,8 +47,8 @@ pub struct StoredBlocks<'s> {
 impl<'p> StoredMatrix<'p> {
     /// The store of a scene's matrix, if it is that and whole.
     ///
-    /// **Arguments** `pairs`: those of the scene, prepared in any way; `treatment`: that of congruent
-    /// pairs and of what stands in the way, with which the matrix was stored.
+    /// **Arguments** `pairs`: those of the scene, prepared in any way; `treatment`: that of
+    /// congruent pairs and of what stands in the way, with which the matrix was stored.
     ///
     /// # Errors
     /// [`StoreError::NoStore`]; [`StoreError::OtherMatrix`]; [`StoreError::Incomplete`];

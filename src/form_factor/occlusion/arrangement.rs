@@ -1,8 +1,8 @@
 //! The boundary of a region that is seen from a point of a stretch, and how far it keeps its shape.
 //!
 //! Parts of P that are seen through one screen alone are convex: what is known of these tells which
-//! shadows reach into a region at all, and which lines bound anything there. Where several shadows do,
-//! the boundary is found on each of these lines.
+//! shadows reach into a region at all, and which lines bound anything there. Where several shadows
+//! do, the boundary is found on each of these lines.
 
 use super::boundary::Arrangement;
 use super::convex::{Convex, Known};
@@ -84,7 +84,8 @@ impl<'a> Roster<'a> {
         self.bounded(validity, &active, &lines)
     }
 
-    /// Whether each line bounds the region or what is in one of the shadows, as far as that is known.
+    /// Whether each line bounds the region or what is in one of the shadows, as far as that is
+    /// known.
     fn lines(&mut self, validity: &mut Validity, active: &[usize]) -> SmallVec<[bool; 64]> {
         let (placed, t) = (validity.placed, validity.t);
         let mut lines: SmallVec<[bool; 64]> = smallvec![false; placed.len()];

@@ -152,9 +152,9 @@ impl Outline {
         self.speed * width * (1.0 + most)
     }
 
-    /// How far rounding moves the corners of each side, at most, on a panel of this half: along, and
-    /// across the side, in sums of both ends. Where a side may touch y, and on lines through y, it is
-    /// in the answer: what it changes of W.
+    /// How far rounding moves the corners of each side, at most, on a panel of this half: along,
+    /// and across the side, in sums of both ends. Where a side may touch y, and on lines through y,
+    /// it is in the answer: what it changes of W.
     ///
     /// A side whose corners move by δ, and by η across it, sweeps over
     /// `½ (L + δ0 + δ1)(η0 + η1)` at most; its ends alone change W by δ (1 + |ln r|). The height is

@@ -1,14 +1,14 @@
 //! The boundary of a convex region at one t, and how far it keeps its shape.
 //!
-//! Without shadows the region is an intersection of half-planes, and so it is in a single one. It is P,
-//! cut by one half-plane after the other; corners are crossings of two lines, and
+//! Without shadows the region is an intersection of half-planes, and so it is in a single one. It
+//! is P, cut by one half-plane after the other; corners are crossings of two lines, and
 //!
 //! ```text
 //!   the crossing of i and j is in half-plane k where  −s_k det(n_i, n_j, n_k)/(n_i × n_j)_z ≥ 0
 //! ```
 //!
-//! of degree 2 in t both. While all corners stay in all half-planes the boundary is the same; while one
-//! corner stays out of a half-plane, and both its lines run away from that, there is none.
+//! of degree 2 in t both. While all corners stay in all half-planes the boundary is the same; while
+//! one corner stays out of a half-plane, and both its lines run away from that, there is none.
 
 use super::boundary::Arrangement;
 use super::covers::Segment;

@@ -12,9 +12,9 @@
 //! ```
 //!
 //! **Rounding.** The parts of degree 0 of N and D are within 3u of themselves, u = ε/2, and the
-//! others within some u of the products in them, 9u with all sums. Of lines that are nearly parallel
-//! these cancel, too; all parts are then taken from 106 bits. What is uncertain of the lines moves a
-//! corner far along both, and little across: the two are kept apart.
+//! others within some u of the products in them, 9u with all sums. Of lines that are nearly
+//! parallel these cancel, too; all parts are then taken from 106 bits. What is uncertain of the
+//! lines moves a corner far along both, and little across: the two are kept apart.
 
 use super::sight::Sight;
 use super::trace::{Middle, product_difference};

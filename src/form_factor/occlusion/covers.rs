@@ -18,8 +18,8 @@ pub(super) type Cover = ([Place; 2], Option<f64>);
 
 /// The segments in a window of a line, from what is in shadow beside it.
 ///
-/// **Arguments** the side of the line on which the region is, if the line bounds it, and the part of
-/// the region that counts.
+/// **Arguments** the side of the line on which the region is, if the line bounds it, and the part
+/// of the region that counts.
 pub(super) fn segments(
     line: usize,
     window: [Place; 2],

@@ -1,4 +1,5 @@
-//! The frame of P, into which corners are put from 106 bits, and planes in it that cut polygons off.
+//! The frame of P, into which corners are put from 106 bits, and planes in it that cut polygons
+//! off.
 
 use crate::form_factor::Polygon;
 use crate::geometry::{Vector, clipped};
@@ -73,8 +74,8 @@ impl Plane {
 
     /// The part of a convex polygon in front of the plane; none if it does not rise above it.
     ///
-    /// Corners that count as level are put into P's plane exactly. A corner between two others is as
-    /// far from its place as these are, and as the rounding of three products and a sum.
+    /// Corners that count as level are put into P's plane exactly. A corner between two others is
+    /// as far from its place as these are, and as the rounding of three products and a sum.
     pub(super) fn front_of(&self, piece: &[Set], touching: f64) -> Option<Vec<Set>> {
         let height = |corner: &Set| {
             let height = self.height(corner.place);

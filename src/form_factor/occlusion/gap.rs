@@ -1,4 +1,5 @@
-//! What W is at most where nothing is known of it, and what it changes by beside places where it is.
+//! What W is at most where nothing is known of it, and what it changes by beside places where it
+//! is.
 
 use super::setting::Face;
 use super::share::Share;

@@ -5,10 +5,10 @@
 //!   R_k(y) = A_k(y) without the shadows U(y), or the part of A_k(y) in them
 //! ```
 //!
-//! From a point x of P, a stretch g is a boundary of what is seen if just one of its sides is. Which
-//! one depends on the side of the faces through g on which x lies: these faces stand around g like
-//! the pages of a book, and x looks past them. A face of Q among them is what is to be seen, the
-//! others are in the way; where there is none of Q, Q is behind, on both sides.
+//! From a point x of P, a stretch g is a boundary of what is seen if just one of its sides is.
+//! Which one depends on the side of the faces through g on which x lies: these faces stand around g
+//! like the pages of a book, and x looks past them. A face of Q among them is what is to be seen,
+//! the others are in the way; where there is none of Q, Q is behind, on both sides.
 
 use super::pages::{Page, Part, Wanted, sectors, spread, states};
 use super::region::Region;

@@ -10,15 +10,15 @@
 //!   |W| ≤ M = Σ (|v·ΔX| + |v| (δ0 + δ1)) (max |ln r| − ½ ln g(max δ/r))
 //! ```
 //!
-//! as on the plane that holds X, of length 1, and its displacement Δ, `(X + Δ)² = (1 + a)(1 + b)` with
-//! `|a|² + |b|² = 2 |Δ|²`, and `|ln (1 + a)| ≤ −ln(1 − |a|)`; the product `(1 − |a|)(1 − |b|)` is least
-//! at `|a| = |b|` while |Δ| is below ½, at `|a| + |b| = 1` from there.
+//! as on the plane that holds X, of length 1, and its displacement Δ, `(X + Δ)² = (1 + a)(1 + b)`
+//! with `|a|² + |b|² = 2 |Δ|²`, and `|ln (1 + a)| ≤ −ln(1 − |a|)`; the product `(1 − |a|)(1 − |b|)`
+//! is least at `|a| = |b|` while |Δ| is below ½, at `|a| + |b| = 1` from there.
 //!
 //! **Corners that slide along their side.** The integral is the same along any path on the side's
 //! line between zeros of q: from the corner to where it was in the direction of the side, across
-//! which that is displaced by `η + m δ` with the line's slope `m ≤ (η0 + η1)/(L − δ0 − δ1)` against the
-//! side of length L, to the same place by the other corner, and to that. The path at either end is
-//! not longer than `(1 + m) δ`, and as near to y as the corner, but for that and η.
+//! which that is displaced by `η + m δ` with the line's slope `m ≤ (η0 + η1)/(L − δ0 − δ1)` against
+//! the side of length L, to the same place by the other corner, and to that. The path at either end
+//! is not longer than `(1 + m) δ`, and as near to y as the corner, but for that and η.
 //!
 //! As ∮dX = 0, distances may be taken in any unit, and in units of h(t), too: then nothing is
 //! singular as y comes down to P.
@@ -172,9 +172,9 @@ fn bound(side: &Measured, [near, far]: [[f64; 2]; 2], tilt: f64, speed: f64) -> 
 /// The largest quotient of a displacement, `(1 − s) δ0 + s δ1`, and a distance, `√(q0 + 2 q1 s +
 /// q2 s²)`, on a side.
 ///
-/// Where the square's derivative vanishes, `s (δ0 q2 − (δ1 − δ0) q1) = (δ1 − δ0) q0 − δ0 q1`; there is
-/// no other extremum but a zero, so that this is the largest if it lies on the side, and an end is
-/// else. The square there is within 8ε of its terms.
+/// Where the square's derivative vanishes, `s (δ0 q2 − (δ1 − δ0) q1) = (δ1 − δ0) q0 − δ0 q1`; there
+/// is no other extremum but a zero, so that this is the largest if it lies on the side, and an end
+/// is else. The square there is within 8ε of its terms.
 #[inline(always)]
 fn largest_share([from, to]: [f64; 2], [q0, q1, q2]: [f64; 3]) -> f64 {
     let growth = to - from;

@@ -306,6 +306,6 @@ const RATIOS: Lanes = [1.06, 1.15, 1.35, 1.7, 2.4, 3.5, 6.0, 12.0];
 /// Blocks of nodes for which no better bound is looked for.
 const FEW: usize = 5;
 
-/// Most blocks of nodes of a rule: as a panel takes as long as some blocks to be set up, two of them
-/// with few nodes take longer than one with many.
+/// Most blocks of nodes of a rule: as a panel takes as long as some blocks to be set up, two of
+/// them with few nodes take longer than one with many.
 const MOST: usize = 8;

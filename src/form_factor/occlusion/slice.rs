@@ -1,10 +1,10 @@
 //! The sides of a boundary on each line, from chords in the region and in shadows, at one t.
 //!
 //! On each line, a stretch is a boundary if just one of its sides belongs to the region; lines on
-//! which sides of two shadows coincide are settled by that, too. Each comparison that the outcome rests
-//! on is the sign of a polynomial of degree 2 in t, and narrows the range of t to what is between its
-//! nearest zeros on either side. What lies outside of the region, in another shadow or past the end of
-//! its own side is compared with that alone.
+//! which sides of two shadows coincide are settled by that, too. Each comparison that the outcome
+//! rests on is the sign of a polynomial of degree 2 in t, and narrows the range of t to what is
+//! between its nearest zeros on either side. What lies outside of the region, in another shadow or
+//! past the end of its own side is compared with that alone.
 
 use super::chord::chord;
 use super::covers::{Cover, Segment, joined, places, segments};
@@ -155,8 +155,8 @@ impl<'a> Slice<'a> {
         Some(ends)
     }
 
-    /// The parts of a window of a line that lie in shadows which it does not bound; none if they leave
-    /// nothing that counts.
+    /// The parts of a window of a line that lie in shadows which it does not bound; none if they
+    /// leave nothing that counts.
     fn covers(&mut self, member: &mut Member, window: [Place; 2]) -> Option<SmallVec<[Cover; 4]>> {
         let mut covers: SmallVec<[Cover; 4]> = SmallVec::new();
         for name in self.active.iter().copied() {

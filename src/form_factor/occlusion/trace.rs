@@ -4,14 +4,14 @@
 //!   n(t) = n0 + t n1,   n0 = (a − y0) × (b − a),   n1 = (b − a) × v
 //! ```
 //!
-//! Both vectors are within 2ε of their lengths, from differences and products with what rounding left
-//! of them: where y comes close to the line of the edge, |n| is much smaller than |a − y| |b − a|,
-//! and rounded differences would leave nothing of it.
+//! Both vectors are within 2ε of their lengths, from differences and products with what rounding
+//! left of them: where y comes close to the line of the edge, |n| is much smaller than |a − y| |b −
+//! a|, and rounded differences would leave nothing of it.
 //!
 //! An edge that is parallel to the stretch, up to what counts as touching, is seen in one plane all
 //! along. That plane is put through the middles of both lines, whichever of the two the stretch is
-//! on: as the stretch moves, the plane of each sweeps over as much, with opposite signs, and the two
-//! together over no more than if the edges had been moved into the plane.
+//! on: as the stretch moves, the plane of each sweeps over as much, with opposite signs, and the
+//! two together over no more than if the edges had been moved into the plane.
 
 use crate::geometry::Vector;
 use crate::numeric::{DoubleDouble, vector_value};

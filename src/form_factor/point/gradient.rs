@@ -8,9 +8,9 @@
 //!   ∇q = (a + b)/ρ² + g c×d             ρ = |a| |b|,  g = (a·b/ρ² − q)/|c|²
 //! ```
 //!
-//! by `dc = d × dx` (`edge` has q and g), over the edges of the part of the polygon above the horizon n·(y − x) = 0,
-//! counter-clockwise seen from its own front. As the point moves, the horizon moves, too; the
-//! integrand is 0 there, so that the gradient is that of the part as it is.
+//! by `dc = d × dx` (`edge` has q and g), over the edges of the part of the polygon above the
+//! horizon n·(y − x) = 0, counter-clockwise seen from its own front. As the point moves, the
+//! horizon moves, too; the integrand is 0 there, so that the gradient is that of the part as it is.
 //!
 //! **Not covered**: what stands in the way; a bound on rounding.
 //!

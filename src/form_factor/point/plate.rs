@@ -6,8 +6,8 @@
 //! ```
 //!
 //! each hidden place counting with the last plate that hides it. A shadow is an intersection of
-//! half-spaces, so that a polygon is cut by one after the other, and the cut polygons are never more
-//! than the plates whose shadows overlap; where one shadow holds all that is left, nothing is.
+//! half-spaces, so that a polygon is cut by one after the other, and the cut polygons are never
+//! more than the plates whose shadows overlap; where one shadow holds all that is left, nothing is.
 //!
 //! **Not covered**: a bound ([`point_form_factor_past`] has one); many plates whose shadows overlap
 //! without one holding another, whose terms double with each.

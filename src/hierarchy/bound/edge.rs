@@ -42,8 +42,8 @@ pub(super) struct Edge {
     is_in_plane: bool,
 }
 
-/// A part of a form factor as a function on a piece: its polynomial about the centre, and the remainder
-/// `≤ cubic |x − c|³`.
+/// A part of a form factor as a function on a piece: its polynomial about the centre, and the
+/// remainder `≤ cubic |x − c|³`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Expanded {
     pub(super) jet: Jet,

@@ -4,9 +4,9 @@
 //!   k = a b/(π r⁴)        a, b: the heights of each point over the other's plane, r: their distance
 //! ```
 //!
-//! Heights over planes are least and distances largest at corners, so that `min a · min b/(π max r⁴)`
-//! over pairs of corners is below the kernel. It is 0 where the minimum of a height is not
-//! positive, and where something may stand between.
+//! Heights over planes are least and distances largest at corners, so that
+//! `min a · min b/(π max r⁴)` over pairs of corners is below the kernel. It is 0 where the minimum
+//! of a height is not positive, and where something may stand between.
 
 use super::sight::{Between, End, Sight};
 use std::f64::consts::PI;

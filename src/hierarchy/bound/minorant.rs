@@ -14,8 +14,8 @@
 //! **κ**: of [`kernel`](super::kernel).
 //!
 //! **Least eigenvalue**, a *bound*: with w = √A the means' part N has `N w ≥ (1/R − 1) w`, so that
-//! none is below the least 1/R − 1 (Collatz). More: Cholesky's factors of `N − λ` exist in floating point only if
-//! no eigenvalue is below `−c`, with c less than 4 (n + 2) ε times the trace.
+//! none is below the least 1/R − 1 (Collatz). More: Cholesky's factors of `N − λ` exist in floating
+//! point only if no eigenvalue is below `−c`, with c less than 4 (n + 2) ε times the trace.
 //!
 //! Reference: Rump, "Verification of positive definiteness", *BIT* 46 (2006), 433–452.
 
@@ -173,7 +173,8 @@ impl Minorant {
         (means.max(0.0) + fluctuations.sum::<f64>()).sqrt()
     }
 
-    /// A bound on `‖e‖` for all e with `⟨e, N e⟩ ≤ energy²` and `|∫ e| ≤ total` over patches that count.
+    /// A bound on `‖e‖` for all e with `⟨e, N e⟩ ≤ energy²` and `|∫ e| ≤ total` over patches that
+    /// count.
     ///
     /// ```text
     ///   ‖e‖² ≤ (energy² + τ total²)/λ_min(N + τ v vᵀ)        for any τ ≥ 0, v = √A, or 0

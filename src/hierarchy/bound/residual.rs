@@ -5,9 +5,10 @@
 //!   Σ_j (b_j − b₀) F_xj = Σ_sources w φ(x)
 //! ```
 //!
-//! On a piece each source is a quadratic function with a remainder ([`Source::expanded`](super::sources::Source::expanded)).
-//! Those whose remainders together are small are added up. For the others the piece is cut, and
-//! its parts begin anew with them. Where that ends, they are somewhere in their range.
+//! On a piece each source is a quadratic function with a remainder
+//! ([`Source::expanded`](super::sources::Source::expanded)). Those whose remainders together are
+//! small are added up. For the others the piece is cut, and its parts begin anew with them. Where
+//! that ends, they are somewhere in their range.
 //!
 //! **Not covered**: rounding, as in [`edge`](super::edge).
 

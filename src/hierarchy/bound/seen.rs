@@ -34,8 +34,8 @@ pub(super) struct Seen {
 }
 
 impl Seen {
-    /// The part of a shape above a plane, with an outline of more corners than it; heights within `noise` count as none. `None` if nothing
-    /// is above.
+    /// The part of a shape above a plane, with an outline of more corners than it; heights within
+    /// `noise` count as none. `None` if nothing is above.
     pub(super) fn of(shape: &Patch, outline: &[DVec3], frame: &Frame, noise: f64) -> Option<Self> {
         let place = |corner: &DVec3| {
             let mut at = frame.place(*corner);

@@ -36,8 +36,8 @@ impl ImportanceDriven {
     /// The oracle for these direct importances V of the patches.
     ///
     /// # Errors
-    /// [`HierarchyError::Transport`] with an importance that is negative or not finite, with another
-    /// number of them than of patches, or if none is above 0 where light is reflected.
+    /// [`HierarchyError::Transport`] with an importance that is negative or not finite, with
+    /// another number of them than of patches, or if none is above 0 where light is reflected.
     pub fn try_new(
         inner: Box<dyn Oracle>,
         lighting: &Lighting,

@@ -5,9 +5,9 @@
 //!            ≈ 2 Σ_j B_i B_j D({k(x, y)} ‖ 1) A_i A_j/(n n′)              ≥ 0
 //! ```
 //!
-//! over one point x towards each of the n corners of the element and y towards each of the n′ of the
-//! source ([`Element::gauss_points`]). What the source's size loses is in it, too. The closed form
-//! ([`LogMeans`]) takes a hundred times as long.
+//! over one point x towards each of the n corners of the element and y towards each of the n′ of
+//! the source ([`Element::gauss_points`]). What the source's size loses is in it, too. The closed
+//! form ([`LogMeans`]) takes a hundred times as long.
 //!
 //! **Not covered**: the singularity of elements that touch, of which the points see a part; the
 //! change of radiosity over elements.

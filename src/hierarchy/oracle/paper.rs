@@ -8,8 +8,8 @@
 //! ```
 //!
 //! The form factors of step 3 are those between points, from the centres of the parts to that of
-//! the other element. Where the other element is cut, W is the mean of its leaves. Lights take part:
-//! they are cut, too. Where a plate stands between two of the points their form factor is 0.
+//! the other element. Where the other element is cut, W is the mean of its leaves. Lights take
+//! part: they are cut, too. Where a plate stands between two of the points their form factor is 0.
 
 use super::weights::{GeneralisedAreas, Pair};
 use super::{HierarchyError, Oracle, View, of_each};

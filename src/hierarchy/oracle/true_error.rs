@@ -96,7 +96,8 @@ impl Reference {
         (error / whole).sqrt()
     }
 
-    /// `‖B − P B‖/‖B‖` for the best means on a mesh of the same patches: no solution on it is nearer.
+    /// `‖B − P B‖/‖B‖` for the best means on a mesh of the same patches: no solution on it is
+    /// nearer.
     #[must_use]
     pub fn projection_error_of(&self, tree: &Tree) -> f64 {
         let squares = self

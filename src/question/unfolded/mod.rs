@@ -1,8 +1,8 @@
 //! A refined scene unfolded into a page: its walls in their shape and size, as their fronts are
 //! seen.
 //!
-//! `walls` puts patches in one plane together, `net` unfolds them, `packing` sets nets beside each other, `shading` cuts
-//! leaves into cells over which a function is drawn.
+//! `walls` puts patches in one plane together, `net` unfolds them, `packing` sets nets beside each
+//! other, `shading` cuts leaves into cells over which a function is drawn.
 //!
 //! **Not covered**: obstructions, which carry no light.
 

@@ -5,13 +5,13 @@
 //!   B(x) = E + R Σ_j ∫_j k(x, y) B_j(y) dy        gathered once more, B_j linear on each cell
 //! ```
 //!
-//! in closed form both (`potential`), by sums over the crossings of the grid's lines. Two grids, one
-//! twice as fine, are extrapolated by the second order that is seen; their difference estimates the
-//! error of the coarser one, and a third of it is taken for that of the answer.
+//! in closed form both (`potential`), by sums over the crossings of the grid's lines. Two grids,
+//! one twice as fine, are extrapolated by the second order that is seen; their difference estimates
+//! the error of the coarser one, and a third of it is taken for that of the answer.
 //!
 //! **Accuracy** an estimate, of the root mean square over a box with a light in its ceiling: 3.5e-4
-//! with 8 cells (`boxes_are_known_to_some_1e4`), 2e-4 with 12, from which the answers of 6 cells are
-//! 5e-4 to 1.1e-3 away. A point takes 1.5 ms with 8 cells, 3 ms with 12.
+//! with 8 cells (`boxes_are_known_to_some_1e4`), 2e-4 with 12, from which the answers of 6 cells
+//! are 5e-4 to 1.1e-3 away. A point takes 1.5 ms with 8 cells, 3 ms with 12.
 //!
 //! **Not covered**: anything in the room; faces that are not along the axes.
 
@@ -82,10 +82,11 @@ pub enum BoxRoomError {
 }
 
 impl BoxRadiosity {
-    /// The radiosity of a scene in one channel: a box whose faces are whole, or cut into rectangles.
+    /// The radiosity of a scene in one channel: a box whose faces are whole, or cut into
+    /// rectangles.
     ///
-    /// **Arguments** `cells`: about the number along an edge of the coarse grid; time grows with its
-    /// fourth power, memory, too.
+    /// **Arguments** `cells`: about the number along an edge of the coarse grid; time grows with
+    /// its fourth power, memory, too.
     ///
     /// # Errors
     /// [`BoxRoomError`] if the scene is no box.

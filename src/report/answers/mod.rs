@@ -1,10 +1,10 @@
 //! Answers as tables and records, a file for each question.
 //!
 //! `measure` and `sampled` answer `infoscene measure`, `check`, `form_factors`, `grid`, `points`,
-//! `radiosity`, `refine` and `store` the questions of these names, `cuts` the question `cut`, `claims` the question
-//! `reproduce`; `refinement` and `studies` answer `study`. `claims_page`, `findings` and `trusted`
-//! are the generated pages of `data/report`. Formats are in `render`, computing is in the rooms
-//! before this one.
+//! `radiosity`, `refine` and `store` the questions of these names, `cuts` the question `cut`,
+//! `claims` the question `reproduce`; `refinement` and `studies` answer `study`. `claims_page`,
+//! `findings` and `trusted` are the generated pages of `data/report`. Formats are in `render`,
+//! computing is in the rooms before this one.
 
 pub(crate) mod check;
 pub(crate) mod claims;

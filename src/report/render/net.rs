@@ -1,9 +1,9 @@
 //! Nets: a refined scene unfolded into a page, in SVG and PDF.
 //!
 //! All walls have one scale. A quantity is shaded from dark violet over green to yellow, in a scale
-//! of even steps of lightness that any kind of sight tells apart; lights are white, with their diagonals. The page is 640
-//! units wide at most and as high as the net needs, with a legend above. It is drawn ten times
-//! finer, as the drawing library rounds to whole units.
+//! of even steps of lightness that any kind of sight tells apart; lights are white, with their
+//! diagonals. The page is 640 units wide at most and as high as the net needs, with a legend above.
+//! It is drawn ten times finer, as the drawing library rounds to whole units.
 //!
 //! **Not here**: computing.
 

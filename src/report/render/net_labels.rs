@@ -51,7 +51,8 @@ impl Labels {
     }
 }
 
-/// The text where it lies inside of a wall: above the lower end, in a lower corner, else in the middle.
+/// The text where it lies inside of a wall: above the lower end, in a lower corner, else in the
+/// middle.
 fn inside(text: &str, border: &[Edge]) -> Option<Label> {
     let corners = || border.iter().flatten();
     let end = |k: usize, pick: fn(f64, f64) -> f64, from: f64| {

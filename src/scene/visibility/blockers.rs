@@ -19,8 +19,8 @@
 //! nothing: a closed convex room is settled by comparing every corner with every plane, each once.
 //! What is left is found by boxes, then by planes, then by [`Shaft`].
 //!
-//! **Not covered**: how much is blocked ([`Polygon::exchange_area_past`]); pairs of which nothing is
-//! left (`hiding`).
+//! **Not covered**: how much is blocked ([`Polygon::exchange_area_past`]); pairs of which nothing
+//! is left (`hiding`).
 //!
 //! [`Polygon::exchange_area_past`]: crate::form_factor::Polygon::exchange_area_past
 

@@ -217,8 +217,9 @@ impl Body {
         one[0] && other[1] || one[1] && other[0]
     }
 
-    /// Whether the hull of some corners lies in the plane of a sheet, or in that of a side of a solid
-    /// and not outside of others: segments from it meet the body there, whether it hides or not.
+    /// Whether the hull of some corners lies in the plane of a sheet, or in that of a side of a
+    /// solid and not outside of others: segments from it meet the body there, whether it hides or
+    /// not.
     pub(super) fn is_touched_by(&self, corners: &[DVec3], noise: f64) -> bool {
         let lies_in = |plane: &Plane| {
             let mut heights = corners.iter().map(|corner| plane.height(*corner));

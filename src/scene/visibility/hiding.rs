@@ -5,10 +5,11 @@
 //!              or this holds of each of the pairs into which i⁺ and j⁺ are halved
 //! ```
 //!
-//! with i⁺ and j⁺ as in [`blockers`](crate::scene::Blockers), and the bodies of [`Bodies`]. They are
-//! looked for along the segment between the middles of the two; a segment that nothing cuts settles
-//! that the pair is not hidden. The exchange area of a hidden pair is 0: as what enters by no more
-//! than the noise of the coordinates takes nothing away, a slit no wider lets nothing through.
+//! with i⁺ and j⁺ as in [`blockers`](crate::scene::Blockers), and the bodies of [`Bodies`]. They
+//! are looked for along the segment between the middles of the two; a segment that nothing cuts
+//! settles that the pair is not hidden. The exchange area of a hidden pair is 0: as what enters by
+//! no more than the noise of the coordinates takes nothing away, a slit no wider lets nothing
+//! through.
 //!
 //! **Not covered**: pairs that are hidden by solids side by side whose common face is seen edge on,
 //! and by bodies that are not convex.

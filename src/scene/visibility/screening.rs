@@ -17,8 +17,8 @@
 //! Each of these lines has a screen that it meets first, which is not left out; lines that meet two
 //! at once are of measure zero, or pass where screens touch, up to the noise of the coordinates.
 //!
-//! **Groups.** Facets of a wall that see nothing of another wall are settled together: what is found
-//! of two groups is kept, in a table of their pairs.
+//! **Groups.** Facets of a wall that see nothing of another wall are settled together: what is
+//! found of two groups is kept, in a table of their pairs.
 //!
 //! **Not covered**: how much is left ([`Polygon::exchange_area_past`]).
 //!

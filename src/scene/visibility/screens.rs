@@ -5,9 +5,10 @@
 //!   screen   a group, if it is convex; else surfaces of it, put together as long as they are
 //! ```
 //!
-//! A wall of 8 × 8 facets is one screen, one with a window four. Where the facets meet nothing passes,
-//! so that screens hide what the surfaces hide. Parts of a base are in the group of the base, and hide
-//! no more than it does. A group with an opening comes as several, none of which has any (`regions`).
+//! A wall of 8 × 8 facets is one screen, one with a window four. Where the facets meet nothing
+//! passes, so that screens hide what the surfaces hide. Parts of a base are in the group of the
+//! base, and hide no more than it does. A group with an opening comes as several, none of which has
+//! any (`regions`).
 //!
 //! What is true of a group as a whole is true of its surfaces: of groups that see nothing of each
 //! other all pairs of surfaces are hidden.
@@ -212,8 +213,8 @@ impl Screens {
         &self.bodies
     }
 
-    /// The screens whose boxes meet the hull of two boxes. Screens in planes that have all patches on
-    /// one side are not among them.
+    /// The screens whose boxes meet the hull of two boxes. Screens in planes that have all patches
+    /// on one side are not among them.
     pub(super) fn between(&self, ends: [&[DVec3; 2]; 2]) -> impl Iterator<Item = usize> {
         let hull = BoxHull::of(ends);
         let found = self.tree.locate_with_selection_function(hull);

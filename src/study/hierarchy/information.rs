@@ -16,8 +16,8 @@
 //! `‖B − B_h‖² = ∫ B² − Σ A_x B_x²`.
 //!
 //! Meshes are drawn in two ways: all leaves alike, and the light with a share of the cuts that
-//! differs from mesh to mesh. Of 120 meshes of 60 to 100 elements in `lit-cube`, `lit-cube-edge` and
-//! `lit-hall` the rank correlations are
+//! differs from mesh to mesh. Of 120 meshes of 60 to 100 elements in `lit-cube`, `lit-cube-edge`
+//! and `lit-hall` the rank correlations are
 //!
 //! ```text
 //!                        all alike             light at will

@@ -90,8 +90,8 @@ fn against_finer(room: &Scene, cells: usize) -> [f64; 3] {
     squares.map(f64::sqrt)
 }
 
-/// The estimate is the last correction, which goes towards the solution on finer grids: what is left
-/// is less than itself. In the wrong direction it would leave more.
+/// The estimate is the last correction, which goes towards the solution on finer grids: what is
+/// left is less than itself. In the wrong direction it would leave more.
 #[test]
 fn estimates_hold_against_finer_grids() {
     let room = Scene::built_in("lit-cube").unwrap();

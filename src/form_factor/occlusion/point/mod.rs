@@ -21,8 +21,8 @@
 //! Three decisions are no matter of rounding. A point within [`Occluders::touching`] of a polygon's
 //! plane, and what corners and rounding leave uncertain of it, is *on* it: it does not see this
 //! polygon, and nothing is hidden by it. For a point *on* the plane but beside the polygon the
-//! bound holds what that leaves out, 2 h/r at height h and distance r. A blocker within the same distance
-//! of the receiver's plane is *in* it and hides nothing.
+//! bound holds what that leaves out, 2 h/r at height h and distance r. A blocker within the same
+//! distance of the receiver's plane is *in* it and hides nothing.
 //!
 //! **Not covered**: a point that itself lies on two sides of a surface, such as one on a wall that
 //! stands on its own surface: the wall is seen edge-on there, and hides nothing.

@@ -1,8 +1,8 @@
 //! Extreme pairs past others, each with its exact value from a symmetry.
 //!
 //! A half-plane whose edge runs over the middle line of two squares hides exactly half, at any
-//! height and slope, as long as it passes between them: the mirror image of a line that it hides
-//! is one that it leaves. A wall in the plane of symmetry leaves each half what is beside it. Plates
+//! height and slope, as long as it passes between them: the mirror image of a line that it hides is
+//! one that it leaves. A wall in the plane of symmetry leaves each half what is beside it. Plates
 //! half-way are [known](crate::reference::past_halfway_plates).
 
 use super::OccludedPair;

@@ -44,8 +44,8 @@ pub(crate) fn pair(
     Ok((pair, truth))
 }
 
-/// One to three plates of random sizes, side by side, at a distance of 1/4 to 2; always the same for
-/// a number. Coordinates are multiples of 2⁻²⁰.
+/// One to three plates of random sizes, side by side, at a distance of 1/4 to 2; always the same
+/// for a number. Coordinates are multiples of 2⁻²⁰.
 pub(crate) fn case(number: u64) -> Result<(OccludedPair, Truth), StudyError> {
     let mut random = ChaCha8Rng::seed_from_u64(number);
     let mut between = |lower: f64, upper: f64| {

@@ -1,12 +1,13 @@
 //! Families of random pairs with polygons in the way, each aimed at one difficulty; a case is named
 //! by its family and number.
 //!
-//! `known` has pairs with values from outside, `halfway` pairs that are known exactly, [`stability`]
-//! extreme ones; `point_rule` is what engines with the closed form of a point do, for comparison.
+//! `known` has pairs with values from outside, `halfway` pairs that are known exactly,
+//! [`stability`] extreme ones; `point_rule` is what engines with the closed form of a point do, for
+//! comparison.
 //!
 //! Coordinates of the families are multiples of 2⁻³⁰ and parallelograms have exact corners, so that
-//! polygons are planar exactly, moves along the axes and halves of edges are exact, and what touches
-//! touches.
+//! polygons are planar exactly, moves along the axes and halves of edges are exact, and what
+//! touches touches.
 
 mod draws;
 mod extreme;

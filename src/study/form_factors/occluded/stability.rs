@@ -2,9 +2,9 @@
 //!
 //! Screens at 1e-12, 1e-9 wide, seen edge-on, by the hundred; values of 1e-9 of the unoccluded one.
 //! Every exact value follows from a symmetry (`extreme`), as an enclosure with 256 bits. Methods
-//! are the route at the default tolerance and at the finest one, with their bounds; a Gauss rule over
-//! the first polygon from whose points the rest is seen in closed form, and quasi-random lines,
-//! which have none.
+//! are the route at the default tolerance and at the finest one, with their bounds; a Gauss rule
+//! over the first polygon from whose points the rest is seen in closed form, and quasi-random
+//! lines, which have none.
 
 use super::extreme::{ExtremeCase, cases};
 use super::point_rule;

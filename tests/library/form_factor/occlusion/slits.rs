@@ -86,8 +86,8 @@ fn through_slit([a, b]: [f64; 2], [h1, h2]: [f64; 2]) -> f64 {
     breaks.windows(2).map(piece).sum()
 }
 
-/// Two plates with a slit between parallel edges, flush and at two heights, as given and turned. The
-/// rounding of turned corners, 2 ε each, moves edges of length 5 by as much: 2 · 2ε · 5 · 2.
+/// Two plates with a slit between parallel edges, flush and at two heights, as given and turned.
+/// The rounding of turned corners, 2 ε each, moves edges of length 5 by as much: 2 · 2ε · 5 · 2.
 #[test]
 fn slits_between_parallel_edges_let_through_what_they_must() {
     for turn in turns() {

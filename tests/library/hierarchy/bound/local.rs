@@ -37,8 +37,8 @@ fn each_leaf_has_its_bound() {
     assert!(beyond > 0);
 }
 
-/// Radiosities gathered at points of a cube are off by less than their bounds; on a coarse mesh half
-/// of the bounds are less than six tenths of the radiosity.
+/// Radiosities gathered at points of a cube are off by less than their bounds; on a coarse mesh
+/// half of the bounds are less than six tenths of the radiosity.
 #[test]
 fn points_have_bounds() {
     let scene = Scene::built_in("lit-cube").unwrap();

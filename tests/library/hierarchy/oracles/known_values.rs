@@ -95,9 +95,9 @@ fn residual_and_gather_are_the_gradient_on_fine_meshes() {
     }
 }
 
-/// Two parallel unit squares 40 apart, where the kernel k is even to 1e-3, and a plate half-way that
-/// hides the points `x = x′ = ½ − √3/6` from each other: one pair of points in four. What is lost is
-/// `k ¾ log2 4/3`, where nothing is lost without the plate.
+/// Two parallel unit squares 40 apart, where the kernel k is even to 1e-3, and a plate half-way
+/// that hides the points `x = x′ = ½ − √3/6` from each other: one pair of points in four. What is
+/// lost is `k ¾ log2 4/3`, where nothing is lost without the plate.
 #[test]
 fn losses_see_what_stands_between_points() {
     let square = |corners: [[f64; 3]; 4]| {
