@@ -128,7 +128,18 @@ fn followed(
                 for (lanes, height) in lanes.iter_mut().zip(waiting.heights[k]) {
                     lanes[lane] = height;
                 }
-                pair.with_precise_heights(k, |corner, height| lanes[corner][lane] = height);
+                let last = pair.heights[k].len() - 1;
+                pair.with_precise_heights(k, |corner, height| {
+                    // the last corner of a triangle counts twice
+                    let end = if corner == last {
+                        lanes.len()
+                    } else {
+                        corner + 1
+                    };
+                    for lanes in &mut lanes[corner..end] {
+                        lanes[lane] = height;
+                    }
+                });
             }
         }
         kernel(octet, &heights, &reach, &rule, work)

@@ -166,7 +166,7 @@ pub(super) fn pair<'p>(
             ..Displacement::default()
         },
         measures,
-        *tolerance,
+        tolerance.max(0.0),
     )
 }
 
