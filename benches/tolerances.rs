@@ -6,8 +6,8 @@
 //! tolerance alone. Limits that are aimed at for every pair of the cube: 0.4 at 1e-4, 0.6 at 1e-6,
 //! 1.2 at 1e-9, 2.2 at 1e-12.
 //!
-//! Each matrix is checked: all bounds but one in a hundred meet the tolerance, and the rows of the
-//! cube sum to 1 within theirs. By `cargo test --benches` small scenes are checked, and nothing is
+//! Each matrix is checked: down to 1e-10 all bounds meet the tolerance, and the rows of the cube sum
+//! to 1 within theirs. By `cargo test --benches` small scenes are checked, and nothing is
 //! timed.
 #![expect(
     clippy::unwrap_used,
@@ -26,6 +26,9 @@ use textbook::textbook_parallel;
 
 /// The tolerances, unless others are among the arguments.
 const TOLERANCES: [f64; 6] = [1e-2, 1e-4, 1e-6, 1e-8, 1e-9, 1e-12];
+
+/// The tolerance below which the rounding of turned corners may be more.
+const LEAST_CERTAIN: f64 = 1e-10;
 
 /// Times that a matrix is computed, and the textbook's formula timed for as long.
 const ROUNDS: usize = 9;
@@ -63,7 +66,7 @@ fn measured(
         let pairs = ScenePairs::try_new(scene, tolerance, congruence, unseen).unwrap();
         pairs.exchange_areas().unwrap()
     };
-    check(&matrix(), is_closed);
+    let missed = check(&matrix(), is_closed, tolerance);
     if !is_timed {
         return;
     }
@@ -78,22 +81,18 @@ fn measured(
         .collect();
     ratios.sort_by(f64::total_cmp);
     println!(
-        "{name:<14} {tolerance:.0e} {congruence:?}: {:.2} × the textbook, {:.2} at least",
+        "{name:<14} {tolerance:.0e} {congruence:?}: {:.2} × the textbook, {:.2} at least; {missed} missed",
         ratios[ROUNDS / 2],
         ratios[0],
     );
 }
 
-/// Asserts that bounds meet the tolerance but for one in a hundred, and that rows of a closed scene
-/// sum to 1 within them.
-fn check(areas: &ExchangeAreas, is_closed: bool) {
+/// Asserts that bounds meet the tolerance, if the rounding of corners does not forbid it, and that
+/// rows of a closed scene sum to 1 within them; the pairs that miss the tolerance.
+fn check(areas: &ExchangeAreas, is_closed: bool, tolerance: f64) -> usize {
     let rows = areas.rows();
-    let summary = areas.summary();
-    let (missed, seen) = (
-        summary.unreached,
-        summary.plan.computed + summary.plan.congruent,
-    );
-    assert!(missed <= seen / 100, "{missed} of {seen}");
+    let missed = areas.summary().unreached;
+    assert!(missed == 0 || tolerance < LEAST_CERTAIN, "{missed}");
     for from in 0..rows {
         let (mut sum, mut bound) = (0.0, 0.0);
         for to in 0..rows {
@@ -104,6 +103,7 @@ fn check(areas: &ExchangeAreas, is_closed: bool) {
         let area = areas.areas()[from];
         assert!(!is_closed || (sum - area).abs() <= bound + 1e-14 * area);
     }
+    missed
 }
 
 /// Seconds of the textbook's formula, the mean over so long a time.
