@@ -91,19 +91,23 @@ fn measured(
 /// rows of a closed scene sum to 1 within them; the pairs that miss the tolerance.
 fn check(areas: &ExchangeAreas, is_closed: bool, tolerance: f64) -> usize {
     let rows = areas.rows();
-    let missed = areas.summary().unreached;
-    assert!(missed == 0 || tolerance < LEAST_CERTAIN, "{missed}");
     for from in 0..rows {
         let (mut sum, mut bound) = (0.0, 0.0);
         for to in 0..rows {
             let exchange = areas.get(from, to).exchange;
+            // walls that rounding alone turns towards each other exchange 0, within a bound
+            let is_met = exchange.value <= 0.0 || exchange.error <= tolerance * exchange.value;
+            assert!(
+                is_met || tolerance < LEAST_CERTAIN,
+                "{from} {to}: {exchange:?}"
+            );
             sum += exchange.value;
             bound += exchange.error;
         }
         let area = areas.areas()[from];
         assert!(!is_closed || (sum - area).abs() <= bound + 1e-14 * area);
     }
-    missed
+    areas.summary().unreached
 }
 
 /// Seconds of the textbook's formula, the mean over so long a time.
