@@ -37,17 +37,11 @@ fn grazing_triangles() -> Scene {
     let turn = DQuat::from_axis_angle(DVec3::new(1.0, 2.0, 3.0).normalize(), 0.7);
     let mut patches = Vec::new();
     for i in 0..12 {
-        let along = 2.0 * f64::from(i);
-        let floor = [
-            [along, 0.0, 0.0],
-            [along + 1.0, 0.0, 0.0],
-            [along, 1.0, 0.0],
-        ];
-        let wall = [
-            [90.0, along, 0.1],
-            [90.0, along, 1.1],
-            [90.0, along + 1.0, 0.3],
-        ];
+        // one behind the other by so little that all take the same rules
+        let behind = 1e-3 * f64::from(i);
+        let (z, x) = (-behind, 90.0 + behind);
+        let floor = [[0.0, 0.0, z], [1.0, 0.0, z], [0.0, 1.0, z]];
+        let wall = [[x, 0.0, 0.1], [x, 0.0, 1.1], [x, 1.0, 0.3]];
         for corners in [floor, wall] {
             let corners = corners.map(|corner| turn * DVec3::from(corner));
             let patch = Patch::try_new(corners.to_vec()).unwrap();
