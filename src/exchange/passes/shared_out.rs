@@ -19,7 +19,7 @@ pub struct ExchangeBlocks<'p> {
     pub values: HeldBlocks<'p>,
     /// The bounds on their errors.
     pub bounds: HeldBlocks<'p>,
-    /// What rows exchange with themselves.
+    /// The exchange areas of rows with themselves.
     pub own: Vec<ExchangeArea>,
     /// The plan, and whether the tolerance was reached.
     pub summary: PassSummary,
@@ -178,7 +178,7 @@ impl LowerBlocks for ResolutionRows<'_> {
     }
 }
 
-/// What rows exchange with themselves, from the rows that do: row, value and bound.
+/// The exchange areas of rows with themselves, of the rows that have one: row, value and bound.
 fn own_areas(rows: usize, numbers: &[f64]) -> Vec<ExchangeArea> {
     let none = ExchangeArea {
         value: 0.0,

@@ -181,7 +181,7 @@ impl PassCounts {
         }
     }
 
-    /// How many [numbers](Self::numbers) stand for the counts.
+    /// Number of the [numbers](Self::numbers) that stand for the counts.
     pub(crate) const NUMBERS: usize = Route::ALL.len() + 13;
 
     /// The counts as numbers, to be sent: whole ones are exact up to 2⁵³.

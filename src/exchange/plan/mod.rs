@@ -68,14 +68,14 @@ pub(crate) struct Plan {
 pub(crate) struct Representative {
     /// The first pair of the class.
     pub(crate) pair: [usize; 2],
-    /// What the value is computed of.
+    /// The pair that the value is computed of.
     pub(crate) source: Source,
     /// The distance by which coordinates of congruent pairs may differ, or corners be off those of
     /// the models.
     pub(crate) spread: f64,
 }
 
-/// What the value of a class is computed of.
+/// The pair that the value of a class is computed of.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Source {
     /// The pair itself, along the coordinate axes.
@@ -163,7 +163,7 @@ impl Plan {
         Some(self.turned_end() + place)
     }
 
-    /// What a class takes its value from; none if there is no such class, or no value.
+    /// The source of a class's value; none if there is no such class, or no value.
     pub(crate) fn representative(&self, class: usize) -> Option<Representative> {
         if let Some(classes) = &self.straight
             && let Some(pair) = classes.representatives.get(class)

@@ -122,7 +122,7 @@ impl<'p> StoredMatrix<'p> {
         }
     }
 
-    /// What each row exchanges with itself.
+    /// The exchange area of each row with itself.
     ///
     /// # Errors
     /// [`ExchangeError::Unread`].
