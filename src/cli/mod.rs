@@ -156,10 +156,11 @@ fn with_threads(threads: Option<u16>) -> Result<(), Box<dyn Error>> {
 
 /// Answers a question; one that is not shared out, on the first rank.
 fn answer(question: Question, ranks: &dyn Ranks) -> Answer {
-    let is_shared = matches!(
-        question,
-        Question::FormFactor(_) | Question::Measure(_) | Question::Radiosity(_)
-    );
+    let is_shared = match &question {
+        Question::FormFactor(_) | Question::Measure(_) | Question::Radiosity(_) => true,
+        Question::Study(study) => study.is_shared(),
+        _ => false,
+    };
     if !is_shared && ranks.number() > 0 {
         return Ok(Outcome::Done);
     }
@@ -182,7 +183,7 @@ fn answer(question: Question, ranks: &dyn Ranks) -> Answer {
         Question::Convert(question) => question.answer(),
         #[cfg(feature = "proptest")]
         Question::Fuzz(question) => question.answer(),
-        Question::Study(question) => question.answer(),
+        Question::Study(question) => question.answer(ranks),
         Question::Completions { shell } => completions(shell),
         Question::Man => manual(),
     }

@@ -1,8 +1,8 @@
 //! `infoscene study SUBJECT`.
 
-use super::Answer;
 use super::output::{Output, check_place, write_file};
-use infoscene::exchange::Unheard;
+use super::{Answer, Outcome};
+use infoscene::exchange::{Ranks, Unheard};
 use infoscene::question::{self, StudySubject};
 use infoscene::report::{study_figure, study_report};
 use std::path::PathBuf;
@@ -52,7 +52,8 @@ enum Subject {
     Oracles,
     /// How measures of information rank random meshes, against their error.
     Information,
-    /// Time and memory against the number of patches, and a model of what a cluster would take.
+    /// Time and memory against the number of patches and threads, and under mpirun of ranks, and a
+    /// model of what a cluster would take.
     Scale,
 }
 
@@ -78,7 +79,12 @@ impl From<Subject> for StudySubject {
 }
 
 impl Study {
-    pub(super) fn answer(&self) -> Answer {
+    /// Is it a study that ranks share out?
+    pub(super) const fn is_shared(&self) -> bool {
+        matches!(self.subject, Subject::Scale)
+    }
+
+    pub(super) fn answer(&self, ranks: &dyn Ranks) -> Answer {
         let has_figure = matches!(
             self.subject,
             Subject::Refinement | Subject::Accuracy | Subject::Tolerances | Subject::Oracles
@@ -96,7 +102,10 @@ impl Study {
             subject: self.subject.into(),
             quick: self.quick,
         };
-        let answer = question.ask(&Unheard)?;
+        let answer = question.ask_among(ranks, &Unheard)?;
+        if ranks.number() > 0 {
+            return Ok(Outcome::Done);
+        }
         if let Some((path, figure)) = self.figure.as_ref().zip(study_figure(&answer)) {
             write_file(path, figure.to_svg()?.as_bytes())?;
         }

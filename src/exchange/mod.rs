@@ -122,7 +122,7 @@ pub use plan::counts::{
 pub use points::{PointRow, ScenePoints};
 pub use progress::{Progress, Unheard};
 pub use ranks::{Alone, RankFailed, Ranks, failure};
-pub(crate) use ranks::{Deal, agreed};
+pub(crate) use ranks::{Deal, agreed, gather_texts};
 pub use resolution_errors::ResolutionErrors;
 pub use scene_pairs::ScenePairs;
 pub use selection::Selection;

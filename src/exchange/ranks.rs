@@ -67,21 +67,29 @@ pub struct RankFailed {
 
 /// The failure of the first rank that has a reason, known to all when all have asked.
 pub fn failure(ranks: &dyn Ranks, reason: Option<&str>) -> Option<RankFailed> {
-    let told = reason.map(|reason| reason.bytes().map(f64::from).collect::<Vec<_>>());
-    // an empty reason is one, too
-    let told = told.map(|letters| [vec![0.0], letters].concat());
+    let told = gather_texts(ranks, reason).into_iter().enumerate();
+    let mut failures =
+        told.filter_map(|(rank, reason)| reason.map(|reason| RankFailed { rank, reason }));
+    failures.next()
+}
+
+/// The texts that ranks have to tell, in their order, known to all when all have told theirs.
+pub(crate) fn gather_texts(ranks: &dyn Ranks, text: Option<&str>) -> Vec<Option<String>> {
+    let letters = |text: &str| text.bytes().map(f64::from).collect::<Vec<_>>();
+    // an empty text is one, too
+    let told = text.map(|text| [vec![0.0], letters(text)].concat());
     let all = ranks.gather(told.unwrap_or_default());
-    let (rank, letters) = all.iter().enumerate().find(|(_, told)| !told.is_empty())?;
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "bytes, as they were sent"
-    )]
-    let bytes: Vec<u8> = letters[1..].iter().map(|letter| *letter as u8).collect();
-    Some(RankFailed {
-        rank,
-        reason: String::from_utf8_lossy(&bytes).into_owned(),
-    })
+    let text = |numbers: Vec<f64>| {
+        let (_, letters) = numbers.split_first()?;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "bytes, as they were sent"
+        )]
+        let bytes: Vec<u8> = letters.iter().map(|letter| *letter as u8).collect();
+        Some(String::from_utf8_lossy(&bytes).into_owned())
+    };
+    all.into_iter().map(text).collect()
 }
 
 /// A result on which all ranks agree: an error if one of them has one.

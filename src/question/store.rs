@@ -4,8 +4,8 @@ use super::QuestionError;
 use super::scene::{SceneSource, ignored_note};
 use super::unreached::Unreached;
 use crate::exchange::{
-    Alone, Congruence, MatrixStore, PlanSummary, Progress, Ranks, ScenePairs, Shard, StoreError,
-    StoreState, StoredMatrix, Tolerance, Unheard, agreed, check_store,
+    Alone, Congruence, MatrixStore, PlanSummary, Progress, Ranks, ScenePairs, Shard, StoreState,
+    StoredMatrix, Tolerance, Unheard, check_store,
 };
 use crate::scene::Scene;
 use std::path::{Path, PathBuf};
@@ -81,13 +81,7 @@ impl StoreFormFactors {
         let treatment = (self.congruence, self.scene.occlusion);
         // shares are of one folder, whichever begins first
         let resume = self.resume || self.shard.of > 1;
-        let open = |resume| MatrixStore::open(&self.folder, &scene, &pairs, treatment, resume);
-        // the first rank makes the folder that the others find
-        let first = (ranks.number() == 0).then(|| open(resume)).transpose();
-        let store = match agreed::<_, StoreError>(ranks, first)? {
-            Some(store) => store,
-            None => open(true)?,
-        };
+        let store = MatrixStore::open(&self.folder, &scene, &pairs, treatment, resume)?;
         let filled = store.fill(self.shard)?;
         let mut notes = loaded.notes;
         notes.extend(ignored_note(filled.summary.plan.ignored));

@@ -2,7 +2,7 @@
 
 use super::QuestionError;
 use super::study_rows::{DirectionRecord, LimitRecord, ProfileRecord};
-use crate::exchange::Progress;
+use crate::exchange::{Alone, Progress, Ranks};
 use crate::study::Row;
 use crate::study::cuts::directions::directions;
 use crate::study::cuts::limits::gradient_limits;
@@ -74,7 +74,8 @@ pub enum StudySubject {
     Oracles,
     /// The rank correlation of measures of information with the error over random meshes.
     Information,
-    /// Time and memory against the number of patches, and a model of a cluster.
+    /// Time and memory against the number of patches, of threads and of ranks, and a model of a
+    /// cluster.
     Scale,
 }
 
@@ -120,7 +121,21 @@ impl Study {
     /// # Errors
     /// [`QuestionError::Study`] or [`QuestionError::Discretize`] if a case is refused; none is
     /// known to be.
-    pub fn ask(&self, _: &dyn Progress) -> Result<StudyAnswer, QuestionError> {
+    pub fn ask(&self, progress: &dyn Progress) -> Result<StudyAnswer, QuestionError> {
+        self.ask_among(&Alone, progress)
+    }
+
+    /// Computes the answer as one of the ranks of a job, which share out what the study
+    /// [`Scale`](StudySubject::Scale) measures: each asks the same, and has the same answer.
+    ///
+    /// # Errors
+    /// As [`ask`](Self::ask); [`ExchangeError::Rank`](crate::exchange::ExchangeError::Rank) of
+    /// another rank's.
+    pub fn ask_among(
+        &self,
+        ranks: &dyn Ranks,
+        _: &dyn Progress,
+    ) -> Result<StudyAnswer, QuestionError> {
         Ok(match self.subject {
             StudySubject::Accuracy => StudyAnswer::Accuracy(accuracy(self.quick)?),
             StudySubject::Tolerances => StudyAnswer::Tolerances(tolerances(self.quick)?),
@@ -147,7 +162,7 @@ impl Study {
             StudySubject::Figure5 => StudyAnswer::Figure5(figure_5(self.quick)?),
             StudySubject::Oracles => StudyAnswer::Oracles(oracles(self.quick)?),
             StudySubject::Information => StudyAnswer::Information(information(self.quick)?),
-            StudySubject::Scale => StudyAnswer::Scale(scale(self.quick)?),
+            StudySubject::Scale => StudyAnswer::Scale(scale(ranks, self.quick)?),
         })
     }
 

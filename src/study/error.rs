@@ -3,7 +3,7 @@
 use crate::chain::ChainError;
 use crate::claims::ClaimError;
 use crate::discretize::DiscretizeError;
-use crate::exchange::{ExchangeError, StoreError};
+use crate::exchange::{ExchangeError, RankFailed, StoreError};
 use crate::form_factor::FormFactorError;
 use crate::geometry::GeometryError;
 use crate::hierarchy::HierarchyError;
@@ -69,4 +69,10 @@ pub enum StudyError {
         /// The text as given.
         text: String,
     },
+}
+
+impl From<RankFailed> for StudyError {
+    fn from(failed: RankFailed) -> Self {
+        Self::Exchange(failed.into())
+    }
 }

@@ -4,18 +4,20 @@
 //! They need Open MPI and a program that was built with the feature `mpi`; the variable
 //! `INFOSCENE_PROGRAM` names one that is not cargo's.
 
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
+use std::process::{Child, Command, ExitStatus, Output, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 /// The longest that a test waits for anything.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// As the issue demands: a rank that dies ends the job within seconds.
+/// The longest that a job goes on without one of its ranks: some seconds.
 const END: Duration = Duration::from_secs(15);
 
 fn program() -> OsString {
@@ -167,9 +169,9 @@ fn process_of(job: &Child, rank: &str) -> Option<u32> {
 }
 
 /// Waits until something holds, or the job has ended.
-fn wait_until(job: &mut Child, holds: impl Fn() -> bool) {
+fn wait_until(job: &mut Child, holds: impl Fn(&Child) -> bool) {
     let start = Instant::now();
-    while !holds() && job.try_wait().unwrap().is_none() {
+    while !holds(job) && job.try_wait().unwrap().is_none() {
         assert!(start.elapsed() < PATIENCE, "nothing has happened");
         sleep(Duration::from_millis(5));
     }
@@ -184,13 +186,10 @@ fn killed(arguments: &[&str], rank: &str, holds: impl Fn() -> bool) -> Option<St
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
-    wait_until(&mut job, holds);
+    wait_until(&mut job, |_| holds());
     let process = process_of(&job, rank)?;
     let end = Instant::now();
-    let is_killed = Command::new("kill")
-        .args(["-9", &process.to_string()])
-        .status();
-    assert!(is_killed.unwrap().success());
+    assert!(kill(process).success());
     let output = job.wait_with_output().unwrap();
     assert!(end.elapsed() < END, "the job went on");
     if output.status.success() {
@@ -245,4 +244,154 @@ fn mpirun_goes_on_after_a_rank_was_killed() {
     }
     assert!(stdout(2, &over(own_name)) == expected);
     assert!(files(&own) == files(&alone));
+}
+
+/// Jobs that are killed in a series of each kind.
+const KILLS: usize = 25;
+
+/// Starts a job on so many ranks, none for the program alone, and kills it, or one of its ranks, at
+/// a random moment of the time that it takes; whether it was still running.
+fn killed_at_random(random: &mut ChaCha8Rng, arguments: &[&str], most: Duration) -> bool {
+    let ranks = random.random_range(0..=3);
+    let mut job = on_ranks(ranks, arguments)
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    if ranks > 0 {
+        // mpirun takes a moment of its own
+        wait_until(&mut job, |job| process_of(job, "0").is_some());
+    }
+    sleep(most.mul_f64(random.random_range(0.0..1.0)));
+    let process = match ranks {
+        0 => Some(job.id()),
+        _ => process_of(&job, &random.random_range(0..ranks).to_string()),
+    };
+    let is_running = job.try_wait().unwrap().is_none();
+    let process = process.filter(|_| is_running);
+    let is_killed = process.is_some_and(|process| kill(process).success());
+    let end = Instant::now();
+    let output = job.wait_with_output().unwrap();
+    assert!(end.elapsed() < END, "the job went on");
+    // a job that nobody has killed does not fail
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(is_killed || output.status.success(), "{told}");
+    is_killed && !output.status.success()
+}
+
+fn kill(process: u32) -> ExitStatus {
+    let mut kill = Command::new("kill");
+    kill.args(["-9", &process.to_string()])
+        .stderr(Stdio::null());
+    kill.status().unwrap()
+}
+
+/// A store that is filled, and radiosities over it that are solved for, by the program alone and by
+/// one to three ranks, killed fifty times at random moments: what was there stays and is right, and
+/// the last run finishes with the bytes of one that nothing has stopped.
+#[test]
+#[ignore = "some minutes, needs mpirun: cargo test --features mpi --test command fifty_kills -- --ignored"]
+fn fifty_kills_lose_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let [alone, own] = ["alone", "own"].map(|name| folder.path().join(name));
+    let [alone_name, own_name] = [&alone, &own].map(|path| path.to_str().unwrap());
+    let fill = |name| {
+        [
+            "form-factor",
+            "cube:10",
+            "--every-pair",
+            "--store",
+            name,
+            "--resume",
+        ]
+    };
+    let solve = |name| {
+        let question = [
+            "radiosity",
+            "cube:10",
+            "--every-pair",
+            "--format",
+            "json",
+            "--resume",
+        ];
+        [&question[..], &LIGHT[..], &["--store", name]].concat()
+    };
+    let timed = |arguments: &[&str]| {
+        let start = Instant::now();
+        (stdout(0, arguments), start.elapsed())
+    };
+    let (_, filling) = timed(&fill(alone_name));
+    let (expected, solving) = timed(&solve(alone_name));
+    let whole = files(&alone);
+    let mut random = ChaCha8Rng::seed_from_u64(22);
+
+    let (mut kills, mut runs) = (0, 0);
+    while kills < KILLS {
+        let before = if own.exists() {
+            files(&own)
+        } else {
+            BTreeMap::new()
+        };
+        kills += usize::from(killed_at_random(&mut random, &fill(own_name), filling));
+        let after = if own.exists() {
+            files(&own)
+        } else {
+            BTreeMap::new()
+        };
+        assert!(
+            before.keys().all(|file| after.contains_key(file)),
+            "a file is lost"
+        );
+        for (file, bytes) in &after {
+            assert!(whole.get(file) == Some(bytes), "{}", file.display());
+        }
+        runs += 1;
+        if after.len() == whole.len() && kills < KILLS {
+            fs::remove_dir_all(&own).unwrap();
+        }
+    }
+    stdout(2, &fill(own_name));
+    assert!(files(&own) == whole, "{kills} kills of {runs} runs");
+
+    let products = Path::new("form_factors/products");
+    let (mut kills, mut runs) = (0, 0);
+    while kills < KILLS {
+        kills += usize::from(killed_at_random(&mut random, &solve(own_name), solving));
+        // the products come and go with solutions, the matrix stays
+        let mut after = files(&own);
+        after.retain(|file, _| !file.starts_with(products));
+        assert!(after == whole, "after {kills} kills");
+        runs += 1;
+    }
+    assert!(
+        stdout(3, &solve(own_name)) == expected,
+        "{kills} kills of {runs} runs"
+    );
+    assert!(files(&own) == whole);
+}
+
+/// The study of scale is measured by the ranks of the job, told once; what one sends to another is
+/// measured, too.
+#[test]
+#[ignore = "needs mpirun: cargo test --features mpi --test command mpirun -- --ignored"]
+fn mpirun_measures_its_own_scale() {
+    let told = stdout(2, &["study", "scale", "--quick", "--format", "json"]);
+    let study: serde_json::Value = serde_json::from_str(&told).unwrap();
+    let rows = study["rows"].as_array().unwrap();
+    let mut measured = rows
+        .iter()
+        .filter(|row| row["basis"] == "measured" && row["memory"].is_number());
+    assert!(measured.all(|row| row["ranks"] == 2 && row["nodes"] == 1));
+    for case in ["a message of nothing", "sent to other ranks by each"] {
+        let row = rows.iter().find(|row| row["case"] == case);
+        assert!(
+            row.is_some_and(|row| row["value"].as_f64() > Some(0.0)),
+            "{case}"
+        );
+    }
+    // on one machine the network of a cluster is taken for granted
+    let network = rows
+        .iter()
+        .find(|row| row["case"] == "b, network of a node");
+    assert_eq!(network.unwrap()["basis"], "assumed");
 }

@@ -9,9 +9,14 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
 
 /// The folder of a store in which files are before they are whole.
 const ASIDE: &str = "unfinished";
+
+/// The time after which a file in it that nobody has written to is that of a writer who was killed:
+/// chunks are written in seconds.
+const FORSAKEN: Duration = Duration::from_secs(3600);
 
 /// The arrays of a store.
 pub(super) const FORM_FACTORS: &str = "form_factors";
@@ -35,10 +40,18 @@ pub(super) struct Chunks {
 }
 
 impl Aside {
-    /// The place beside a store's arrays.
+    /// The place beside a store's arrays; what was left there by those who were killed is removed.
     pub(super) fn new(store: &Path) -> Result<Self, StoreError> {
         let folder = store.join(FORM_FACTORS).join(ASIDE);
         fs::create_dir_all(&folder).map_err(at(&folder))?;
+        for file in fs::read_dir(&folder).map_err(at(&folder))?.flatten() {
+            let written = file.metadata().and_then(|file| file.modified());
+            let age = written.ok().and_then(|written| written.elapsed().ok());
+            if age.is_some_and(|age| age > FORSAKEN) {
+                // another process may have been faster
+                drop(fs::remove_file(file.path()));
+            }
+        }
         Ok(Self {
             folder,
             token: RandomState::new().hash_one(process::id()),

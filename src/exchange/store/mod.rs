@@ -99,12 +99,28 @@ impl<'p> MatrixStore<'p> {
     /// matrix which is there.
     ///
     /// **Arguments** `pairs`: those of the scene, with this treatment of congruent pairs and of
-    /// what stands in the way.
+    /// what stands in the way; of their ranks the first makes the folder that the others find.
     ///
     /// # Errors
     /// [`StoreError::NotEmpty`] if anything is there that is not to be resumed;
-    /// [`StoreError::OtherMatrix`] if it is the store of another matrix; [`StoreError::Io`].
+    /// [`StoreError::OtherMatrix`] if it is the store of another matrix; [`StoreError::Io`];
+    /// [`ExchangeError::Rank`] of another rank's.
     pub fn open(
+        folder: &Path,
+        scene: &Scene,
+        pairs: &'p ScenePairs<'p>,
+        treatment: (Congruence, Occlusion),
+        resume: bool,
+    ) -> Result<Self, StoreError> {
+        let own = |resume| Self::of_rank(folder, scene, pairs, treatment, resume);
+        let first = (pairs.ranks().number() == 0).then(|| own(resume));
+        match agreed::<_, StoreError>(pairs.ranks(), first.transpose())? {
+            Some(store) => Ok(store),
+            None => own(true),
+        }
+    }
+
+    fn of_rank(
         folder: &Path,
         scene: &Scene,
         pairs: &'p ScenePairs<'p>,

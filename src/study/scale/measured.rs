@@ -1,12 +1,15 @@
-//! Passes, stores and products, timed on this machine.
+//! Passes, stores, products and messages, timed on this machine.
 //!
 //! A cube with a grid on each face has congruent pairs; with every pair computed it is a room
 //! without congruence; the Cornell box with blocks has pairs past others.
 
+use super::ScaleRow;
+use super::StudyError;
 use super::model::Terms;
-use super::{Basis, ScaleRow, StudyError};
+use super::timer::Timer;
 use crate::exchange::{
-    Congruence, MatrixStore, ProductFiles, ScenePairs, Shard, StoreError, StoredMatrix, Tolerance,
+    Congruence, MatrixStore, ProductFiles, Ranks, ScenePairs, Shard, StoreError, StoredMatrix,
+    Tolerance, agreed, gather_texts,
 };
 use crate::information::{OpenScene, scene_information};
 use crate::numeric::real;
@@ -28,45 +31,24 @@ const SUBDIVIDED: [u32; 2] = [1, 2];
 /// Light that half the room reflects, from one patch.
 const REFLECTANCE: f64 = 0.5;
 
-/// What was timed so far.
-struct Timer {
-    rows: Vec<ScaleRow>,
-}
-
-impl Timer {
-    /// Times some work on so many threads, and notes it; its seconds, and its answer.
-    fn time<T: Send>(
-        &mut self,
-        (case, patches, threads): (&str, usize, usize),
-        work: impl FnOnce() -> Result<T, StudyError> + Send,
-    ) -> Result<(f64, T), StudyError> {
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-        let start = Instant::now();
-        let answer = match pool {
-            Ok(pool) => pool.install(work)?,
-            // as many as there are
-            Err(_) => work()?,
-        };
-        let value = start.elapsed().as_secs_f64();
-        self.rows.push(ScaleRow {
-            case: case.to_owned(),
-            basis: Basis::Measured,
-            patches: Some(patches),
-            nodes: 1,
-            threads,
-            value,
-            unit: "s",
-            memory: most_memory(),
-        });
-        Ok((value, answer))
-    }
-}
+/// Messages that are timed, and the numbers that each rank sends to each other in one of them.
+const MESSAGES: usize = 16;
+const NUMBERS: usize = 1 << 17;
 
 /// The rows, and the terms of the model that they give.
-pub(super) fn measured(quick: bool) -> Result<(Vec<ScaleRow>, Terms), StudyError> {
+pub(super) fn measured(
+    ranks: &dyn Ranks,
+    quick: bool,
+) -> Result<(Vec<ScaleRow>, Terms), StudyError> {
     let place = usize::from(!quick);
-    let all = std::thread::available_parallelism().map_or(1, usize::from);
-    let mut timer = Timer { rows: Vec::new() };
+    let mut timer = Timer::new(ranks);
+    let own = std::thread::available_parallelism().map_or(1, usize::from);
+    // ranks with fewer threads take part with those that they have
+    let all = if timer.largest(real(own)) > 1.0 {
+        &[own, 1][..]
+    } else {
+        &[1]
+    };
     let (congruent, patch) = congruent(&mut timer, CELLS[place], all)?;
     let computed = pass(
         &mut timer,
@@ -82,6 +64,7 @@ pub(super) fn measured(quick: bool) -> Result<(Vec<ScaleRow>, Terms), StudyError
         all,
     )?;
     let products = products(&mut timer, &cube(HELD[place])?)?;
+    let network = messages(&mut timer);
     let [entry, stored_entry, products] = products;
     let terms = Terms {
         pair: [congruent, computed, past],
@@ -89,6 +72,7 @@ pub(super) fn measured(quick: bool) -> Result<(Vec<ScaleRow>, Terms), StudyError
         stored_entry,
         products,
         patch,
+        network,
     };
     Ok((timer.rows, terms))
 }
@@ -98,13 +82,18 @@ fn cube(cells: u32) -> Result<Scene, StudyError> {
 }
 
 /// The seconds of a thread for a pair of the largest cube, and the bytes of a patch.
-fn congruent(timer: &mut Timer, cells: &[u32], all: usize) -> Result<(f64, f64), StudyError> {
+fn congruent(
+    timer: &mut Timer<'_>,
+    cells: &[u32],
+    all: &[usize],
+) -> Result<(f64, f64), StudyError> {
     let (mut last, mut patch) = (0.0, 0.0);
-    let before = most_memory();
+    let before = timer.most_memory();
     for cells in cells {
         let scene = cube(*cells)?;
         last = pass(timer, ("measure", Congruence::Shared), &scene, all)?;
-        let grown = most_memory()
+        let grown = timer
+            .most_memory()
             .zip(before)
             .map_or(0.0, |(now, before)| now - before);
         patch = grown / real(scene.patches().len());
@@ -112,27 +101,28 @@ fn congruent(timer: &mut Timer, cells: &[u32], all: usize) -> Result<(f64, f64),
     Ok((last, patch))
 }
 
-/// The seconds of one thread for a pair, of a pass on one thread and on all.
+/// The seconds of one thread for a pair, of a pass on all threads and then on one of each rank.
 fn pass(
-    timer: &mut Timer,
+    timer: &mut Timer<'_>,
     (case, congruence): (&str, Congruence),
     scene: &Scene,
-    all: usize,
+    all: &[usize],
 ) -> Result<f64, StudyError> {
     let n = scene.patches().len();
+    let ranks = timer.ranks;
     let mut seconds = 0.0;
-    for threads in [all, 1] {
-        let measured = timer.time((case, n, threads), || {
+    for threads in all {
+        let measured = timer.time((case, n, *threads), || {
             let (tolerance, occlusion) = (Tolerance::default(), Occlusion::Exact);
             let pairs = ScenePairs::try_new(scene, tolerance, congruence, occlusion)?;
-            Ok(scene_information(&pairs, OpenScene::AddOutsideState)?)
+            Ok(scene_information(
+                &pairs.among(ranks),
+                OpenScene::AddOutsideState,
+            )?)
         });
         seconds = measured?.0;
-        if all == 1 {
-            break;
-        }
     }
-    Ok(seconds / (real(n) * real(n) / 2.0))
+    Ok(seconds * real(ranks.count()) / (real(n) * real(n) / 2.0))
 }
 
 /// A folder that goes with what is in it.
@@ -158,10 +148,12 @@ impl Drop for Folder {
 
 /// The seconds of one thread for an entry of a product, held and stored, and the products of a
 /// solution.
-fn products(timer: &mut Timer, scene: &Scene) -> Result<[f64; 3], StudyError> {
+fn products(timer: &mut Timer<'_>, scene: &Scene) -> Result<[f64; 3], StudyError> {
     let n = scene.patches().len();
+    let ranks = timer.ranks;
     let treatment = (Congruence::Shared, Occlusion::Exact);
     let pairs = ScenePairs::try_new(scene, Tolerance::default(), treatment.0, treatment.1)?;
+    let pairs = pairs.among(ranks);
     let mut emittances = vec![0.0; n];
     emittances[0] = 1.0;
     let reflectances = vec![REFLECTANCE; n];
@@ -172,22 +164,32 @@ fn products(timer: &mut Timer, scene: &Scene) -> Result<[f64; 3], StudyError> {
     };
     let (seconds, light) = timer.time(("radiosity, held", n, 1), || solve(&held))?;
     drop(held);
-    let folder = Folder::new()?;
-    let folder = folder.0.as_path();
+    // the first rank makes the folder that the others find
+    let made = (ranks.number() == 0).then(Folder::new).transpose();
+    let made = agreed(ranks, made)?;
+    let name = made.as_ref().map(|folder| folder.0.to_string_lossy());
+    let names = gather_texts(ranks, name.as_deref());
+    let folder = names.into_iter().flatten().next().unwrap_or_default();
+    let folder = Path::new(&folder);
     timer.time(("store", n, 1), || {
         let store = MatrixStore::open(folder, scene, &pairs, treatment, false)?;
         Ok(store.fill(Shard::default())?)
     })?;
     let stored = StoredMatrix::open(folder, scene, &pairs, treatment)?;
     let files = Arc::new(ProductFiles::open(folder, false)?);
-    let (from_store, made) = timer.time(("radiosity, from the store", n, 1), || {
+    let (from_store, products) = timer.time(("radiosity, from the store", n, 1), || {
         solve(&SceneExchange::stored(&stored, &files)?)?;
         Ok(products_in(folder))
     })?;
-    files.clear()?;
-    debug_assert!(light.iterations <= made, "each iteration is a product");
-    let entries = real(made) * real(n) * real(n) / 2.0;
-    Ok([seconds / entries, from_store / entries, real(made)])
+    if ranks.number() == 0 {
+        files.clear()?;
+    }
+    debug_assert!(light.iterations <= products, "each iteration is a product");
+    let entries = real(products) * real(n) * real(n) / 2.0 / real(ranks.count());
+    // the folder stays until all ranks have done with it
+    ranks.gather(Vec::new());
+    drop(made);
+    Ok([seconds / entries, from_store / entries, real(products)])
 }
 
 /// The number of products that a solution has left in a store.
@@ -196,12 +198,32 @@ fn products_in(folder: &Path) -> usize {
     files.map_or(0, Iterator::count)
 }
 
-/// The most memory that this process ever had, where the system tells.
-fn most_memory() -> Option<f64> {
-    let status = fs::read_to_string("/proc/self/status").ok()?;
-    let line = status
-        .lines()
-        .find_map(|line| line.strip_prefix("VmHWM:"))?;
-    let kilobytes: f64 = line.trim().trim_end_matches("kB").trim().parse().ok()?;
-    Some(kilobytes * 1024.0)
+/// Times messages, if there are several ranks; the bytes a second that a node sends to others, if
+/// there are several nodes.
+fn messages(timer: &mut Timer<'_>) -> Option<f64> {
+    let ranks = timer.ranks;
+    let others = ranks.count() - 1;
+    if others == 0 {
+        return None;
+    }
+    let timed = |lists: &dyn Fn() -> Vec<Vec<f64>>| {
+        ranks.gather(Vec::new());
+        let start = Instant::now();
+        for _ in 0..MESSAGES {
+            ranks.exchange(lists());
+        }
+        timer.largest(start.elapsed().as_secs_f64() / real(MESSAGES))
+    };
+    let empty = timed(&|| vec![Vec::new(); ranks.count()]);
+    let full = timed(&|| vec![vec![1.0; NUMBERS]; ranks.count()]);
+    let sent = 8.0 * real(NUMBERS) * real(others) / full;
+    timer.note("a message of nothing", (None, 1), (empty, "s"), None);
+    timer.note(
+        "sent to other ranks by each",
+        (None, 1),
+        (sent, "bytes/s"),
+        None,
+    );
+    let by_node = sent * real(ranks.count()) / real(timer.nodes());
+    (timer.nodes() > 1).then_some(by_node)
 }

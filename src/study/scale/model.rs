@@ -21,23 +21,25 @@ use crate::numeric::real;
 
 /// What the model is made of.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Terms {
+pub(super) struct Terms {
     /// Seconds of one thread for a pair that takes the value of a congruent one, is computed, and
     /// is computed past others.
-    pub pair: [f64; 3],
+    pub(super) pair: [f64; 3],
     /// Seconds of one thread for an entry of a held matrix in a product.
-    pub entry: f64,
+    pub(super) entry: f64,
     /// Seconds of one thread for an entry in a product from a store in the page cache.
-    pub stored_entry: f64,
+    pub(super) stored_entry: f64,
     /// Products of a solution.
-    pub products: f64,
+    pub(super) products: f64,
     /// Bytes of a scene's pairs, a patch.
-    pub patch: f64,
+    pub(super) patch: f64,
+    /// Bytes a second that a node sends, if the ranks stand on several.
+    pub(super) network: Option<f64>,
 }
 
 /// Threads of a node, taken for granted.
 const THREADS: usize = 32;
-/// Bytes a second between two nodes: 10 Gbit/s.
+/// Bytes a second between two nodes, where no message between nodes was timed: 10 Gbit/s.
 const NETWORK: f64 = 1.25e9;
 /// Bytes a second that a node's disk writes, and reads.
 const DISK: f64 = 1e9;
@@ -53,13 +55,13 @@ const NODES: [usize; 4] = [1, 10, 100, 1000];
 
 impl Terms {
     /// The terms, each with what it rests on.
-    #[must_use]
-    pub fn rows(&self) -> Vec<ScaleRow> {
+    pub(super) fn rows(&self) -> Vec<ScaleRow> {
         let term = |case: String, basis, value, unit| ScaleRow {
             case,
             basis,
             patches: None,
             nodes: 1,
+            ranks: 1,
             threads: 1,
             value,
             unit,
@@ -79,21 +81,30 @@ impl Terms {
         ]);
         let assumed = [
             ("c, threads of a node", real(THREADS), ""),
-            ("b, network of a node", NETWORK, "bytes/s"),
             ("r and w, disk of a node", DISK, "bytes/s"),
             ("memory of a node", MEMORY, "bytes/s"),
         ];
         let measured = measured.map(|(case, value, unit)| (case, Basis::Measured, value, unit));
         let assumed =
             assumed.map(|(case, value, unit)| (case.to_owned(), Basis::Assumed, value, unit));
-        let all = measured.chain(assumed);
+        let basis = match self.network {
+            Some(_) => Basis::Measured,
+            None => Basis::Assumed,
+        };
+        let network = "b, network of a node".to_owned();
+        let network = (network, basis, self.network(), "bytes/s");
+        let all = measured.chain(assumed).chain([network]);
         all.map(|(case, basis, value, unit)| term(case, basis, value, unit))
             .collect()
     }
 
+    /// Bytes a second between two nodes.
+    fn network(&self) -> f64 {
+        self.network.unwrap_or(NETWORK)
+    }
+
     /// What the model predicts.
-    #[must_use]
-    pub fn predictions(&self) -> Vec<ScaleRow> {
+    pub(super) fn predictions(&self) -> Vec<ScaleRow> {
         let mut rows = Vec::new();
         for patches in PATCHES {
             for nodes in NODES {
@@ -103,6 +114,7 @@ impl Terms {
                     basis: Basis::Predicted,
                     patches: Some(patches),
                     nodes,
+                    ranks: nodes,
                     threads: THREADS,
                     value,
                     unit: "s",
@@ -117,7 +129,13 @@ impl Terms {
     fn works(&self, patches: usize, nodes: usize) -> [(String, f64, f64); 6] {
         let (n, count) = (real(patches), real(nodes));
         let share = count * real(THREADS);
-        let sent = |bytes: f64| if nodes > 1 { bytes / NETWORK } else { 0.0 };
+        let sent = |bytes: f64| {
+            if nodes > 1 {
+                bytes / self.network()
+            } else {
+                0.0
+            }
+        };
         let pairs = n * n / 2.0;
         let scene = self.patch * n;
         let pass = |kind: usize| {

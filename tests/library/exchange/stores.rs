@@ -7,6 +7,7 @@ use infoscene::scene::{Occlusion, Scene};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
 
 const TREATMENT: (Congruence, Occlusion) = (Congruence::Shared, Occlusion::Exact);
 
@@ -193,4 +194,23 @@ fn other_folders_are_refused() {
     let refused = MatrixStore::open(same.path(), &scene, &loose, TREATMENT, true).map(|_| ());
     let text = refused.unwrap_err().to_string();
     assert!(text.contains("\"tolerance 1e-12\""), "{text}");
+}
+
+/// Files that a writer who was killed has left are removed after an hour; those of writers at work
+/// stay.
+#[test]
+fn what_the_killed_have_left_is_removed() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = Scene::built_in("cube:2").unwrap();
+    filled(&scene, folder.path(), Shard::default(), false);
+    let aside = folder.path().join("form_factors/unfinished");
+    let [old, new] = ["old", "new"].map(|name| aside.join(name));
+    for file in [&old, &new] {
+        fs::write(file, b"half a chunk").unwrap();
+    }
+    let earlier = SystemTime::now() - Duration::from_secs(4000);
+    let file = fs::File::options().write(true).open(&old).unwrap();
+    file.set_modified(earlier).unwrap();
+    filled(&scene, folder.path(), Shard::default(), true);
+    assert!(!old.exists() && new.exists());
 }

@@ -20,6 +20,7 @@ pub(crate) fn scale_report(rows: &[ScaleRow]) -> Result<Report, ReportError> {
             basis.to_owned(),
             count(row.patches),
             row.nodes.to_string(),
+            row.ranks.to_string(),
             row.threads.to_string(),
             format!("{:.2e} {}", row.value, row.unit)
                 .trim_end()
@@ -31,7 +32,7 @@ pub(crate) fn scale_report(rows: &[ScaleRow]) -> Result<Report, ReportError> {
     let notes = [
         (
             "memory",
-            "of a node; of what was measured, the most that the process ever had",
+            "of a rank; of what was measured, the most that one ever had",
         ),
         (
             "predicted",
@@ -44,6 +45,7 @@ pub(crate) fn scale_report(rows: &[ScaleRow]) -> Result<Report, ReportError> {
             "basis",
             "patches",
             "nodes",
+            "ranks",
             "threads",
             "value",
             "memory, GB",
