@@ -30,6 +30,7 @@ mod points;
 mod radiosity;
 mod refine;
 mod refined;
+mod remedy;
 #[cfg(feature = "report")]
 mod report;
 #[cfg(feature = "report")]
@@ -74,6 +75,7 @@ pub use points::{PointRecord, PointSource, Points, PointsAnswer, SeenPatch, Seen
 pub use radiosity::{PatchLight, Radiosity, RadiosityAnswer};
 pub use refine::{NetWish, Refine};
 pub use refined::{LitElement, RefineAnswer, RefineStep, RefinedPatch};
+pub use remedy::Remedy;
 #[cfg(feature = "report")]
 pub use report::Report;
 #[cfg(feature = "report")]
