@@ -62,8 +62,8 @@ fn a_bent_face_is_split_or_taken_as_flat() {
         }
         ref other => panic!("{other:?}"),
     };
-    let [small, large] = [resolution(&["0.05"]), resolution(&["0.08"])];
+    let [small, large] = [resolution(&["0.0005"]), resolution(&["0.0008"])];
     assert!(small < large, "{small} {large}");
-    assert_eq!(resolution(&["0.05", "0.08"]).to_bits(), large.to_bits());
-    assert_eq!(resolution(&["0.08", "0.05"]).to_bits(), large.to_bits());
+    assert_eq!(resolution(&["0.0005", "0.0008"]).to_bits(), large.to_bits());
+    assert_eq!(resolution(&["0.0008", "0.0005"]).to_bits(), large.to_bits());
 }
