@@ -9,6 +9,7 @@
 mod error;
 mod local_line;
 mod patch;
+mod plane;
 mod polygon;
 mod rectangle;
 mod shaft;
@@ -18,6 +19,7 @@ mod vector;
 pub use error::GeometryError;
 pub(crate) use local_line::{Facet, LocalLine, Slope};
 pub use patch::Patch;
+pub use plane::Plane;
 pub use polygon::centroid::centroid;
 pub(crate) use polygon::clip::{ClippedCorner, clip, clipped};
 pub(crate) use polygon::containment::{
@@ -40,6 +42,6 @@ pub use rectangle::span::Span;
 pub use rectangle::{Rectangle, SplitAxis};
 #[doc(hidden)]
 pub(crate) use shaft::are_apart;
-pub use shaft::{Outline, Plane, Shaft};
+pub use shaft::{Outline, Shaft};
 pub(crate) use uniform_line::line_through_sphere;
 pub(crate) use vector::Vector;
