@@ -1,4 +1,4 @@
-//! What the resolution of a scene can change of what its rows exchange, and of their sums.
+//! Bounds on the change of what a scene's rows exchange, and of their sums, by its resolution.
 //!
 //! The bounds are those of [`Resolution`](crate::exchange::resolution::Resolution), summed over the
 //! polygons of rows.

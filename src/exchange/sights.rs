@@ -1,7 +1,7 @@
 //! The lines of sight between the polygons of a scene: past nothing, past some surfaces, or none.
 //!
 //! ```text
-//!   clear    nothing enters the space between two polygons: closed forms, values of congruent pairs
+//!   clear    nothing enters the space between two polygons: closed forms, congruent pairs
 //!   partial  some screens do: what they leave, computed past all that a line may meet first
 //!   hidden   convex bodies are in the way of every segment: nothing, and no integral
 //! ```
@@ -35,7 +35,7 @@ pub(crate) enum Sight {
     Clear,
     /// Some screens are, by their numbers.
     Past(Vec<usize>),
-    /// They see nothing of each other.
+    /// The two see nothing of each other.
     Hidden,
 }
 
@@ -52,7 +52,7 @@ struct Parts {
     is_few: bool,
     /// The polygon of each screen, prepared when it first blocks something.
     polygons: Vec<OnceLock<Polygon>>,
-    /// What congruent pairs past screens share; none if they share nothing.
+    /// The values that congruent pairs past screens share; none if they share nothing.
     configurations: Option<Configurations>,
     /// Whether a pair that nothing blocks has taken the value of each class of congruent ones.
     taken: Vec<AtomicBool>,

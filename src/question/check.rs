@@ -46,9 +46,9 @@ pub struct CheckAnswer {
     pub volume: Option<f64>,
     /// The number of stretches of edges that no other patch shares.
     pub free_edges: usize,
-    /// Their length in all.
+    /// The length of free edges in all.
     pub free_length: f64,
-    /// The longest of them, at most [`Check::MOST_LISTED`].
+    /// The longest free edges, at most [`Check::MOST_LISTED`].
     pub longest_free_edges: Vec<FreeEdgeRecord>,
     /// Whether all patches face away from each other.
     pub turned_away: bool,
@@ -94,7 +94,7 @@ pub struct BlockedRecord {
     pub patches: [PatchMark; 2],
     /// The name of the surface that stands between.
     pub by: String,
-    /// Whether it only obstructs.
+    /// Whether that surface only obstructs.
     pub by_obstruction: bool,
 }
 

@@ -83,11 +83,11 @@ pub struct DiscontinuitiesAnswer {
 pub struct DiscontinuityRecord {
     /// The kind: `umbra`, `lit`, `sharp` or `penumbra`.
     pub kind: &'static str,
-    /// What is seen on either side: `dark`, `partial` or `lit`.
+    /// The light seen on either side: `dark`, `partial` or `lit`.
     pub sides: [&'static str; 2],
     /// The ends.
     pub ends: [[f64; 3]; 2],
-    /// What makes the line.
+    /// The edges and corners that make the line.
     pub made_by: Vec<String>,
     /// The gain of the cut of the whole patch along the line, in bits.
     pub gain: f64,

@@ -140,7 +140,7 @@ pub struct MeasureAnswer {
 pub struct FacePairRecord {
     /// The names of the first patches.
     pub faces: [String; 2],
-    /// Their indices.
+    /// The indices of the patches.
     pub patches: [usize; 2],
     /// The probability of a transition between the two.
     pub probability: f64,
@@ -151,7 +151,7 @@ pub struct FacePairRecord {
 /// Two patches, both directions together.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct PairLossRecord {
-    /// Their indices.
+    /// The indices of the patches.
     pub patches: [usize; 2],
     /// The probability of a transition between the two.
     pub probability: f64,

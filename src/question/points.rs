@@ -33,13 +33,13 @@ pub struct Points {
 /// The place that points come from.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PointSource {
-    /// These points.
+    /// Points given one by one.
     Given(Vec<SurfacePoint>),
     /// A file of points: six numbers a line, separated by commas.
     File(PathBuf),
 }
 
-/// What points see of a scene, as a record whose keys are relied on by scripts.
+/// The parts of a scene that points see, as a record whose keys are relied on by scripts.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 #[non_exhaustive]
 pub struct PointsAnswer {
@@ -68,7 +68,7 @@ pub struct SeenPatch {
 pub struct PointRecord {
     /// The number of the point, from 0.
     pub index: usize,
-    /// Its coordinates.
+    /// The coordinates of the point.
     pub at: [f64; 3],
     /// The unit normal of the surface there.
     pub normal: [f64; 3],

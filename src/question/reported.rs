@@ -94,7 +94,7 @@ pub struct PartTime {
     pub part: &'static str,
     /// The command that computes it alone.
     pub command: String,
-    /// Its run time, in seconds.
+    /// The run time of the command, in seconds.
     pub seconds: f64,
 }
 

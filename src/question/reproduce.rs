@@ -79,7 +79,7 @@ pub struct JudgedClaim {
     /// Theorems that prove the claim, or its contrary, each with hypotheses and conclusion.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub proof: Vec<Theorem>,
-    /// What lies between the theorems and the claim and is shown on paper only.
+    /// The step between the theorems and the claim that is shown on paper only.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub on_paper: Option<String>,
     /// The grade of the evidence, if there is any.

@@ -110,7 +110,7 @@ impl<'a> Roster<'a> {
         lines
     }
 
-    /// The same past some of the shadows, from the chords of some lines.
+    /// The boundary past some of the shadows, from the chords of some lines.
     fn bounded(
         &mut self,
         validity: Validity,

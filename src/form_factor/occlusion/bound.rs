@@ -37,7 +37,7 @@ pub(super) struct Measured {
     farthest: f64,
     /// The largest |ln r|; for a line through y that of each end.
     pub log: [f64; 2],
-    /// From the corner that is nearer to the other one.
+    /// The way from the corner that is nearer to y to the other one.
     run: DVec2,
     /// The squared distance from y of the side, `q0 + 2 q1 s + q2 s²` for s from 0, at the corner
     /// that is nearer, to 1.
@@ -145,14 +145,14 @@ impl Outline {
         }
     }
 
-    /// What a gap that the sides leave open changes of W.
+    /// Bounds the change of W by a gap that the sides leave open.
     pub(super) fn gap(&self, width: f64) -> f64 {
         let logs = self.sides.iter().flat_map(|measured| measured.log);
         let most = logs.filter(|log| log.is_finite()).fold(0.0, f64::max);
         self.speed * width * (1.0 + most)
     }
 
-    /// How far rounding moves the corners of each side, at most, on a panel of this half: along,
+    /// Bounds how far rounding moves the corners of each side on a panel of this half: along,
     /// and across the side, in sums of both ends. Where a side may touch y, and on lines through y,
     /// it is in the answer: what it changes of W.
     ///

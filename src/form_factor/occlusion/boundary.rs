@@ -11,7 +11,7 @@ pub(super) struct Arrangement {
 }
 
 impl Arrangement {
-    /// The same in this range at most.
+    /// The arrangement in this range at most.
     pub(super) fn within(&self, [from, to]: [f64; 2]) -> Self {
         Self {
             segments: self.segments.clone(),

@@ -42,7 +42,7 @@ struct Crossing {
     turn: f64,
 }
 
-/// Which side of a half-plane a crossing is on.
+/// The side of a half-plane that a crossing is on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Side {
     In,
@@ -50,7 +50,7 @@ enum Side {
     Out,
 }
 
-/// Where the shape is asked for, and the range in which it is so.
+/// The place at which the shape is asked for, and the range in which it is so.
 #[derive(Debug, Clone, Copy)]
 struct Scope {
     t: f64,
@@ -90,7 +90,7 @@ impl<'a> Known<'a> {
 type Corners = SmallVec<[Crossing; 12]>;
 
 impl<'a> Convex<'a> {
-    /// What of a region lies in a shadow, or all of it, if that is convex as seen.
+    /// The part of a region that lies in a shadow, or all of it, if that is convex as seen.
     pub(super) fn of(sight: &'a Sight, region: &Region, shadow: Option<&Region>) -> Option<Self> {
         if sight.is_level {
             // lines of sight are lines through y there

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //!   a corner w of space   ξ = (w − y)/(h − w_z), or X = w − y if it lies in P's plane
-//!   two lines             α1·X = γ1, α2·X = γ2:   X (α1 × α2) = γ1 ⊥α2 − γ2 ⊥α1,  ⊥(x, y) = (y, −x)
+//!   two lines             α1·X = γ1, α2·X = γ2:  X (α1 × α2) = γ1 ⊥α2 − γ2 ⊥α1, ⊥(x, y) = (y, −x)
 //! ```
 //!
 //! Numerators and denominators have degree 2 at most. With ξ = N/D about t, for complex τ up to R:
@@ -28,9 +28,9 @@ pub(super) struct Corner {
     numerator: [DVec2; 3],
     denominator: [f64; 3],
     pub is_per_height: bool,
-    /// How far it is from its exact place, in the same unit.
+    /// The distance of the corner from its exact place, in the same unit.
     pub noise: f64,
-    /// How far it is from each of its two lines.
+    /// The distance of the corner from each of its two lines.
     pub beside: f64,
 }
 
@@ -134,7 +134,7 @@ impl Corner {
         )
     }
 
-    /// How it moves as t leaves the middle.
+    /// The displacement of the corner as t leaves the middle.
     pub(super) fn drift(&self) -> Drift {
         let ([n0, n1, n2], [d0, d1, d2]) = (self.numerator, self.denominator);
         let place = n0 / d0;
@@ -179,7 +179,7 @@ impl Corner {
     }
 }
 
-/// What bounds the displacement of a corner.
+/// The terms that bound the displacement of a corner.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Drift {
     /// The parts of degree 1 and 2 of the displacement's numerator.

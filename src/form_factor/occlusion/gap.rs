@@ -1,5 +1,4 @@
-//! What W is at most where nothing is known of it, and what it changes by beside places where it
-//! is.
+//! Bounds on W where nothing is known of it, and on its change beside places where it is.
 
 use super::setting::Face;
 use super::share::Share;

@@ -20,14 +20,16 @@
 //!
 //! | step | file |
 //! |---|---|
-//! | the pair in the frame of P, clipped, cut into convex faces, edges and corners shared | `frame`, `setting` |
-//! | stretches of edges, and the faces through them, between which x looks past | `outer`, `pages` |
+//! | the pair in P's frame, clipped, in convex faces, with shared edges | `frame`, `setting` |
+//! | stretches of edges, and the faces through them, between which x looks | `outer`, `pages` |
 //! | planes of sight through y(t) and an edge, linear in t | `trace`, `sight`, `region` |
-//! | the boundary of R at one t, and where it keeps this shape | `arrangement`, `boundary`, `convex`, `slice`, `chord`, `covers`, `validity` |
-//! | its corners as rational functions of t, Gauss rules with a-priori bounds | `corner`, `bound`, `reach`, `rule` |
+//! | the boundary of R at one t | `arrangement`, `boundary`, `convex`, `slice`, `chord`, `covers` |
+//! | the range of t in which it keeps this shape | `validity` |
+//! | its corners as rational functions of t, and their displacement | `corner`, `reach` |
+//! | Gauss rules with a-priori bounds | `rule`, `bound` |
 //! | all shapes along a stretch, and the sum of their rules | `stretch`, `gap` |
-//! | what displaced corners can change | `slack` |
-//! | from a point, in closed form | `point` |
+//! | the change by displaced corners | `slack` |
+//! | the view from a point, in closed form | `point` |
 //!
 //! **Two forms.** Over the edges of Q the part of P in shadow gives what is hidden, which is taken
 //! from the unoccluded value; where a quarter or less is left of that, so that digits cancel, the

@@ -14,7 +14,7 @@ pub struct Occluders<'a> {
 }
 
 impl<'a> Occluders<'a> {
-    /// Those that reach into the box around two polygons.
+    /// The occluders that reach into the box around two polygons.
     pub(super) fn near(&self, ends: [&Polygon; 2]) -> impl Iterator<Item = &'a Polygon> {
         let around = ends.map(bounds);
         let low = around[0][0].min(around[1][0]);

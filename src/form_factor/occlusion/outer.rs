@@ -31,7 +31,7 @@ pub(super) struct Outer<'a> {
     pub sight: Sight<'a>,
     pub shadows: Vec<Region>,
     pub pieces: Vec<Piece>,
-    /// How far the stretch is from its exact place at most.
+    /// The largest distance of the stretch from its exact place.
     pub displaced: f64,
 }
 
@@ -54,7 +54,7 @@ struct Book<'a> {
     contacts: Vec<Contact>,
     /// Screens that the line is not in the plane of.
     others: Vec<&'a Face>,
-    /// Whether it lies in the plane of Q.
+    /// Whether the line lies in the plane of Q.
     is_in_second: bool,
 }
 

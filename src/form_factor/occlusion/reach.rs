@@ -55,8 +55,8 @@ impl Outline {
         sum
     }
 
-    /// The same with corners that slide along their sides, from distances or from distances per
-    /// height.
+    /// Bounds the largest change with corners that slide along their sides, from distances or from
+    /// distances per height.
     #[inline(always)]
     pub(super) fn largest_with_slides(&self, reach: &Lanes) -> Lanes {
         let tilt = self.tilts(reach);
@@ -104,7 +104,7 @@ impl Outline {
         tilt
     }
 
-    /// How far a corner moves, as it is and per height times the height at the middle.
+    /// The distances by which a corner moves, as it is and per height, times the middle height.
     ///
     /// **Arguments** `sizes`: of what displaces it and of its place, at all or in one direction.
     #[inline(always)]
@@ -225,7 +225,7 @@ impl Drift {
         [first.length(), second.length(), self.place.length()]
     }
 
-    /// The same in one direction.
+    /// The sizes of the displacement in one direction.
     #[inline(always)]
     fn across(&self, direction: DVec2) -> [f64; 3] {
         let [first, second] = self.moves;

@@ -29,7 +29,7 @@ pub(super) struct Panel<'a> {
     sight: &'a Sight<'a>,
     middle: Middle,
     corners: Vec<Corner>,
-    /// Their places at the middle.
+    /// The places of the corners at the middle.
     places: Vec<DVec2>,
     sides: Vec<BoundarySide>,
     outline: Outline,

@@ -26,7 +26,7 @@ pub(super) struct Line {
     pub ends: [usize; 2],
     /// All corners on it.
     pub through: Vec<usize>,
-    /// How far edges on it are from their exact places at most.
+    /// The largest distance of edges on the line from their exact places.
     pub displaced: f64,
 }
 
@@ -34,7 +34,7 @@ pub(super) struct Line {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Side {
     pub line: usize,
-    /// Whether it runs as its line does.
+    /// Whether the side runs as its line does.
     pub is_along: bool,
     /// The corners that it runs from and to.
     pub corners: [usize; 2],
@@ -63,7 +63,7 @@ impl Face {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Setting {
     pub corners: Vec<DVec3>,
-    /// How far each corner is from its exact place at most.
+    /// The largest distance of each corner from its exact place.
     pub moved: Vec<f64>,
     pub lines: Vec<Line>,
     /// The parts of P, in z = 0.

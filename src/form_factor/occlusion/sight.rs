@@ -22,14 +22,14 @@ pub(super) struct Sight<'a> {
     /// The line that the stretch is on.
     line: usize,
     stretch: Stretch,
-    /// How far the stretch leaves planes that are taken to hold it.
+    /// The distance by which the stretch leaves planes that are taken to hold it.
     pub leaves: f64,
     pub start: DVec3,
     pub along: DVec3,
     /// Whether the stretch lies in P's plane.
     pub is_level: bool,
     pub traces: Vec<Trace>,
-    /// Where each line in space is among the traces, and whether it was turned round.
+    /// The place of each line in space among the traces, and whether it was turned round.
     known: Vec<Option<(usize, f64)>>,
     heights: Vec<[f64; 2]>,
 }

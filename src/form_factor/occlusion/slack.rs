@@ -1,4 +1,4 @@
-//! What displaced corners can change of an exchange area.
+//! The bound on the change of an exchange area by displaced corners.
 //!
 //! ```text
 //!   an edge of length L that moves by δ changes the exchange area by at most  δ L Ω/π

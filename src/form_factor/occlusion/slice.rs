@@ -22,14 +22,14 @@ pub(super) struct Member {
     own: Option<f64>,
     /// The side of it on which each shadow is that it bounds.
     shadows: Vec<Option<f64>>,
-    /// What is known of its chords in the shadows, and in the piece's region.
+    /// The misses that are known of its chords in the shadows, and in the piece's region.
     chords: Vec<Missed>,
 }
 
-/// What was found of a line and a region, with the ranges in which it is so.
+/// The misses of a line and a region, with the ranges in which they are so.
 #[derive(Debug, Clone, Default)]
 struct Missed {
-    /// Where the line misses the region.
+    /// The range in which the line misses the region.
     missed: Option<[f64; 2]>,
     /// Lines that the line crosses inside of the region, and where.
     inside: SmallVec<[(usize, [f64; 2]); 4]>,

@@ -155,7 +155,7 @@ pub(super) struct Trace {
     pub space: Option<usize>,
     /// Whether the plane holds the stretch.
     pub is_fixed: bool,
-    /// What the rounding of corners turns such a plane by at most.
+    /// The largest angle by which the rounding of corners turns such a plane.
     pub turned: f64,
     /// The normal of the line in P's plane but for a positive factor, linear in t, and its size.
     pub planar: [DVec2; 2],
@@ -243,6 +243,6 @@ pub(super) struct Placed {
     pub gamma: f64,
     pub origin: DVec2,
     pub direction: DVec2,
-    /// Whether it is a line at all, and not at infinity.
+    /// Whether the trace is a line at all, and not at infinity.
     pub is_line: bool,
 }

@@ -21,7 +21,7 @@ pub(super) struct Place {
     pub line: usize,
 }
 
-/// What is compared, and where all comparisons hold.
+/// Comparisons of lines at t, and the range in which all of them hold.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Validity<'a> {
     pub sight: &'a Sight<'a>,
@@ -158,7 +158,7 @@ impl Validity<'_> {
         }
     }
 
-    /// What is found at t, and the range in which it is so, the widest that can be told; none if
+    /// Finds something at t, and the range in which it is so, the widest that can be told; none if
     /// nothing can.
     pub(super) fn widest<T>(&self, find: impl Fn(&mut Self) -> T) -> Option<(T, [f64; 2])> {
         // what changes sign somewhere else may be a tie on all of the range
@@ -169,7 +169,7 @@ impl Validity<'_> {
         })
     }
 
-    /// What was found holds within this range only.
+    /// Restricts all that was found to this range.
     pub(super) fn within(&mut self, [from, to]: [f64; 2]) {
         self.range[0] = self.range[0].max(from);
         self.range[1] = self.range[1].min(to);
@@ -207,7 +207,7 @@ impl Validity<'_> {
         self.keeps_sign(quadratic, size);
     }
 
-    /// The same in P's plane: planes of sight meet it in lines through y.
+    /// Compares crossings in P's plane, which planes of sight meet in lines through y.
     fn ordered_on_level(&mut self, line: usize, one: usize, other: usize) {
         let mut cones = Vec::new();
         let mut edges = Vec::new();
@@ -284,7 +284,7 @@ pub(super) fn outer_coefficients([c, b, a]: [f64; 3], [low, high]: [f64; 2]) -> 
     ]
 }
 
-/// What cannot be told from zero, of the size of the terms.
+/// The part of the size of the terms that cannot be told from zero.
 pub(super) const NOISE: f64 = 64.0 * f64::EPSILON;
 
 /// The roots of `c + b t + a t²`.

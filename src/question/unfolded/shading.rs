@@ -51,7 +51,7 @@ fn middle(cell: &[DVec3]) -> DVec3 {
     cell.iter().sum::<DVec3>() / real(cell.len())
 }
 
-/// How far values differ; those of lights do not.
+/// The difference of two values, 0 for those of lights.
 fn difference(one: Option<f64>, other: Option<f64>) -> f64 {
     one.zip(other)
         .map_or(0.0, |(one, other)| (one - other).abs())

@@ -33,7 +33,7 @@ pub(super) struct Hiding<'a> {
 /// The ends of a shaft, or halves of them.
 pub(super) type Ends = [Vec<DVec3>; 2];
 
-/// What bodies do to all segments between two ends.
+/// The effect of bodies on all segments between two ends.
 enum Cut {
     /// One of them cuts all.
     All,
