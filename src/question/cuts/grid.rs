@@ -1,10 +1,10 @@
 //! The mutual information of a grid on the faces of a box, and the best grid.
 
-use super::decimals;
-use super::{QuestionError, SampledInformation};
 use crate::discretize::{BestGrid, BoxGrid, CertifiedGrid, GridInformation, Spacing, UNIT_CUBE};
 use crate::exchange::Progress;
 use crate::numeric::{Grade, Interval};
+use crate::question::decimals;
+use crate::question::{QuestionError, SampledInformation};
 
 /// Cells an edge up to which enclosures take seconds.
 const MOST_ENCLOSED: u32 = 12;

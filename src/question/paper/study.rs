@@ -1,8 +1,8 @@
 //! Studies: error against run time of different forms of a formula, and how far results carry.
 
-use super::QuestionError;
 use super::study_rows::{DirectionRecord, LimitRecord, ProfileRecord};
 use crate::exchange::Progress;
+use crate::question::QuestionError;
 use crate::study::Row;
 use crate::study::cuts::directions::directions;
 use crate::study::cuts::limits::gradient_limits;

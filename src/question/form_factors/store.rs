@@ -1,12 +1,12 @@
 //! A scene's form factors in a folder, tile by tile, and the state of such a folder.
 
-use super::QuestionError;
-use super::scene::{SceneSource, ignored_note};
-use super::unreached::Unreached;
 use crate::exchange::{
     Alone, Congruence, MatrixStore, PlanSummary, Progress, Ranks, ScenePairs, Shard, StoreError,
     StoreState, StoredMatrix, Tolerance, Unheard, agreed, check_store,
 };
+use crate::question::QuestionError;
+use crate::question::scene::{SceneSource, ignored_note};
+use crate::question::unreached::Unreached;
 use crate::scene::Scene;
 use std::path::{Path, PathBuf};
 
@@ -105,16 +105,16 @@ impl StoreFormFactors {
 }
 
 /// A store that a question is answered from.
-pub(super) struct StoreToRead<'q> {
+pub(in crate::question) struct StoreToRead<'q> {
     source: &'q SceneSource,
     tolerance: Tolerance,
     congruence: Congruence,
-    pub(super) folder: &'q Path,
+    pub(in crate::question) folder: &'q Path,
 }
 
 impl<'q> StoreToRead<'q> {
     /// The store of a scene in a folder, asked for as it was stored.
-    pub(super) const fn of(
+    pub(in crate::question) const fn of(
         source: &'q SceneSource,
         (tolerance, congruence): (Tolerance, Congruence),
         folder: &'q Path,
@@ -128,7 +128,7 @@ impl<'q> StoreToRead<'q> {
     }
 
     /// The pairs of the scene, none of which is evaluated.
-    pub(super) fn pairs<'p>(
+    pub(in crate::question) fn pairs<'p>(
         &self,
         scene: &Scene,
         ranks: &'p dyn Ranks,
@@ -138,7 +138,7 @@ impl<'q> StoreToRead<'q> {
     }
 
     /// The matrix.
-    pub(super) fn open<'p>(
+    pub(in crate::question) fn open<'p>(
         &self,
         scene: &Scene,
         pairs: &'p ScenePairs<'_>,

@@ -7,9 +7,9 @@
 //! `x ± e` is the exchange area, the same both ways; `A ± b` the area of a row. So the exchange
 //! areas of one row give a row of the matrix and a column, whichever a file wants.
 
-use super::unreached::Unreached;
 use crate::exchange::{ExchangeAreas, ExchangeError, PassSummary, ScenePairs};
 use crate::form_factor::Answer;
+use crate::question::unreached::Unreached;
 use crate::scene::{Scene, SceneError};
 
 /// The quantity that a matrix is of.

@@ -1,9 +1,9 @@
 //! The answer to the question for everything that a report shows.
 
-use super::{
+use crate::claims::{Claim, Judgement, Task, Verdict};
+use crate::question::{
     CutsAnswer, GridAnswer, JudgedClaim, RefineAnswer, ReproduceAnswer, StudyAnswer, StudySubject,
 };
-use crate::claims::{Claim, Judgement, Task, Verdict};
 
 /// Everything that a report shows, computed.
 #[derive(Debug, Clone)]

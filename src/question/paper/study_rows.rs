@@ -1,8 +1,8 @@
 //! Rows of the studies of cuts across a gradient, as records.
 
-use super::decimals;
 use crate::discretize::GradientLimit;
 use crate::numeric::{Interval, Scalar};
+use crate::question::decimals;
 use crate::study::cuts::directions::DirectionRow;
 use crate::study::cuts::limits::LimitRow;
 use crate::study::cuts::profiles::ProfileRow;

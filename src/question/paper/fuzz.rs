@@ -1,7 +1,7 @@
 //! Random refinements thrown at Theorem 1.
 
-use super::QuestionError;
 use crate::exchange::Progress;
+use crate::question::QuestionError;
 use crate::study::gain::fuzz::{Campaign, Counterexample, Findings, Histograms, Sabotage, run};
 use std::ops::RangeInclusive;
 use std::time::Instant;

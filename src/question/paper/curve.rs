@@ -1,9 +1,9 @@
 //! The curve of a claim's figure.
 
-use super::QuestionError;
 use super::reproduce::named_claims;
 use crate::claims::{Context, judge, registry};
 use crate::exchange::Progress;
+use crate::question::QuestionError;
 
 /// The question for the curve of a claim's figure.
 ///

@@ -1,10 +1,10 @@
 //! The cuts across a gradient (§4.2): of one patch, and of many side by side.
 
-use super::QuestionError;
-use super::decimals;
 use crate::discretize::{CertifiedCut, CutComparison, GradientCut};
 use crate::exchange::{Progress, Unheard};
 use crate::numeric::Interval;
+use crate::question::QuestionError;
+use crate::question::decimals;
 
 /// Pairs of exponents beyond which nobody reads the cuts.
 const MOST_PAIRS: usize = 10_000;

@@ -1,14 +1,14 @@
 //! The cut of a patch that gains the most mutual information.
 
-use super::PatchName;
-use super::QuestionError;
-use super::light::Light;
-use super::scene::{SceneSource, ignored_note};
 use crate::discretize::{DiscretizeError, PatchSplit, regular_positions};
 use crate::exchange::{Congruence, IgnoredOcclusion, Progress, Tolerance};
 use crate::geometry::SplitAxis;
 use crate::numeric::interval::DecimalBounds;
 use crate::numeric::{Interval, compensated_sum, is_higher, tolerance};
+use crate::question::PatchName;
+use crate::question::QuestionError;
+use crate::question::light::Light;
+use crate::question::scene::{SceneSource, ignored_note};
 use crate::scene::{Channel, Occlusion, Scene};
 
 /// The question for the best cut of a patch.

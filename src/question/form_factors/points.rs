@@ -1,9 +1,9 @@
 //! The form factors from points of surfaces to the patches of a scene.
 
-use super::point_file::{self, SurfacePoint};
-use super::scene::SceneSource;
-use super::{PointFileError, QuestionError};
 use crate::exchange::{PointRow, Progress, ScenePoints};
+use crate::question::point_file::{self, SurfacePoint};
+use crate::question::scene::SceneSource;
+use crate::question::{PointFileError, QuestionError};
 use glam::DVec3;
 use std::path::PathBuf;
 

@@ -1,10 +1,10 @@
 //! Estimates of a scene's information from random lines.
 
-use super::scene::SceneSource;
-use super::{QuestionError, SampledInformation};
 use crate::exchange::{Congruence, ExchangeError, Progress, ScenePairs, Tolerance};
 use crate::information::{LineKind, LineSample, scene_information_and_bias};
 use crate::numeric::Grade;
+use crate::question::scene::SceneSource;
+use crate::question::{QuestionError, SampledInformation};
 use crate::scene::{Occlusion, Scene};
 
 /// The question for the information of any closed scene, concave or occluded, from random lines.
@@ -65,7 +65,7 @@ pub struct SampleAnswer {
     pub patches: usize,
     /// The sum of their areas.
     pub total_area: f64,
-    /// Always none: the measure of [`MeasureAnswer`](super::MeasureAnswer) is not computed.
+    /// Always none: the measure of [`MeasureAnswer`](crate::question::MeasureAnswer) is not computed.
     pub mutual_information: Option<f64>,
     /// The continuous mutual information by the chords, in bits, if it was asked for.
     pub continuous_mutual_information: Option<f64>,

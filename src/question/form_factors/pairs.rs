@@ -3,15 +3,15 @@
 //! **Memory** All pairs are held up to [`FormFactors::MOST_HELD`] rows; beyond that one row at a
 //! time.
 
-use super::form_factor_matrix::{FormFactorMatrix, areas};
-use super::scene::{SceneSource, ignored_note};
-use super::unreached::Unreached;
-use super::{PatchName, QuestionError};
+use super::matrix::{FormFactorMatrix, areas};
 use crate::exchange::{
     Closure, Congruence, Entry, ExchangeAreas, ExchangeError, PlanSummary, Progress, RowSum,
     ScenePairs, Selection, Tolerance,
 };
 use crate::form_factor::Answer;
+use crate::question::scene::{SceneSource, ignored_note};
+use crate::question::unreached::Unreached;
+use crate::question::{PatchName, QuestionError};
 use crate::scene::Scene;
 use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};

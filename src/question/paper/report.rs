@@ -3,13 +3,13 @@
 use super::reported::{
     Machine, PartTime, ReportAnswer, ReportedClaim, ReportedScene, ReportedStudy,
 };
-use super::{
-    Cuts, CutsAnswer, Grid, GridAnswer, GridLines, IrradianceExponent, JudgedClaim, NetWish,
-    QuestionError, Refine, RefineAnswer, SceneSource, Study, StudySubject,
-};
 use crate::claims::{Claim, Context, DEFAULT_PRECISION, Judgement, judge_all, registry};
 use crate::exchange::{Progress, Unheard};
 use crate::hierarchy::Goal;
+use crate::question::{
+    Cuts, CutsAnswer, Grid, GridAnswer, GridLines, IrradianceExponent, JudgedClaim, NetWish,
+    QuestionError, Refine, RefineAnswer, SceneSource, Study, StudySubject,
+};
 use std::time::Instant;
 
 /// The question for everything that a report shows.

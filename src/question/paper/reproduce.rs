@@ -1,12 +1,12 @@
 //! The paper's claims, computed and judged.
 
-use super::QuestionError;
 use crate::claims::{
     Claim, ClaimError, Context, DEFAULT_PRECISION, Judgement, Quantity, Theorem, Verdict,
     judge_all, registry,
 };
 use crate::exchange::Progress;
 use crate::numeric::{Grade, Interval};
+use crate::question::QuestionError;
 
 /// The question for the verdicts on claims of the paper.
 ///
