@@ -6,7 +6,7 @@ use crate::question::ReproduceAnswer;
 use crate::report::render::page::{PageError, Texts};
 use crate::report::{Format, ReportError, Table, certain_digits, reproduction_report};
 
-const TEMPLATE: &str = include_str!("../templates/claims.md");
+const TEMPLATE: &str = include_str!("../../templates/claims.md");
 
 /// The page of all claims in Markdown: how to read a verdict, and the table.
 ///

@@ -7,7 +7,7 @@ use crate::claims::{Claim, Judgement, OneSided, Task};
 use crate::numeric::Grade;
 use crate::report::render::page::{PageError, Texts};
 
-const TEMPLATE: &str = include_str!("../templates/trusted.md");
+const TEMPLATE: &str = include_str!("../../templates/trusted.md");
 
 /// The page in Markdown, from the judgements of all claims.
 ///
