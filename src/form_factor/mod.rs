@@ -20,9 +20,10 @@
 //! | points, with the gradient | Lambert's formula and its derivative | `point` |
 //!
 //! `clipped_pair` removes the part of each polygon behind the other's plane and measures the rest;
-//! `front_door` is asked, `chooser` chooses the route; `together` measures eight pairs in the lanes of a vector, and takes
-//! rules of few points so. `occlusion` takes away what other polygons hide. [`LogMeans`] are
-//! the integrals of the logarithms of distance and cosines over the exchange of a pair.
+//! `front_door` is asked, `chooser` chooses the route; `together` measures eight pairs in the lanes
+//! of a vector, and takes rules of few points so. `occlusion` takes away what other polygons hide.
+//! [`LogMeans`] are the integrals of the logarithms of distance and cosines over the exchange of a
+//! pair.
 //! [`crate::reference`] is an independent slow computation by which all routes are judged,
 //! [`sampling`] another.
 //!
