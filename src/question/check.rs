@@ -2,6 +2,7 @@
 
 use super::QuestionError;
 use super::scene::SceneSource;
+use crate::geometry;
 use crate::numeric::compensated_sum;
 use crate::scene::{FreeEdge, Obstacle, Scene};
 use glam::DVec3;
@@ -157,10 +158,10 @@ impl Check {
 /// The smallest and the largest coordinates of patches and obstructions.
 fn bounds(scene: &Scene) -> [DVec3; 2] {
     let surfaces = scene.patches().iter().chain(scene.obstructions());
-    let corners = surfaces.flat_map(|surface| surface.shape().corners());
-    corners.fold(
-        [DVec3::INFINITY, DVec3::NEG_INFINITY],
-        |[low, high], corner| [low.min(*corner), high.max(*corner)],
+    geometry::bounds(
+        surfaces
+            .flat_map(|surface| surface.shape().corners())
+            .copied(),
     )
 }
 

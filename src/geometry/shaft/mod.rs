@@ -32,6 +32,7 @@ mod parting;
 
 use self::parting::{SHORTEST_VECTOR, directions, edges, is_pierced, parts};
 use super::Plane;
+use crate::geometry::bounds;
 use crate::geometry::polygon::clip::clipped;
 use glam::DVec3;
 
@@ -66,11 +67,7 @@ impl Shaft {
     /// The smallest and the largest coordinates.
     #[must_use]
     pub fn bounds(&self) -> [DVec3; 2] {
-        let corners = || self.ends.iter().flatten().flatten().copied();
-        [
-            corners().fold(DVec3::INFINITY, DVec3::min),
-            corners().fold(DVec3::NEG_INFINITY, DVec3::max),
-        ]
+        bounds(self.ends.iter().flatten().flatten().copied())
     }
 
     /// The corners of the two ends, `i⁺` and `j⁺`.

@@ -3,7 +3,7 @@
 use super::parting::{edges, parts};
 use crate::geometry::polygon::clip::clipped;
 use crate::geometry::polygon::convex_pieces::convex_pieces;
-use crate::geometry::{Patch, Plane};
+use crate::geometry::{Patch, Plane, bounds};
 use glam::DVec3;
 
 /// A patch as convex pieces in a plane, its coordinates divided by a common unit.
@@ -23,18 +23,11 @@ impl Outline {
     #[must_use]
     pub fn new(patch: &Patch, unit: f64, plane: Plane) -> Self {
         let corners: Vec<DVec3> = patch.corners().iter().map(|c| *c / unit).collect();
-        let bounds = [
-            corners.iter().copied().fold(DVec3::INFINITY, DVec3::min),
-            corners
-                .iter()
-                .copied()
-                .fold(DVec3::NEG_INFINITY, DVec3::max),
-        ];
         Self {
             pieces: convex_pieces(&corners, patch.normal()),
+            bounds: bounds(corners.iter().copied()),
             corners,
             plane,
-            bounds,
         }
     }
 
