@@ -7,17 +7,17 @@
 use super::boundary::Arrangement;
 use super::convex::{Convex, Known};
 use super::covers::Segment;
-use super::outer::{Outer, Piece};
-use super::pages::Part;
-use super::region::Region;
 use super::slice::{Member, Slice};
-use super::trace::Placed;
 use super::validity::{NONE, Validity};
+use crate::form_factor::occlusion::view::outer::{Outer, Piece};
+use crate::form_factor::occlusion::view::pages::Part;
+use crate::form_factor::occlusion::view::region::Region;
+use crate::form_factor::occlusion::view::trace::Placed;
 use smallvec::{SmallVec, smallvec};
 
 /// A piece with the shadows on it, and what is known of their boundaries.
 #[derive(Debug)]
-pub(super) struct Roster<'a> {
+pub(crate) struct Roster<'a> {
     outer: &'a Outer<'a>,
     piece: &'a Piece,
     /// The region, and what of it is in each of the shadows.
@@ -28,7 +28,7 @@ pub(super) struct Roster<'a> {
 }
 
 impl<'a> Roster<'a> {
-    pub(super) fn of(outer: &'a Outer<'a>, piece: &'a Piece) -> Self {
+    pub(crate) fn of(outer: &'a Outer<'a>, piece: &'a Piece) -> Self {
         let convex = |shadow| Known::of(Convex::of(&outer.sight, &piece.region, shadow));
         Self {
             outer,
@@ -40,7 +40,7 @@ impl<'a> Roster<'a> {
     }
 
     /// The boundary at t; none if something cannot be told there.
-    pub(super) fn arrange(&mut self, range: [f64; 2], t: f64) -> Option<Arrangement> {
+    pub(crate) fn arrange(&mut self, range: [f64; 2], t: f64) -> Option<Arrangement> {
         let sight = &self.outer.sight;
         let lines = 0..sight.traces.len();
         let placed: SmallVec<[Placed; 16]> = lines.map(|line| sight.placed(line, t)).collect();

@@ -11,12 +11,12 @@
 //! On an edge in P's plane the sides on lines through y have `(v·X1) ln|X1| − (v·X0) ln|X0|`.
 
 use super::bound::{BoundarySide, Outline};
-use super::boundary::Arrangement;
 use super::corner::Corner;
-use super::covers::Segment;
 use super::share::Share;
-use super::sight::Sight;
-use super::trace::Middle;
+use crate::form_factor::occlusion::shape::boundary::Arrangement;
+use crate::form_factor::occlusion::shape::covers::Segment;
+use crate::form_factor::occlusion::view::sight::Sight;
+use crate::form_factor::occlusion::view::trace::Middle;
 use crate::numeric::functions::elementary::angles;
 use crate::numeric::{GaussLegendre, LANES, Lanes, across, real, vector_value};
 use glam::DVec2;
@@ -25,7 +25,7 @@ use std::sync::LazyLock;
 
 /// A boundary on a panel, in memory that panels of a stretch use in turn.
 #[derive(Debug)]
-pub(super) struct Panel<'a> {
+pub(crate) struct Panel<'a> {
     sight: &'a Sight<'a>,
     middle: Middle,
     corners: Vec<Corner>,
@@ -40,7 +40,7 @@ pub(super) struct Panel<'a> {
 
 impl<'a> Panel<'a> {
     /// A panel without a boundary.
-    pub(super) fn of(sight: &'a Sight<'a>) -> Self {
+    pub(crate) fn of(sight: &'a Sight<'a>) -> Self {
         Self {
             sight,
             middle: sight.middle(0.5, 0.5),
@@ -53,14 +53,14 @@ impl<'a> Panel<'a> {
         }
     }
 
-    pub(super) fn new(sight: &'a Sight<'a>, arrangement: &Arrangement, range: [f64; 2]) -> Self {
+    pub(crate) fn new(sight: &'a Sight<'a>, arrangement: &Arrangement, range: [f64; 2]) -> Self {
         let mut panel = Self::of(sight);
         panel.set(arrangement, range);
         panel
     }
 
     /// Takes another boundary on another panel.
-    pub(super) fn set(&mut self, arrangement: &Arrangement, [from, to]: [f64; 2]) {
+    pub(crate) fn set(&mut self, arrangement: &Arrangement, [from, to]: [f64; 2]) {
         let sight = self.sight;
         let middle = sight.middle(0.5 * (from + to), 0.5 * (to - from));
         let height = middle.height();
@@ -90,7 +90,7 @@ impl<'a> Panel<'a> {
     }
 
     /// Whether the sides go round.
-    pub(super) fn is_closed(&self) -> bool {
+    pub(crate) fn is_closed(&self) -> bool {
         let runs = self.sides.iter().map(|side| {
             let [from, to] = side.corners.map(|corner| self.places[corner]);
             from.distance(to)
@@ -119,7 +119,7 @@ impl<'a> Panel<'a> {
     }
 
     /// The integral over the panel; none if no rule is certain enough.
-    pub(super) fn integral(&mut self, wanted: f64) -> Option<Share> {
+    pub(crate) fn integral(&mut self, wanted: f64) -> Option<Share> {
         if self.sides.is_empty() {
             return Some(Share::default());
         }

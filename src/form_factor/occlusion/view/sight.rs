@@ -17,7 +17,7 @@ use glam::{DVec2, DVec3};
 
 /// A stretch y(t) and the lines of sight from it.
 #[derive(Debug, Clone)]
-pub(super) struct Sight<'a> {
+pub(crate) struct Sight<'a> {
     pub setting: &'a Setting,
     /// The line that the stretch is on.
     line: usize,
@@ -35,7 +35,7 @@ pub(super) struct Sight<'a> {
 }
 
 impl<'a> Sight<'a> {
-    pub(super) fn new(setting: &'a Setting, line: usize, stretch: Stretch, is_level: bool) -> Self {
+    pub(crate) fn new(setting: &'a Setting, line: usize, stretch: Stretch, is_level: bool) -> Self {
         Self {
             setting,
             line,
@@ -52,7 +52,7 @@ impl<'a> Sight<'a> {
 
     /// The cone of a face: the half-planes of its sides, which its points are in from a y with
     /// `sign` −1 in front of it.
-    pub(super) fn cone(&mut self, face: &Face, sign: f64) -> Cone {
+    pub(crate) fn cone(&mut self, face: &Face, sign: f64) -> Cone {
         let sides = face.sides.iter();
         let sides = sides
             .map(|side| {
@@ -73,7 +73,7 @@ impl<'a> Sight<'a> {
     /// The half-plane of points to which a normal of a plane through the stretch points.
     ///
     /// **Arguments** `error`: of the normal.
-    pub(super) fn through(&mut self, normal: DVec3, error: f64) -> HalfPlane {
+    pub(crate) fn through(&mut self, normal: DVec3, error: f64) -> HalfPlane {
         let (line, sign) = self.fixed(normal, [error, 0.0]);
         HalfPlane { line, sign }
     }
@@ -159,12 +159,12 @@ impl<'a> Sight<'a> {
     }
 
     /// y in the middle of a panel.
-    pub(super) fn middle(&self, t: f64, half: f64) -> Middle {
+    pub(crate) fn middle(&self, t: f64, half: f64) -> Middle {
         self.stretch.middle(t, half)
     }
 
     /// Measures the heights of corners over the planes of sight of all lines.
-    pub(super) fn measure(&mut self) {
+    pub(crate) fn measure(&mut self) {
         self.heights.clear();
         for trace in &self.traces {
             let [from, slope] = trace.normal;
@@ -185,12 +185,12 @@ impl<'a> Sight<'a> {
 
     /// The heights of a corner over the plane of sight of a line, at both ends of the stretch; 0
     /// if it lies in it all along.
-    pub(super) fn ends_of_height(&self, line: usize, corner: usize) -> [f64; 2] {
+    pub(crate) fn ends_of_height(&self, line: usize, corner: usize) -> [f64; 2] {
         self.heights[line * self.setting.corners.len() + corner]
     }
 
     /// The corner of space that two lines have in common.
-    pub(super) fn common(&self, one: usize, other: usize) -> Option<DVec3> {
+    pub(crate) fn common(&self, one: usize, other: usize) -> Option<DVec3> {
         let lines = &self.setting.lines;
         let through = |line: usize| self.traces[line].space.map(|space| &lines[space].through);
         let (one, other) = (through(one)?, through(other)?);
@@ -202,7 +202,7 @@ impl<'a> Sight<'a> {
     ///
     /// **Arguments** `way`: 1 for what is seen by looking at the face, −1 for what the lines of
     /// sight meet that come from there.
-    pub(super) fn misses(&self, cone: &Cone, face: &Face, way: f64) -> bool {
+    pub(crate) fn misses(&self, cone: &Cone, face: &Face, way: f64) -> bool {
         let corners = face
             .corners()
             .map(|corner| self.setting.corners[corner] - self.start);
@@ -228,7 +228,7 @@ impl<'a> Sight<'a> {
     }
 
     /// A line at t.
-    pub(super) fn placed(&self, line: usize, t: f64) -> Placed {
+    pub(crate) fn placed(&self, line: usize, t: f64) -> Placed {
         let (alpha, gamma) = self.line_at(line, t);
         let length = alpha.length();
         let trace = &self.traces[line];
@@ -243,7 +243,7 @@ impl<'a> Sight<'a> {
     }
 
     /// The line's `(α, γ)` but for a positive factor, linear in t.
-    pub(super) fn form(&self, line: usize) -> [DVec3; 2] {
+    pub(crate) fn form(&self, line: usize) -> [DVec3; 2] {
         let trace = &self.traces[line];
         match trace.edge {
             Some((alpha, gamma)) if self.is_level => {
@@ -254,7 +254,7 @@ impl<'a> Sight<'a> {
         }
     }
 
-    pub(super) fn point(&self, t: f64) -> DVec3 {
+    pub(crate) fn point(&self, t: f64) -> DVec3 {
         self.start + t * self.along
     }
 
@@ -264,7 +264,7 @@ impl<'a> Sight<'a> {
     }
 
     /// The line `α·X = γ` at t.
-    pub(super) fn line_at(&self, line: usize, t: f64) -> (DVec2, f64) {
+    pub(crate) fn line_at(&self, line: usize, t: f64) -> (DVec2, f64) {
         let trace = &self.traces[line];
         match trace.edge {
             Some((alpha, [gamma, slope])) => (alpha, gamma + t * slope),

@@ -19,7 +19,7 @@ use glam::{DVec2, DVec3};
 
 /// A stretch of an edge, `y(t) = start + t along`, from doubles and from 106 bits.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Stretch {
+pub(crate) struct Stretch {
     pub start: DVec3,
     pub along: DVec3,
     exact: [Vector<DoubleDouble>; 2],
@@ -27,7 +27,7 @@ pub(super) struct Stretch {
 
 /// y in the middle of a panel, as the sum of two doubles each coordinate.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Middle {
+pub(crate) struct Middle {
     pub t: f64,
     /// Half the length of the panel.
     pub half: f64,
@@ -37,19 +37,19 @@ pub(super) struct Middle {
 
 impl Middle {
     /// The height of y over P's plane.
-    pub(super) fn height(&self) -> f64 {
+    pub(crate) fn height(&self) -> f64 {
         self.point.z
     }
 
     /// A point seen from y, within 2u of the distance.
-    pub(super) fn to(&self, place: DVec3) -> DVec3 {
+    pub(crate) fn to(&self, place: DVec3) -> DVec3 {
         (place - self.point) - self.rest
     }
 }
 
 impl Stretch {
     /// The part of a line from one share of it to another.
-    pub(super) fn of([start, end]: [DVec3; 2], [from, to]: [f64; 2]) -> Self {
+    pub(crate) fn of([start, end]: [DVec3; 2], [from, to]: [f64; 2]) -> Self {
         let lifted = |point: DVec3| Vector::lifted(point, DoubleDouble::from(0.0));
         let whole = lifted(end).minus(lifted(start));
         let [from, to] = [from, to].map(DoubleDouble::from);
@@ -62,7 +62,7 @@ impl Stretch {
     }
 
     /// The edge with ends put into P's plane that are nearly there, and the most they were moved.
-    pub(super) fn levelled(mut self, touching: f64) -> (Self, f64) {
+    pub(crate) fn levelled(mut self, touching: f64) -> (Self, f64) {
         let zero = DoubleDouble::from(0.0);
         let [start, along] = &mut self.exact;
         let heights = [start.0[2], start.0[2] + along.0[2]];
@@ -80,7 +80,7 @@ impl Stretch {
         (self, moved[0].max(moved[1]))
     }
 
-    pub(super) fn middle(&self, t: f64, half: f64) -> Middle {
+    pub(crate) fn middle(&self, t: f64, half: f64) -> Middle {
         let [start, along] = self.exact;
         let exact = start.plus(along, DoubleDouble::from(t));
         let point = exact.to_doubles();
@@ -136,7 +136,7 @@ fn cross([a, rest]: Halves, [b, other]: Halves) -> DVec3 {
 /// Reference: Jeannerod, Louvet, Muller, "Further analysis of Kahan's algorithm for the accurate
 /// computation of 2 × 2 determinants", *Math. Comp.* 82 (2013), 2245–2264.
 #[inline(always)]
-pub(super) fn product_difference([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
+pub(crate) fn product_difference([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
     let product = c * d;
     let rest = (-c).mul_add(d, product);
     a.mul_add(b, -product) + rest
@@ -144,7 +144,7 @@ pub(super) fn product_difference([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
 
 /// A line in P's plane, as seen from y.
 #[derive(Debug, Clone)]
-pub(super) struct Trace {
+pub(crate) struct Trace {
     /// The normal of the plane of sight, `n0 + t n1`.
     pub normal: [DVec3; 2],
     /// The constant α, and γ = `γ0 + t γ1`, of an edge in P's plane.
@@ -168,7 +168,7 @@ pub(super) struct Trace {
 
 impl Trace {
     /// The trace for a stretch of an edge from a to b, on a line of space.
-    pub(super) fn of_edge(stretch: &Stretch, [a, b]: [DVec3; 2], space: usize) -> Self {
+    pub(crate) fn of_edge(stretch: &Stretch, [a, b]: [DVec3; 2], space: usize) -> Self {
         let normal = vector_value!([DVec3::ZERO; 2], stretch.normals([a, b]));
         let is_on_floor = a.z == 0.0 && b.z == 0.0;
         let edge = is_on_floor.then(|| {
@@ -187,7 +187,7 @@ impl Trace {
     }
 
     /// The unit normal of the plane that holds two parallel lines, the first the direction's.
-    pub(super) fn plane_of([one, other]: [[DVec3; 2]; 2]) -> DVec3 {
+    pub(crate) fn plane_of([one, other]: [[DVec3; 2]; 2]) -> DVec3 {
         let lifted = |point: DVec3| Vector::lifted(point, DoubleDouble::from(0.0));
         let [from, to] = [one, other]
             .map(|[start, end]| lifted(start).plus(lifted(end), DoubleDouble::from(1.0)));
@@ -197,7 +197,7 @@ impl Trace {
 
     /// A plane that holds the stretch, with this unit normal, within this error, and what the
     /// rounding of corners turns it by.
-    pub(super) fn fixed(normal: DVec3, [error, turned]: [f64; 2]) -> Self {
+    pub(crate) fn fixed(normal: DVec3, [error, turned]: [f64; 2]) -> Self {
         Self {
             is_fixed: true,
             turned,
@@ -233,12 +233,12 @@ impl Trace {
 }
 
 /// The slope below which a plane counts as level.
-pub(super) const LEVEL: f64 = 1e-14;
+pub(crate) const LEVEL: f64 = 1e-14;
 
 /// A line at one t: `α·X = γ`, its place nearest to y and its direction, the positive side on the
 /// left.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Placed {
+pub(crate) struct Placed {
     pub alpha: DVec2,
     pub gamma: f64,
     pub origin: DVec2,

@@ -2,14 +2,14 @@
 
 /// One side of a line: `sign · (α·ξ − c) ≥ 0`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct HalfPlane {
+pub(crate) struct HalfPlane {
     pub line: usize,
     pub sign: f64,
 }
 
 /// A convex face, seen from y.
 #[derive(Debug, Clone)]
-pub(super) struct Cone {
+pub(crate) struct Cone {
     pub corners: Vec<usize>,
     /// The half-planes of the sides from each corner to the next.
     pub sides: Vec<HalfPlane>,
@@ -17,13 +17,13 @@ pub(super) struct Cone {
 
 /// The intersection of cones and half-planes.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Region {
+pub(crate) struct Region {
     pub cones: Vec<Cone>,
     pub halves: Vec<HalfPlane>,
 }
 
 impl Region {
-    pub(super) fn sides(&self) -> impl Iterator<Item = &HalfPlane> {
+    pub(crate) fn sides(&self) -> impl Iterator<Item = &HalfPlane> {
         self.cones
             .iter()
             .flat_map(|cone| &cone.sides)
@@ -31,7 +31,7 @@ impl Region {
     }
 
     /// Whether two sides leave nothing of the region but a piece of a line.
-    pub(super) fn is_flat(&self) -> bool {
+    pub(crate) fn is_flat(&self) -> bool {
         let mut sides = self.sides();
         sides.any(|side| {
             self.sides()
@@ -40,7 +40,7 @@ impl Region {
     }
 
     /// Whether a line is one of those around the region, and which side of it that is on.
-    pub(super) fn side_of(&self, line: usize) -> Option<f64> {
+    pub(crate) fn side_of(&self, line: usize) -> Option<f64> {
         self.sides()
             .find(|half| half.line == line)
             .map(|half| half.sign)

@@ -19,7 +19,7 @@ use glam::DVec3;
 
 /// A set of points of P whose boundary is integrated over.
 #[derive(Debug, Clone)]
-pub(super) struct Piece {
+pub(crate) struct Piece {
     pub region: Region,
     pub part: Part,
     pub sign: f64,
@@ -27,7 +27,7 @@ pub(super) struct Piece {
 
 /// A stretch of an edge, with all that is seen from it.
 #[derive(Debug, Clone)]
-pub(super) struct Outer<'a> {
+pub(crate) struct Outer<'a> {
     pub sight: Sight<'a>,
     pub shadows: Vec<Region>,
     pub pieces: Vec<Piece>,
@@ -59,7 +59,7 @@ struct Book<'a> {
 }
 
 /// All stretches of two faces past the screens.
-pub(super) fn outers<'a>(
+pub(crate) fn outers<'a>(
     setting: &'a Setting,
     ends: [&'a Face; 2],
     wanted: Wanted,

@@ -12,8 +12,8 @@
 //! Corners are rounded once, from 106 bits, as they are put into the frame.
 
 use super::frame::{Frame, Plane, Set};
-use super::occluders::Occluders;
 use crate::form_factor::Polygon;
+use crate::form_factor::occlusion::occluders::Occluders;
 use crate::geometry::{are_apart, convex_pieces};
 use crate::numeric::{DoubleDouble, Scalar, power_of_two_below};
 use glam::DVec3;
@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 
 /// A straight line that edges lie on.
 #[derive(Debug, Clone)]
-pub(super) struct Line {
+pub(crate) struct Line {
     /// The corners that the line is put through.
     pub ends: [usize; 2],
     /// All corners on it.
@@ -32,7 +32,7 @@ pub(super) struct Line {
 
 /// A side of a face.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Side {
+pub(crate) struct Side {
     pub line: usize,
     /// Whether the side runs as its line does.
     pub is_along: bool,
@@ -42,7 +42,7 @@ pub(super) struct Side {
 
 /// A convex polygon, counter-clockwise seen from its front.
 #[derive(Debug, Clone)]
-pub(super) struct Face {
+pub(crate) struct Face {
     pub sides: Vec<Side>,
     pub normal: DVec3,
     /// The plane's `normal·x`.
@@ -50,18 +50,18 @@ pub(super) struct Face {
 }
 
 impl Face {
-    pub(super) fn height(&self, point: DVec3) -> f64 {
+    pub(crate) fn height(&self, point: DVec3) -> f64 {
         self.normal.dot(point) - self.offset
     }
 
-    pub(super) fn corners(&self) -> impl Iterator<Item = usize> + Clone {
+    pub(crate) fn corners(&self) -> impl Iterator<Item = usize> + Clone {
         self.sides.iter().map(|side| side.corners[0])
     }
 }
 
 /// Two polygons and the screens between them.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Setting {
+pub(crate) struct Setting {
     pub corners: Vec<DVec3>,
     /// The largest distance of each corner from its exact place.
     pub moved: Vec<f64>,
@@ -84,7 +84,7 @@ pub(super) struct Setting {
 }
 
 impl Setting {
-    pub(super) fn of([first, second]: [&Polygon; 2], occluders: &Occluders) -> Self {
+    pub(crate) fn of([first, second]: [&Polygon; 2], occluders: &Occluders) -> Self {
         let frame = Frame::of(first);
         let placed = |polygon: &Polygon| -> Vec<[DoubleDouble; 3]> {
             let corners = polygon.shape.corners.iter();

@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 /// The set whose exchange is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Wanted {
+pub(crate) enum Wanted {
     /// The part that is hidden, of all that would be seen.
     Hidden,
     /// The part that is seen.
@@ -14,14 +14,14 @@ pub(super) enum Wanted {
 
 /// The part of a region that counts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Part {
+pub(crate) enum Part {
     InShadow,
     Lit,
 }
 
 /// A page of the book: a face through the stretch.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Page {
+pub(crate) struct Page {
     pub angle: f64,
     pub is_second: bool,
 }
@@ -30,7 +30,7 @@ pub(super) struct Page {
 /// in each, and the inward normals of what bounds it.
 ///
 /// **Arguments** `corners`: of P, from a point of the line.
-pub(super) fn sectors(
+pub(crate) fn sectors(
     pages: &[Page],
     corners: &[DVec3],
     (east, north): (DVec3, DVec3),
@@ -65,7 +65,7 @@ pub(super) fn sectors(
 
 /// The largest angle between planes of pages that count as one, and the rounding of angles and of
 /// their sines.
-pub(super) fn spread(pages: &[Page], touching: f64) -> f64 {
+pub(crate) fn spread(pages: &[Page], touching: f64) -> f64 {
     let mut planes: Vec<f64> = pages.iter().map(|page| page.angle.rem_euclid(PI)).collect();
     planes.sort_by(f64::total_cmp);
     let apart = planes.windows(2).map(|pair| pair[1] - pair[0]);
@@ -74,7 +74,7 @@ pub(super) fn spread(pages: &[Page], touching: f64) -> f64 {
 }
 
 /// The parts that count for a point at an angle, with their signs.
-pub(super) fn states(
+pub(crate) fn states(
     pages: &[Page],
     angle: f64,
     is_on_second: bool,

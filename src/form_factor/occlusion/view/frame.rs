@@ -8,19 +8,19 @@ use glam::DVec3;
 
 /// A corner, and how far it is from its exact place at most.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Set {
+pub(crate) struct Set {
     pub place: DVec3,
     pub displaced: f64,
 }
 
 /// The frame of a polygon: its first corner, two directions in its plane, its normal.
-pub(super) struct Frame {
+pub(crate) struct Frame {
     origin: Vector<DoubleDouble>,
     axes: [Vector<DoubleDouble>; 3],
 }
 
 impl Frame {
-    pub(super) fn of(polygon: &Polygon) -> Self {
+    pub(crate) fn of(polygon: &Polygon) -> Self {
         let zero = DoubleDouble::from(0.0);
         let one = zero.constant(1.0);
         let unit = |vector: Vector<DoubleDouble>| vector.times(one / vector.length());
@@ -43,19 +43,19 @@ impl Frame {
     }
 
     /// A point, in the frame and some unit: a power of two.
-    pub(super) fn place(&self, point: DVec3) -> Vector<DoubleDouble> {
+    pub(crate) fn place(&self, point: DVec3) -> Vector<DoubleDouble> {
         let from_origin = Vector::lifted(point, DoubleDouble::from(0.0)).minus(self.origin);
         self.turned(from_origin)
     }
 
-    pub(super) fn turned(&self, vector: Vector<DoubleDouble>) -> Vector<DoubleDouble> {
+    pub(crate) fn turned(&self, vector: Vector<DoubleDouble>) -> Vector<DoubleDouble> {
         Vector(self.axes.map(|axis| vector.dot(axis)))
     }
 }
 
 /// The points over which `normal·x ≥ offset`.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Plane {
+pub(crate) struct Plane {
     pub normal: DVec3,
     pub offset: f64,
 }
@@ -66,7 +66,7 @@ impl Plane {
     }
 
     /// The largest height over the plane that counts as none.
-    pub(super) fn nearest(&self, piece: &[Set], touching: f64) -> f64 {
+    pub(crate) fn nearest(&self, piece: &[Set], touching: f64) -> f64 {
         let heights = piece.iter().map(|corner| self.height(corner.place).abs());
         let near = heights.filter(|height| *height <= touching);
         near.fold(0.0, f64::max)
@@ -76,7 +76,7 @@ impl Plane {
     ///
     /// Corners that count as level are put into P's plane exactly. A corner between two others is
     /// as far from its place as these are, and as the rounding of three products and a sum.
-    pub(super) fn front_of(&self, piece: &[Set], touching: f64) -> Option<Vec<Set>> {
+    pub(crate) fn front_of(&self, piece: &[Set], touching: f64) -> Option<Vec<Set>> {
         let height = |corner: &Set| {
             let height = self.height(corner.place);
             if height.abs() <= touching {

@@ -12,16 +12,16 @@
 
 use super::boundary::Arrangement;
 use super::covers::Segment;
-use super::region::{HalfPlane, Region};
-use super::sight::Sight;
-use super::trace::Placed;
 use super::validity::{NOISE, outer_coefficients, product, roots};
+use crate::form_factor::occlusion::view::region::{HalfPlane, Region};
+use crate::form_factor::occlusion::view::sight::Sight;
+use crate::form_factor::occlusion::view::trace::Placed;
 use glam::DVec3;
 use smallvec::SmallVec;
 
 /// A region that is an intersection of half-planes, those of P first.
 #[derive(Debug)]
-pub(super) struct Convex<'a> {
+pub(crate) struct Convex<'a> {
     sight: &'a Sight<'a>,
     halves: SmallVec<[HalfPlane; 16]>,
     /// The corners of P.
@@ -59,13 +59,13 @@ struct Scope {
 
 /// A region, with what is known of it.
 #[derive(Debug)]
-pub(super) struct Known<'a> {
+pub(crate) struct Known<'a> {
     convex: Option<Convex<'a>>,
     found: Vec<Arrangement>,
 }
 
 impl<'a> Known<'a> {
-    pub(super) fn of(convex: Option<Convex<'a>>) -> Self {
+    pub(crate) fn of(convex: Option<Convex<'a>>) -> Self {
         Self {
             convex,
             found: Vec::new(),
@@ -73,7 +73,7 @@ impl<'a> Known<'a> {
     }
 
     /// The boundary at t with all of the range in which it is that; none if that cannot be told.
-    pub(super) fn at(&mut self, placed: &[Placed], t: f64) -> Option<&Arrangement> {
+    pub(crate) fn at(&mut self, placed: &[Placed], t: f64) -> Option<&Arrangement> {
         let is_there = |found: &Arrangement| found.range[0] < t && t < found.range[1];
         let place = match self.found.iter().position(is_there) {
             Some(place) => place,
@@ -91,7 +91,7 @@ type Corners = SmallVec<[Crossing; 12]>;
 
 impl<'a> Convex<'a> {
     /// The part of a region that lies in a shadow, or all of it, if that is convex as seen.
-    pub(super) fn of(sight: &'a Sight, region: &Region, shadow: Option<&Region>) -> Option<Self> {
+    pub(crate) fn of(sight: &'a Sight, region: &Region, shadow: Option<&Region>) -> Option<Self> {
         if sight.is_level {
             // lines of sight are lines through y there
             return None;
@@ -131,7 +131,7 @@ impl<'a> Convex<'a> {
     }
 
     /// The boundary at t; none if something cannot be told there.
-    pub(super) fn arrange(&self, placed: &[Placed], t: f64) -> Option<Arrangement> {
+    pub(crate) fn arrange(&self, placed: &[Placed], t: f64) -> Option<Arrangement> {
         let mut scope = Scope {
             t,
             range: [0.0, 1.0],

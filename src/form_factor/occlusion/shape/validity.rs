@@ -9,21 +9,21 @@
 //! The range is cut at the zeros next to t. What is zero all along, up to rounding, is a tie, and
 //! either order will do; what cannot be told from zero at t alone makes the comparison uncertain.
 
-use super::region::{Cone, Region};
-use super::sight::Sight;
-use super::trace::Placed;
+use crate::form_factor::occlusion::view::region::{Cone, Region};
+use crate::form_factor::occlusion::view::sight::Sight;
+use crate::form_factor::occlusion::view::trace::Placed;
 use glam::DVec2;
 
 /// A place on a line, and the line that crosses there.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Place {
+pub(crate) struct Place {
     pub at: f64,
     pub line: usize,
 }
 
 /// Comparisons of lines at t, and the range in which all of them hold.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Validity<'a> {
+pub(crate) struct Validity<'a> {
     pub sight: &'a Sight<'a>,
     /// All lines at t.
     pub placed: &'a [Placed],
@@ -33,11 +33,11 @@ pub(super) struct Validity<'a> {
 }
 
 /// No line.
-pub(super) const NONE: usize = usize::MAX;
+pub(crate) const NONE: usize = usize::MAX;
 
 impl Validity<'_> {
     /// The sides of a cone that the plane of sight of a line cuts; none if it does not.
-    pub(super) fn crossing(&self, cone: &Cone, line: usize) -> Option<[usize; 2]> {
+    pub(crate) fn crossing(&self, cone: &Cone, line: usize) -> Option<[usize; 2]> {
         let (mut above, mut below) = (0, 0);
         for corner in &cone.corners {
             let height = self.height(line, *corner);
@@ -78,7 +78,7 @@ impl Validity<'_> {
     }
 
     /// All corners of a cone keep to their side of the plane of sight of a line.
-    pub(super) fn keeps_missing(&mut self, cone: &Cone, line: usize) {
+    pub(crate) fn keeps_missing(&mut self, cone: &Cone, line: usize) {
         for corner in &cone.corners {
             self.keeps_height(line, *corner);
         }
@@ -107,13 +107,13 @@ impl Validity<'_> {
     }
 
     /// The height of P over a level plane of sight, or 0.
-    pub(super) fn level_height(&self, line: usize) -> f64 {
+    pub(crate) fn level_height(&self, line: usize) -> f64 {
         let normal = self.sight.traces[line].normal;
         -(normal[0].z + self.t * normal[1].z)
     }
 
     /// Whether two lines have one direction all along.
-    pub(super) fn is_parallel(&self, line: usize, other: usize) -> bool {
+    pub(crate) fn is_parallel(&self, line: usize, other: usize) -> bool {
         let [one, two] = [line, other].map(|line| &self.sight.traces[line]);
         let quadratic = product(one.planar, two.planar);
         let noise = NOISE * one.planar_size * two.planar_size;
@@ -122,7 +122,7 @@ impl Validity<'_> {
     }
 
     /// Parallels stay on the same side of each other.
-    pub(super) fn stays_beside(&mut self, line: usize, other: usize) {
+    pub(crate) fn stays_beside(&mut self, line: usize, other: usize) {
         let [one, two] = [line, other].map(|line| self.sight.form(line));
         let direction = self.placed[line].direction.perp();
         let [one, two] = [one, two].map(|form| form.map(|n| [n.truncate().dot(direction), n.z]));
@@ -133,7 +133,7 @@ impl Validity<'_> {
     }
 
     /// Two lines go on to cross the way they do.
-    pub(super) fn turns(&mut self, line: usize, other: usize) {
+    pub(crate) fn turns(&mut self, line: usize, other: usize) {
         if other == NONE {
             return;
         }
@@ -143,7 +143,7 @@ impl Validity<'_> {
     }
 
     /// A beginning stays behind an end: nothing is between them.
-    pub(super) fn separates(&mut self, line: usize, ends: [usize; 2]) {
+    pub(crate) fn separates(&mut self, line: usize, ends: [usize; 2]) {
         for end in ends {
             self.turns(line, end);
         }
@@ -151,7 +151,7 @@ impl Validity<'_> {
     }
 
     /// The crossing of two lines stays in a region.
-    pub(super) fn contains(&mut self, line: usize, other: usize, region: &Region) {
+    pub(crate) fn contains(&mut self, line: usize, other: usize, region: &Region) {
         self.turns(line, other);
         for half in region.sides().filter(|half| half.line != line) {
             self.ordered(line, other, half.line);
@@ -160,7 +160,7 @@ impl Validity<'_> {
 
     /// Finds something at t, and the range in which it is so, the widest that can be told; none if
     /// nothing can.
-    pub(super) fn widest<T>(&self, find: impl Fn(&mut Self) -> T) -> Option<(T, [f64; 2])> {
+    pub(crate) fn widest<T>(&self, find: impl Fn(&mut Self) -> T) -> Option<(T, [f64; 2])> {
         // what changes sign somewhere else may be a tie on all of the range
         [[0.0, 1.0], self.range].into_iter().find_map(|range| {
             let mut validity = Self { range, ..*self };
@@ -170,20 +170,20 @@ impl Validity<'_> {
     }
 
     /// Restricts all that was found to this range.
-    pub(super) fn within(&mut self, [from, to]: [f64; 2]) {
+    pub(crate) fn within(&mut self, [from, to]: [f64; 2]) {
         self.range[0] = self.range[0].max(from);
         self.range[1] = self.range[1].min(to);
     }
 
     /// Places on a line keep their order.
-    pub(super) fn follow(&mut self, line: usize, places: &[Place]) {
+    pub(crate) fn follow(&mut self, line: usize, places: &[Place]) {
         for pair in places.windows(2) {
             self.ordered(line, pair[0].line, pair[1].line);
         }
     }
 
     /// The order of two places on a line is kept.
-    pub(super) fn ordered(&mut self, line: usize, one: usize, other: usize) {
+    pub(crate) fn ordered(&mut self, line: usize, one: usize, other: usize) {
         if one == other || one == NONE || other == NONE {
             return;
         }
@@ -275,7 +275,7 @@ impl Validity<'_> {
 }
 
 /// The Bernstein coefficients of a quadratic on a range.
-pub(super) fn outer_coefficients([c, b, a]: [f64; 3], [low, high]: [f64; 2]) -> [f64; 3] {
+pub(crate) fn outer_coefficients([c, b, a]: [f64; 3], [low, high]: [f64; 2]) -> [f64; 3] {
     let at = |t: f64| c + t * (b + t * a);
     [
         at(low),
@@ -285,10 +285,10 @@ pub(super) fn outer_coefficients([c, b, a]: [f64; 3], [low, high]: [f64; 2]) -> 
 }
 
 /// The part of the size of the terms that cannot be told from zero.
-pub(super) const NOISE: f64 = 64.0 * f64::EPSILON;
+pub(crate) const NOISE: f64 = 64.0 * f64::EPSILON;
 
 /// The roots of `c + b t + a t²`.
-pub(super) fn roots([c, b, a]: [f64; 3]) -> [Option<f64>; 2] {
+pub(crate) fn roots([c, b, a]: [f64; 3]) -> [Option<f64>; 2] {
     let square = b * b - 4.0 * a * c;
     if square < 0.0 {
         return [None; 2];
@@ -299,7 +299,7 @@ pub(super) fn roots([c, b, a]: [f64; 3]) -> [Option<f64>; 2] {
 }
 
 /// `(n1 × n2)_z`, a quadratic in t.
-pub(super) fn product(one: [DVec2; 2], other: [DVec2; 2]) -> [f64; 3] {
+pub(crate) fn product(one: [DVec2; 2], other: [DVec2; 2]) -> [f64; 3] {
     [
         one[0].perp_dot(other[0]),
         one[0].perp_dot(other[1]) + one[1].perp_dot(other[0]),

@@ -5,14 +5,14 @@ use smallvec::SmallVec;
 
 /// A boundary, and the range of t in which it is one.
 #[derive(Debug, Clone)]
-pub(super) struct Arrangement {
+pub(crate) struct Arrangement {
     pub segments: Vec<Segment>,
     pub range: [f64; 2],
 }
 
 impl Arrangement {
     /// The arrangement in this range at most.
-    pub(super) fn within(&self, [from, to]: [f64; 2]) -> Self {
+    pub(crate) fn within(&self, [from, to]: [f64; 2]) -> Self {
         Self {
             segments: self.segments.clone(),
             range: [self.range[0].max(from), self.range[1].min(to)],
@@ -20,7 +20,7 @@ impl Arrangement {
     }
 
     /// Whether each corner at which a side ends is one at which a side begins.
-    pub(super) fn is_closed_by_name(&self) -> bool {
+    pub(crate) fn is_closed_by_name(&self) -> bool {
         let name = |line: usize, other: usize| [line.min(other), line.max(other)];
         let named = |which: fn(&Segment) -> usize| {
             let names = self.segments.iter().map(|s| name(s.line, which(s)));

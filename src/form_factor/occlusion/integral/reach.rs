@@ -32,7 +32,7 @@ use smallvec::SmallVec;
 impl Outline {
     /// Bounds on |W| for complex t up to each `reach` from the middle, from distances.
     #[inline(always)]
-    pub(super) fn largest(&self, reach: &Lanes) -> Lanes {
+    pub(crate) fn largest(&self, reach: &Lanes) -> Lanes {
         let tilt = self.tilts(reach);
         let mut moved: SmallVec<[Lanes; 12]> = SmallVec::new();
         for drift in &self.drifts {
@@ -58,7 +58,7 @@ impl Outline {
     /// Bounds the largest change with corners that slide along their sides, from distances or from
     /// distances per height.
     #[inline(always)]
-    pub(super) fn largest_with_slides(&self, reach: &Lanes) -> Lanes {
+    pub(crate) fn largest_with_slides(&self, reach: &Lanes) -> Lanes {
         let tilt = self.tilts(reach);
         let (mut plain, mut per_height) = ([0.0; LANES], [0.0; LANES]);
         for side in &self.sides {

@@ -1,13 +1,13 @@
 //! Bounds on W where nothing is known of it, and on its change beside places where it is.
 
-use super::setting::Face;
 use super::share::Share;
-use super::sight::Sight;
+use crate::form_factor::occlusion::view::setting::Face;
+use crate::form_factor::occlusion::view::sight::Sight;
 
 impl Sight<'_> {
     /// A piece of the stretch on which nothing is certain but that `|W| ≤ |v| ∫_P dx/r`, which is
     /// largest in a disc around y: at most `2 √(π A_P)`.
-    pub(super) fn unsettled(&self, width: f64) -> Share {
+    pub(crate) fn unsettled(&self, width: f64) -> Share {
         Share {
             truncation: self.setting.most * self.along.truncate().length() * width,
             ..Share::default()
@@ -19,7 +19,7 @@ impl Sight<'_> {
     /// The integrand `n·(v × (y − x))/r²` changes by at most `3 |v|²/r²` and the lines of the
     /// boundary sweep over at most their speed times their length; r is at least h. Lines that
     /// miss P all along the gap sweep over nothing.
-    pub(super) fn bridge(&self, from: f64, to: f64) -> Share {
+    pub(crate) fn bridge(&self, from: f64, to: f64) -> Share {
         let width = to - from;
         let unsettled = self.unsettled(width);
         if width <= 0.0 {

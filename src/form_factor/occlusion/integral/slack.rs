@@ -13,14 +13,14 @@
 //!
 //! δ is measured: what was lost as a corner was rounded, cut off or taken for another one.
 
-use super::outer::Outer;
-use super::setting::{Face, Setting};
+use crate::form_factor::occlusion::view::outer::Outer;
+use crate::form_factor::occlusion::view::setting::{Face, Setting};
 use crate::numeric::real;
 use glam::DVec3;
 use std::f64::consts::PI;
 
 /// The most that displaced corners can change.
-pub(super) fn slack(setting: &Setting, stretches: &[Outer]) -> f64 {
+pub(crate) fn slack(setting: &Setting, stretches: &[Outer]) -> f64 {
     let (Some(first), Some(second)) = (
         Outline::of(setting, &setting.first),
         Outline::of(setting, &setting.second),

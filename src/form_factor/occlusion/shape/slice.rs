@@ -8,15 +8,15 @@
 
 use super::chord::chord;
 use super::covers::{Cover, Segment, joined, places, segments};
-use super::outer::{Outer, Piece};
-use super::pages::Part;
-use super::region::Region;
 use super::validity::{Place, Validity};
+use crate::form_factor::occlusion::view::outer::{Outer, Piece};
+use crate::form_factor::occlusion::view::pages::Part;
+use crate::form_factor::occlusion::view::region::Region;
 use smallvec::{SmallVec, smallvec};
 
 /// A line, and what it bounds.
 #[derive(Debug)]
-pub(super) struct Member {
+pub(crate) struct Member {
     pub line: usize,
     /// The side of it on which the piece's region is.
     own: Option<f64>,
@@ -37,7 +37,7 @@ struct Missed {
 
 impl Member {
     /// The lines around a piece and the shadows on it.
-    pub(super) fn all(outer: &Outer, piece: &Piece) -> Vec<Self> {
+    pub(crate) fn all(outer: &Outer, piece: &Piece) -> Vec<Self> {
         let regions = outer.shadows.iter().chain([&piece.region]);
         let sides = regions.flat_map(Region::sides);
         let mut lines: Vec<usize> = sides.map(|half| half.line).collect();
@@ -54,7 +54,7 @@ impl Member {
 }
 
 /// A piece at one t, and what is found of its boundary.
-pub(super) struct Slice<'a> {
+pub(crate) struct Slice<'a> {
     pub outer: &'a Outer<'a>,
     pub piece: &'a Piece,
     /// The shadows that reach into the piece's region.
@@ -180,7 +180,7 @@ impl<'a> Slice<'a> {
     }
 
     /// Finds the segments on a line.
-    pub(super) fn on_line(&mut self, member: &mut Member) {
+    pub(crate) fn on_line(&mut self, member: &mut Member) {
         let (line, count) = (member.line, member.shadows.len());
         let Some(base) = self.chord(member, count) else {
             return;

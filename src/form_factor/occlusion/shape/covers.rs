@@ -1,26 +1,26 @@
 //! Parts of a line that shadows cover, and the segments of a boundary that they leave.
 
-use super::pages::Part;
 use super::validity::{Place, Validity};
+use crate::form_factor::occlusion::view::pages::Part;
 use smallvec::SmallVec;
 
 /// A side of the boundary: a piece of a line between its crossings with two others, the region on
 /// its left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Segment {
+pub(crate) struct Segment {
     pub line: usize,
     pub from: usize,
     pub to: usize,
 }
 
 /// A part of a line, and the side of it that is in shadow there; none for both.
-pub(super) type Cover = ([Place; 2], Option<f64>);
+pub(crate) type Cover = ([Place; 2], Option<f64>);
 
 /// The segments in a window of a line, from what is in shadow beside it.
 ///
 /// **Arguments** the side of the line on which the region is, if the line bounds it, and the part
 /// of the region that counts.
-pub(super) fn segments(
+pub(crate) fn segments(
     line: usize,
     window: [Place; 2],
     covers: &[Cover],
@@ -57,7 +57,7 @@ pub(super) fn segments(
 }
 
 /// The ends of a window and of what covers it, in order.
-pub(super) fn places(window: [Place; 2], covers: &[Cover]) -> SmallVec<[Place; 8]> {
+pub(crate) fn places(window: [Place; 2], covers: &[Cover]) -> SmallVec<[Place; 8]> {
     let [low, high] = window;
     let inner = covers.iter().flat_map(|(ends, _)| *ends);
     let inner = inner.filter(|place| place.at > low.at && place.at < high.at);
@@ -67,7 +67,7 @@ pub(super) fn places(window: [Place; 2], covers: &[Cover]) -> SmallVec<[Place; 8
 }
 
 /// The union of what covers parts of a line, both sides of it.
-pub(super) fn joined(
+pub(crate) fn joined(
     line: usize,
     mut covers: SmallVec<[Cover; 4]>,
     validity: &mut Validity,

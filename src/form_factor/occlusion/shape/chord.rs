@@ -8,13 +8,13 @@
 //! A plane of sight cuts two sides of a convex cone or none; which, the heights of its corners over
 //! the plane tell.
 
-use super::region::{HalfPlane, Region};
 use super::validity::{NONE, Place, Validity};
+use crate::form_factor::occlusion::view::region::{HalfPlane, Region};
 use smallvec::SmallVec;
 
 /// The ends of the part of a line in a region at the validity's t, but for what the line itself
 /// bounds; none if it misses the region, which is certified.
-pub(super) fn chord(region: &Region, line: usize, validity: &mut Validity) -> Option<[Place; 2]> {
+pub(crate) fn chord(region: &Region, line: usize, validity: &mut Validity) -> Option<[Place; 2]> {
     let mut cut: SmallVec<[[usize; 2]; 4]> = SmallVec::new();
     if !validity.sight.is_level {
         for cone in &region.cones {

@@ -16,15 +16,15 @@
 //! parallel these cancel, too; all parts are then taken from 106 bits. What is uncertain of the
 //! lines moves a corner far along both, and little across: the two are kept apart.
 
-use super::sight::Sight;
-use super::trace::{Middle, product_difference};
+use crate::form_factor::occlusion::view::sight::Sight;
+use crate::form_factor::occlusion::view::trace::{Middle, product_difference};
 use crate::numeric::functions::elementary::logarithms;
 use crate::numeric::{DoubleDouble, LANES, Lanes, Scalar, vector_value};
 use glam::{DVec2, DVec3};
 
 /// A corner of the boundary as a function of t, about the middle of a panel: X, or X/h.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Corner {
+pub(crate) struct Corner {
     numerator: [DVec2; 3],
     denominator: [f64; 3],
     pub is_per_height: bool,
@@ -36,7 +36,7 @@ pub(super) struct Corner {
 
 impl Corner {
     /// The corner where two lines cross, on a panel.
-    pub(super) fn at_crossing(sight: &Sight, lines: [usize; 2], middle: &Middle) -> Self {
+    pub(crate) fn at_crossing(sight: &Sight, lines: [usize; 2], middle: &Middle) -> Self {
         if let Some(place) = sight.common(lines[0], lines[1]) {
             return Self::of_space(sight, place, middle);
         }
@@ -135,7 +135,7 @@ impl Corner {
     }
 
     /// The displacement of the corner as t leaves the middle.
-    pub(super) fn drift(&self) -> Drift {
+    pub(crate) fn drift(&self) -> Drift {
         let ([n0, n1, n2], [d0, d1, d2]) = (self.numerator, self.denominator);
         let place = n0 / d0;
         Drift {
@@ -148,7 +148,7 @@ impl Corner {
 
     /// X at places relative to the middle, and the logarithms of its distances from y.
     #[inline(always)]
-    pub(super) fn lanes(&self, tau: &Lanes, height: &Lanes, inverse_square: f64) -> [Lanes; 3] {
+    pub(crate) fn lanes(&self, tau: &Lanes, height: &Lanes, inverse_square: f64) -> [Lanes; 3] {
         let ([n0, n1, n2], [d0, d1, d2]) = (self.numerator, self.denominator);
         let (mut x, mut y, mut square) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
         for l in 0..LANES {
@@ -168,7 +168,7 @@ impl Corner {
     }
 
     /// X at a place relative to the middle.
-    pub(super) fn at(&self, tau: f64, height: f64) -> DVec2 {
+    pub(crate) fn at(&self, tau: f64, height: f64) -> DVec2 {
         let ([n0, n1, n2], [d0, d1, d2]) = (self.numerator, self.denominator);
         let place = (n0 + tau * (n1 + tau * n2)) / (d0 + tau * (d1 + tau * d2));
         if self.is_per_height {
@@ -181,7 +181,7 @@ impl Corner {
 
 /// The terms that bound the displacement of a corner.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Drift {
+pub(crate) struct Drift {
     /// The parts of degree 1 and 2 of the displacement's numerator.
     pub moves: [DVec2; 2],
     denominator: [f64; 3],
@@ -199,7 +199,7 @@ impl Drift {
     }
 
     /// The distance by which it moves for t up to `reach` from the middle.
-    pub(super) fn displacement(&self, reach: f64) -> f64 {
+    pub(crate) fn displacement(&self, reach: f64) -> f64 {
         let [d0, d1, d2] = self.denominator;
         let left = d0 - reach * (d1 + reach * d2);
         let moved = reach * (self.moves[0].length() + reach * self.moves[1].length());
@@ -213,7 +213,7 @@ impl Drift {
     /// The distances by which it moves for complex t up to each `reach` from the middle, from the
     /// sizes of the parts that displace it.
     #[inline(always)]
-    pub(super) fn displacements(&self, [n1, n2]: [f64; 2], reach: &Lanes) -> Lanes {
+    pub(crate) fn displacements(&self, [n1, n2]: [f64; 2], reach: &Lanes) -> Lanes {
         let [d0, d1, d2] = self.denominator;
         let mut moved = [f64::INFINITY; LANES];
         for l in 0..LANES {

@@ -4,14 +4,14 @@
 
 /// An integral with what it may be off by.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Share {
+pub(crate) struct Share {
     pub value: f64,
     pub truncation: f64,
     pub rounding: f64,
 }
 
 impl Share {
-    pub(super) fn add(&mut self, other: Self) {
+    pub(crate) fn add(&mut self, other: Self) {
         self.value += other.value;
         self.truncation += other.truncation;
         self.rounding += other.rounding + 0.5 * f64::EPSILON * self.value.abs();

@@ -5,14 +5,14 @@ use glam::{DVec2, DVec3};
 
 /// A side of the boundary: its corners, and whether its line goes through y.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct BoundarySide {
+pub(crate) struct BoundarySide {
     pub corners: [usize; 2],
     pub is_through: bool,
 }
 
 /// A boundary as it is at the middle of a panel, with what does not depend on the reach.
 #[derive(Debug)]
-pub(super) struct Outline {
+pub(crate) struct Outline {
     pub drifts: Vec<Drift>,
     pub sides: Vec<Measured>,
     along: DVec2,
@@ -28,7 +28,7 @@ pub(super) struct Outline {
 
 /// A side at the middle of a panel.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Measured {
+pub(crate) struct Measured {
     pub side: BoundarySide,
     /// `|v·ΔX|`; for a line through y `|v·X|` of both ends.
     pub along: [f64; 2],
@@ -48,14 +48,14 @@ pub(super) struct Measured {
 
 impl Measured {
     /// The unit normal of the side; none of a side without length.
-    pub(super) fn normal(&self) -> DVec2 {
+    pub(crate) fn normal(&self) -> DVec2 {
         self.run.perp().normalize_or_zero()
     }
 }
 
 impl Outline {
     /// No sides yet, of a stretch along v.
-    pub(super) fn along(v: DVec3, is_level: bool) -> Self {
+    pub(crate) fn along(v: DVec3, is_level: bool) -> Self {
         Self {
             drifts: Vec::new(),
             sides: Vec::new(),
@@ -71,7 +71,7 @@ impl Outline {
     /// Takes other sides.
     ///
     /// **Arguments** `places`: the corners' places at the middle; `height`: the height there.
-    pub(super) fn set(
+    pub(crate) fn set(
         &mut self,
         (corners, places): (&[Corner], &[DVec2]),
         sides: &[BoundarySide],
@@ -146,7 +146,7 @@ impl Outline {
     }
 
     /// Bounds the change of W by a gap that the sides leave open.
-    pub(super) fn gap(&self, width: f64) -> f64 {
+    pub(crate) fn gap(&self, width: f64) -> f64 {
         let logs = self.sides.iter().flat_map(|measured| measured.log);
         let most = logs.filter(|log| log.is_finite()).fold(0.0, f64::max);
         self.speed * width * (1.0 + most)
@@ -159,7 +159,7 @@ impl Outline {
     /// A side whose corners move by δ, and by η across it, sweeps over
     /// `½ (L + δ0 + δ1)(η0 + η1)` at most; its ends alone change W by δ (1 + |ln r|). The height is
     /// off, too: by 2u of itself, as much for all corners.
-    pub(super) fn shifts(&self, corners: &[Corner], half: f64, shifts: &mut Vec<[f64; 2]>) -> f64 {
+    pub(crate) fn shifts(&self, corners: &[Corner], half: f64, shifts: &mut Vec<[f64; 2]>) -> f64 {
         let tilt = half * self.rise;
         let highest = self.height + tilt;
         let noise = |corner: usize| {

@@ -8,14 +8,14 @@
 //! until what W can change by in them is nothing, and taken as their neighbours are; of those that
 //! are left after many halvings the bound has all that they may change.
 
-use super::arrangement::Roster;
-use super::boundary::Arrangement;
-use super::outer::{Outer, Piece};
 use super::rule::Panel;
 use super::share::Share;
+use crate::form_factor::occlusion::shape::arrangement::Roster;
+use crate::form_factor::occlusion::shape::boundary::Arrangement;
+use crate::form_factor::occlusion::view::outer::{Outer, Piece};
 
 /// The integral along a stretch.
-pub(super) fn stretch(outer: &Outer, piece: &Piece, accuracy: f64) -> Share {
+pub(crate) fn stretch(outer: &Outer, piece: &Piece, accuracy: f64) -> Share {
     let length = outer.sight.along.length();
     let mut sum = Share::default();
     let arrangements = arrangements(outer, piece, accuracy * length, &mut sum);
