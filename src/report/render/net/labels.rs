@@ -1,6 +1,6 @@
 //! The names of walls on a net: inside, or a number inside and the name below the net.
 
-use super::units::MARGIN;
+use crate::report::render::units::MARGIN;
 
 /// The width of a letter of a broad font and the height of a line, in the fine units of a page, and
 /// the space around them.

@@ -1,7 +1,7 @@
 //! The legend of a net: the scale of its colours, and samples of lights and links.
 
-use super::scale::Scale;
-use super::units::{FINER, LETTERS, MARGIN, ROW};
+use crate::report::render::scale::Scale;
+use crate::report::render::units::{FINER, LETTERS, MARGIN, ROW};
 use plotters::coord::Shift;
 use plotters::coord::ranged1d::{Ranged, ValueFormatter};
 use plotters::prelude::*;

@@ -7,8 +7,11 @@
 //!
 //! **Not here**: computing.
 
-use super::net_labels::{Label, Labels};
-use super::net_legend::{HEIGHT, LINKED, Legend, draw_light};
+mod labels;
+mod legend;
+
+use self::labels::{Label, Labels};
+use self::legend::{HEIGHT, LINKED, Legend, draw_light};
 use super::sheet::{Area, Drawing};
 use super::units::{FINER, LETTERS, MARGIN, ROW};
 use crate::question::{MeshNet, NetWall};

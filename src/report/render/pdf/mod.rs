@@ -6,7 +6,9 @@
 //!
 //! **Not covered**: pixels, transparency; colours are drawn as mixed with white.
 
-use super::pdf_letters::{Letter, SMALL, letter, width};
+mod letters;
+
+use self::letters::{Letter, SMALL, letter, width};
 use super::units::FINER;
 use pdf_writer::{Content, Finish, Name, Pdf, Rect, Ref, Str};
 use plotters_backend::text_anchor::{HPos, VPos};
