@@ -4,9 +4,9 @@
 //! polygons of rows.
 
 use crate::exchange::ScenePairs;
+use crate::exchange::pairs::sights::Sight;
 use crate::exchange::plan::facing::Facing;
 use crate::exchange::rows::terms::RowTerm;
-use crate::exchange::sights::Sight;
 use crate::numeric::{Symmetric, parallel_map};
 use rayon::prelude::*;
 

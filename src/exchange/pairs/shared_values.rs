@@ -8,11 +8,11 @@
 //! leaves of all; a class whose pairs may differ by more has no value,
 //! and each of its pairs is computed by itself.
 
-use super::plan::Source;
-use super::plan::model_offset::offset_allowance;
-use super::plan::perturbation::{allowance, corner_allowance};
 use super::sights::Sight;
-use super::{ExchangeError, ScenePairs};
+use crate::exchange::plan::Source;
+use crate::exchange::plan::model_offset::offset_allowance;
+use crate::exchange::plan::perturbation::{allowance, corner_allowance};
+use crate::exchange::{ExchangeError, ScenePairs};
 use crate::form_factor::{Answer, Polygon};
 use crate::geometry::{FlatBox, Patch};
 use crate::scene::NamedPatch;
@@ -20,7 +20,7 @@ use glam::DVec3;
 
 impl ScenePairs<'_> {
     /// The value of a class; none if its pairs are not equal within the tolerance.
-    pub(super) fn shared_value(
+    pub(crate) fn shared_value(
         &self,
         class: usize,
         shapes: &[NamedPatch],

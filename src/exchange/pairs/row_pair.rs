@@ -14,9 +14,9 @@
 //! Cancellation costs digits: where the bound misses the tolerance, the terms are computed again to
 //! a finer one.
 
-use super::{ExchangeError, PassCounts, ScenePairs};
 use crate::exchange::plan::facing::Facing;
 use crate::exchange::rows::terms::RowTerm;
+use crate::exchange::{ExchangeError, PassCounts, ScenePairs};
 use crate::form_factor::{Answer, ExchangeArea, Route};
 use crate::numeric::CompensatedSum;
 use crate::scene::SceneError;

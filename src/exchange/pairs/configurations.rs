@@ -31,7 +31,7 @@ const SHARES: usize = 64;
 
 /// The values of forms, found so far.
 #[derive(Debug)]
-pub(super) struct Configurations {
+pub(crate) struct Configurations {
     patches: Vec<Option<FlatBox>>,
     screens: Vec<Option<FlatBox>>,
     known: Vec<Mutex<Known>>,
@@ -65,7 +65,7 @@ struct Image {
 }
 
 impl Configurations {
-    pub(super) fn of(scene: &Scene) -> Self {
+    pub(crate) fn of(scene: &Scene) -> Self {
         let flat = |surface: &NamedPatch| FlatBox::of(surface.shape());
         let screens = scene.screens();
         let screens = (0..screens.count()).map(|k| FlatBox::of(&screens.screen(k).shape));
@@ -79,7 +79,7 @@ impl Configurations {
     /// The exchange area of two patches past some screens, if it can be shared.
     ///
     /// **Arguments** `touching`: as in [`Occluders`], the same for all.
-    pub(super) fn exchange(
+    pub(crate) fn exchange(
         &self,
         patches: [usize; 2],
         screens: &[usize],

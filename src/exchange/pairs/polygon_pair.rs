@@ -11,9 +11,9 @@
 //!
 //! **Not covered**: the signs of polygons in rows (`row_pair`).
 
-use super::plan::facing::Facing;
 use super::sights::{Sight, Sights};
-use super::{ExchangeError, PassCounts, ScenePairs};
+use crate::exchange::plan::facing::Facing;
+use crate::exchange::{ExchangeError, PassCounts, ScenePairs};
 use crate::form_factor::together::{Asked, TOGETHER, exchange_areas};
 use crate::form_factor::{Answer, ExchangeArea, Polygon, Route};
 use smallvec::SmallVec;
@@ -168,7 +168,7 @@ impl ScenePairs<'_> {
     }
 
     /// The relative error to which two polygons are evaluated.
-    pub(super) fn relative_tolerance(
+    pub(crate) fn relative_tolerance(
         &self,
         first: usize,
         second: usize,
