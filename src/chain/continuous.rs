@@ -20,7 +20,7 @@ use super::reversible::ReversibleChain;
 use crate::exchange::{Congruence, ScenePairs};
 use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::geometry::centroid;
-use crate::numeric::compensated_sum;
+use crate::numeric::{Grade, compensated_sum};
 use crate::scene::{NamedPatch, Occlusion, Scene, SceneError};
 use glam::DVec3;
 use nalgebra::DMatrix;
@@ -30,11 +30,16 @@ use nalgebra::DMatrix;
 pub struct ContinuousChain {
     /// The chain, one state for each patch.
     pub chain: ReversibleChain,
-    /// The largest error of an entry `w_i P_ij`, relative to the sum of all: an *estimate*, from
-    /// the last two extrapolations.
+    /// The largest absolute error of an entry `w_i P_ij`; all entries together are 1. It is found
+    /// from the last two extrapolations.
     pub error: f64,
     /// The number of cells of the finest division.
     pub cells: usize,
+}
+
+impl ContinuousChain {
+    /// The grade of the error.
+    pub const GRADE: Grade = Grade::Estimate;
 }
 
 /// The largest number of cells that is tried: the exchange areas of all pairs are held.

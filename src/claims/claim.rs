@@ -31,7 +31,7 @@ pub enum Task {
     AllOf {
         /// The ids of the claims.
         members: Vec<String>,
-        /// Their names in a sentence.
+        /// The names of the claims in a sentence.
         note: String,
         /// The verdict on record.
         recorded: Verdict,

@@ -65,7 +65,7 @@ impl Inputs {
         input.ok_or_else(|| wrong(name, "is missing"))
     }
 
-    /// These inputs, with those of `changes` in place of their namesakes.
+    /// Replaces inputs by their namesakes in `changes`, and adds the others.
     #[must_use]
     pub fn changed_by(&self, changes: &Self) -> Self {
         let mut changed = self.clone();

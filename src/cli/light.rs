@@ -60,7 +60,7 @@ impl From<ChainName> for SceneChain {
 }
 
 impl LightArguments {
-    /// Whether it is the visibility chain, and no light is described.
+    /// Whether the chain is that of visibility, and no light is described.
     pub(super) fn is_absent(&self) -> bool {
         self.light() == Light::default()
     }

@@ -1,4 +1,4 @@
-//! Where an answer goes, and in which format.
+//! The place where an answer goes, and its format.
 
 use super::{Answer, Outcome};
 use clap::builder::RangedI64ValueParser;
@@ -152,7 +152,7 @@ fn replace(path: &Path, text: &[u8]) -> io::Result<()> {
     replace_by(path, |file| file.write_all(text))
 }
 
-/// As [`replace_by`], with an error that says which file it was.
+/// Replaces a file by [`replace_by`], with an error that says which file it was.
 pub(super) fn replace_with(
     path: &Path,
     write: impl FnOnce(&mut dyn Write) -> Result<(), Box<dyn std::error::Error>>,

@@ -90,8 +90,8 @@ impl Study {
             Subject::Refinement | Subject::Accuracy | Subject::Tolerances | Subject::Oracles
         );
         if self.figure.is_some() && !has_figure {
-            let which = "only the studies of refinements, of accuracy, of tolerances and of oracles \
-                         have a figure";
+            let which = "only the studies of refinements, of accuracy, of tolerances and of \
+                         oracles have a figure";
             return Err(which.into());
         }
         self.output.check()?;

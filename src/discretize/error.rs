@@ -44,7 +44,8 @@ pub enum DiscretizeError {
     /// An enclosure was asked for where there is no closed form.
     #[error(
         "enclosures are for rectangles with edges along three common axes that see each other \
-         fully, and here is another pair: name only rectangles that are aligned, or do without an enclosure"
+         fully, and here is another pair: name only rectangles that are aligned, or do without an \
+         enclosure"
     )]
     NotEnclosed,
     /// No start of the search converged.

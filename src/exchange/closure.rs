@@ -15,7 +15,7 @@
 //!
 //! **Not covered**: the state outside that takes this rest; it belongs to the chains.
 
-use super::row_pair::per_area;
+use super::pairs::row_pair::per_area;
 use super::{ExchangeAreas, ExchangeError, ScenePairs};
 use crate::numeric::CompensatedSum;
 use std::sync::Arc;

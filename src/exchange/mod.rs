@@ -31,8 +31,8 @@
 //!    pairs share one value: those of rectangles along the axes, however these are turned, and
 //!    translates and mirror images of any polygons.
 //! 2. **Tiles** (`passes/tiles`). The other pairs are walked in tiles, each pair once, on all
-//!    threads. The exchange area of two rows (`row_pair`) is the sum over the terms of both, pairs
-//!    of polygons (`polygon_pair`).
+//!    threads. The exchange area of two rows (`pairs/row_pair`) is the sum over the terms of both,
+//!    pairs of polygons (`pairs/polygon_pair`).
 //! 3. **Sums** (`passes`). The results of the tiles are added in their order, so that they do not
 //!    depend on the number of threads: [`ScenePairs::row_sums`] holds nothing but the sums,
 //!    [`ScenePairs::for_each_row`] one row, [`ScenePairs::tile`] one tile, [`ExchangeAreas`] the
@@ -67,9 +67,9 @@
 //!
 //! # What stands in the way
 //!
-//! Where something can stand between two patches, each pair looks up what does (`sights`), and is
-//! evaluated past it ([`Polygon::exchange_area_past`]), once for all configurations that are
-//! congruent (`configurations`); a pair that convex bodies hide is 0 without an integral.
+//! Where something can stand between two patches, each pair looks up what does (`pairs/sights`),
+//! and is evaluated past it ([`Polygon::exchange_area_past`]), once for all configurations that are
+//! congruent (`pairs/configurations`); a pair that convex bodies hide is 0 without an integral.
 //! [`Occlusion`] is the policy. The plan counts pairs that are visible, partial and hidden.
 //!
 //! [`Occlusion`]: crate::scene::Occlusion
@@ -86,23 +86,19 @@
 
 mod blocks;
 mod closure;
-mod configurations;
 mod error;
 mod matrix_laws;
+mod pairs;
 mod passes;
 mod plan;
 mod points;
-mod polygon_pair;
 mod progress;
 mod ranks;
 mod resolution;
 mod resolution_errors;
-mod row_pair;
 mod rows;
 mod scene_pairs;
 mod selection;
-mod shared_values;
-mod sights;
 mod store;
 mod tolerance;
 

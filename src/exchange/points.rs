@@ -23,7 +23,7 @@ pub struct ScenePoints<'s> {
     scene: &'s Scene,
     /// Patches, then obstructions.
     surfaces: Vec<Polygon>,
-    /// What hides: the screens that the surfaces make up; none if that is ignored.
+    /// The screens that the surfaces make up, which hide; none if that is ignored.
     screens: Vec<Polygon>,
     occlusion: Occlusion,
 }

@@ -1,12 +1,12 @@
-//! What the resolution of a scene can change of what its rows exchange, and of their sums.
+//! Bounds on the change of what a scene's rows exchange, and of their sums, by its resolution.
 //!
 //! The bounds are those of [`Resolution`](crate::exchange::resolution::Resolution), summed over the
 //! polygons of rows.
 
 use crate::exchange::ScenePairs;
+use crate::exchange::pairs::sights::Sight;
 use crate::exchange::plan::facing::Facing;
 use crate::exchange::rows::terms::RowTerm;
-use crate::exchange::sights::Sight;
 use crate::numeric::{Symmetric, parallel_map};
 use rayon::prelude::*;
 

@@ -69,7 +69,7 @@ pub enum FormFactorError {
     /// Two points that should be apart are not.
     #[error("two points {distance} apart: they must be apart, and not infinitely far")]
     SamePoint {
-        /// Their distance.
+        /// The distance of the points.
         distance: f64,
     },
 }

@@ -20,9 +20,10 @@
 //! | points, with the gradient | Lambert's formula and its derivative | `point` |
 //!
 //! `clipped_pair` removes the part of each polygon behind the other's plane and measures the rest;
-//! `chooser` chooses the route; `together` measures eight pairs in the lanes of a vector, and takes
-//! rules of few points so. `occlusion` takes away what other polygons hide. [`LogMeans`] are
-//! the integrals of the logarithms of distance and cosines over the exchange of a pair.
+//! `front_door` is asked, `chooser` chooses the route; `together` measures eight pairs in the lanes
+//! of a vector, and takes rules of few points so. `occlusion` takes away what other polygons hide.
+//! [`LogMeans`] are the integrals of the logarithms of distance and cosines over the exchange of a
+//! pair.
 //! [`crate::reference`] is an independent slow computation by which all routes are judged,
 //! [`sampling`] another.
 //!
@@ -82,6 +83,7 @@ mod clipped_pair;
 mod contour;
 mod error;
 mod exchange_area;
+mod front_door;
 mod gauss;
 mod logarithms;
 mod occlusion;
@@ -95,9 +97,9 @@ pub mod sampling;
 pub(crate) mod together;
 mod workspace;
 
-pub use chooser::DEFAULT_TOLERANCE;
 pub use error::FormFactorError;
 pub use exchange_area::{Answer, ExchangeArea};
+pub use front_door::DEFAULT_TOLERANCE;
 pub use gauss::lambert::{point_form_factor, point_kernel};
 pub use logarithms::LogMeans;
 pub use occlusion::{Occluders, point_form_factor_past};

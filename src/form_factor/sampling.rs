@@ -27,7 +27,7 @@
 //! Eurographics 1993; Santaló, *Integral Geometry and Geometric Probability*, 1976, ch. 12; Cranley
 //! and Patterson, SIAM J. Numer. Anal. 13, 1976 (random shifts).
 
-use crate::geometry::{Facet, LocalLine, Patch, line_through_sphere};
+use crate::geometry::{Facet, LocalLine, Patch, bounds, line_through_sphere};
 use glam::DVec3;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -225,9 +225,8 @@ struct Targets {
 
 impl Targets {
     fn new([first, second]: [&Patch; 2], blockers: &[Patch]) -> Self {
-        let corners = || first.corners().iter().chain(second.corners());
-        let lowest = corners().fold(DVec3::INFINITY, |low, c| low.min(*c));
-        let highest = corners().fold(DVec3::NEG_INFINITY, |high, c| high.max(*c));
+        let corners = first.corners().iter().chain(second.corners());
+        let [lowest, highest] = bounds(corners.copied());
         let unit = (0.5 * highest - 0.5 * lowest).max_element();
         let middle = 0.5 * lowest + 0.5 * highest;
         let polygons = [first, second].map(|patch| Target::new(patch, middle, unit));

@@ -8,7 +8,10 @@
 
 mod error;
 mod local_line;
+mod part;
 mod patch;
+mod plane;
+mod points;
 mod polygon;
 mod rectangle;
 mod shaft;
@@ -17,7 +20,10 @@ mod vector;
 
 pub use error::GeometryError;
 pub(crate) use local_line::{Facet, LocalLine, Slope};
+pub(crate) use part::check_part;
 pub use patch::Patch;
+pub use plane::Plane;
+pub(crate) use points::{bounds, mean};
 pub use polygon::centroid::centroid;
 pub(crate) use polygon::clip::{ClippedCorner, clip, clipped};
 pub(crate) use polygon::containment::{
@@ -40,6 +46,6 @@ pub use rectangle::span::Span;
 pub use rectangle::{Rectangle, SplitAxis};
 #[doc(hidden)]
 pub(crate) use shaft::are_apart;
-pub use shaft::{Outline, Plane, Shaft};
+pub use shaft::{Outline, Shaft};
 pub(crate) use uniform_line::line_through_sphere;
 pub(crate) use vector::Vector;

@@ -42,7 +42,7 @@ pub struct PairLoss {
 
 impl PairLoss {
     /// The grade of the error.
-    pub const ERROR_GRADE: Grade = Grade::Estimate;
+    pub const GRADE: Grade = Grade::Estimate;
 }
 
 /// The losses of all pairs of patches that see each other, in a closed room that is convex inside.

@@ -6,9 +6,10 @@
 //!
 //! One rule names them everywhere. A number that people read is a [`Bounded`]. A type held by the
 //! million has the fields `value` and `error` alone; its grade is the constant `GRADE`, and
-//! `bounded` joins the three. A list of errors is `errors`. An `error` is absolute and of the
-//! number beside it; `standard_error` (one standard deviation) and `relative_error` (a quotient)
-//! keep their names, for they mean something else.
+//! `bounded` joins the three. A list of errors is `errors`; where several lists stand in one type,
+//! each has its own list of bounds beside it: `own` and `own_bounds`. An `error` is absolute and of
+//! the number beside it; names for something else stay: `standard_error` (one standard deviation),
+//! `relative_error` (a quotient), and `uncertainty` (relative, of a value that judges another).
 //!
 //! **Not covered**: enclosures themselves, which are [`Interval`](super::Interval)s.
 

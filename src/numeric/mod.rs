@@ -36,7 +36,7 @@
 //! let gain = split.rectangles()?.lifted(&cut).gain(&[cut])?;
 //! assert!(gain.width() < 1e-70);
 //!
-//! // the best cut of all, with proof: it is the only stationary point
+//! // the best cut of all, with proof: it is the only stationary point; Coq has the same decimals
 //! let best = split.certified_best(128)?;
 //! let digits = best.position.to_decimal(30).ok_or("bounded")?;
 //! assert!(digits.lower.starts_with("0.39920102604538512521124559685"));

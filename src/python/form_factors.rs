@@ -62,7 +62,7 @@ struct Factors {
     columns: Vec<usize>,
     values: Vec<f64>,
     bounds: Vec<f64>,
-    /// What the resolution can change, if there is one.
+    /// Bounds on the change by the resolution, if there is one.
     resolution_bounds: Option<Vec<f64>>,
     patches: Vec<PatchRecord>,
     resolution: f64,

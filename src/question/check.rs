@@ -2,6 +2,7 @@
 
 use super::QuestionError;
 use super::scene::SceneSource;
+use crate::geometry;
 use crate::numeric::compensated_sum;
 use crate::scene::{FreeEdge, Obstacle, Scene};
 use glam::DVec3;
@@ -46,9 +47,9 @@ pub struct CheckAnswer {
     pub volume: Option<f64>,
     /// The number of stretches of edges that no other patch shares.
     pub free_edges: usize,
-    /// Their length in all.
+    /// The length of free edges in all.
     pub free_length: f64,
-    /// The longest of them, at most [`Check::MOST_LISTED`].
+    /// The longest free edges, at most [`Check::MOST_LISTED`].
     pub longest_free_edges: Vec<FreeEdgeRecord>,
     /// Whether all patches face away from each other.
     pub turned_away: bool,
@@ -94,7 +95,7 @@ pub struct BlockedRecord {
     pub patches: [PatchMark; 2],
     /// The name of the surface that stands between.
     pub by: String,
-    /// Whether it only obstructs.
+    /// Whether that surface only obstructs.
     pub by_obstruction: bool,
 }
 
@@ -157,10 +158,10 @@ impl Check {
 /// The smallest and the largest coordinates of patches and obstructions.
 fn bounds(scene: &Scene) -> [DVec3; 2] {
     let surfaces = scene.patches().iter().chain(scene.obstructions());
-    let corners = surfaces.flat_map(|surface| surface.shape().corners());
-    corners.fold(
-        [DVec3::INFINITY, DVec3::NEG_INFINITY],
-        |[low, high], corner| [low.min(*corner), high.max(*corner)],
+    geometry::bounds(
+        surfaces
+            .flat_map(|surface| surface.shape().corners())
+            .copied(),
     )
 }
 

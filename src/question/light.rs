@@ -34,7 +34,7 @@ pub struct Light {
 }
 
 impl Light {
-    /// Whether it is the visibility chain, which takes no light.
+    /// Whether the chain is that of visibility, which takes no light.
     ///
     /// # Errors
     /// [`QuestionError::NoLightMeant`] if light is described nevertheless.

@@ -1,11 +1,11 @@
 //! The radiosities of a scene, and the importances.
 
 use super::QuestionError;
+use super::form_factors::store::StoreToRead;
 use super::lights::{ChannelLight, ChannelSolution, Power, Room};
 use super::material_changes::MaterialChanges;
 use super::patch_values::{PatchValue, values};
 use super::scene::{SceneSource, ignored_note};
-use super::store::StoreToRead;
 use super::unreached::Unreached;
 use crate::exchange::{
     Alone, Congruence, PassSummary, PlanSummary, ProductFiles, Progress, Ranks, ScenePairs,

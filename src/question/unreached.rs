@@ -15,7 +15,7 @@ pub enum Unreached {
         pairs: usize,
         /// The rows of the worst pair.
         worst: [usize; 2],
-        /// Their names.
+        /// The names of the rows.
         names: [String; 2],
         /// The larger form factor of the worst pair.
         form_factor: f64,

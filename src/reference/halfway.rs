@@ -3,7 +3,7 @@
 //! ```text
 //!   P: z = 0,  Q: z = h, facing,  plates: z = h/2
 //!   V(c, d) = measure of the lines from P to Q that cross z = h/2 where x < c and y < d
-//!   c ≤ 1/2:  V(c, ·) = ½ E(2c, ·)            E(a, b): exchange area of two facing rectangles a × b
+//!   c ≤ 1/2:  V(c, ·) = ½ E(2c, ·)         E(a, b): exchange area of two facing rectangles a × b
 //!   c > 1/2:  V(c, ·) = E(1, ·) − ½ E(2 − 2c, ·)                               likewise for d
 //!   hidden by [c, c'] × [d, d']:  V(c', d') − V(c, d') − V(c', d) + V(c, d)
 //! ```

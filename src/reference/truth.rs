@@ -19,6 +19,7 @@ const REFERENCE: f64 = 1e-18;
 #[derive(Debug, Clone)]
 pub struct Truth {
     value: Interval,
+    /// The uncertainty relative to the value.
     uncertainty: f64,
     origin: &'static str,
 }

@@ -17,16 +17,17 @@ mod render;
 
 pub use answers::check::check_report;
 pub use answers::claims::{curve_figure, curve_report, reproduction_report};
-pub use answers::claims_page::{claims_page, first_verdicts};
 pub use answers::cuts::{cut_report, cuts_figure, cuts_report};
 pub use answers::discontinuities::{discontinuities_map, discontinuities_report, gain_figure};
-pub use answers::findings::findings_page;
 pub use answers::form_factors::write_form_factors;
 #[cfg(feature = "proptest")]
 pub use answers::fuzz::fuzz_report;
 pub use answers::grid::grid_report;
 pub use answers::measure::measure_report;
 pub(crate) use answers::measure::plan_notes;
+pub use answers::pages::claims::{claims_page, first_verdicts};
+pub use answers::pages::findings::findings_page;
+pub use answers::pages::trusted::trusted_page;
 pub use answers::points::write_points;
 pub use answers::radiosity::radiosity_report;
 pub use answers::refine::{refinement_net, refinement_report};
@@ -34,7 +35,6 @@ pub use answers::sampled::sample_report;
 pub use answers::split::split_report;
 pub use answers::store::{store_report, store_state_report};
 pub use answers::studies::{study_figure, study_report};
-pub use answers::trusted::trusted_page;
 pub use bundle::{
     BundleFigure, BundleFile, BundleTable, REPORT_SCHEMA, report_figures, report_files,
     report_tables,

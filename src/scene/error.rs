@@ -13,10 +13,11 @@ pub enum SceneError {
     Empty,
     /// The name is not one of the built-in scenes.
     #[error(
-        "there is no built-in scene \"{name}\": use cornell-box, cornell-box-blocks, two-squares, three-squares, \
-         cube:N (N from 1 to {largest}), box:X,Y,Z, tetrahedron, octahedron, dodecahedron, \
-         icosahedron, lit-cube, lit-cube-edge, lit-hall, lit-wings, shaded-cube, \
-         shaded-cube-low, shaded-cube-sharp or lit-table, or the path of a file that ends in .obj, .vs3 or .stl"
+        "there is no built-in scene \"{name}\": use cornell-box, cornell-box-blocks, two-squares, \
+         three-squares, cube:N (N from 1 to {largest}), box:X,Y,Z, tetrahedron, octahedron, \
+         dodecahedron, icosahedron, lit-cube, lit-cube-edge, lit-hall, lit-wings, shaded-cube, \
+         shaded-cube-low, shaded-cube-sharp or lit-table, or the path of a file that ends in .obj, \
+         .vs3 or .stl"
     )]
     UnknownName {
         /// The name as given.
@@ -126,7 +127,7 @@ pub enum SceneError {
         second: usize,
         /// Reflectance or emittance.
         what: &'static str,
-        /// Their names.
+        /// The names of the two.
         names: [String; 2],
     },
     /// The resolution is no length below that of the surfaces.
@@ -247,7 +248,7 @@ pub enum SceneError {
         first: usize,
         /// Index of the second.
         second: usize,
-        /// Their names.
+        /// The names of the two.
         names: [String; 2],
         /// A resolution of the coordinates at which nothing would overlap.
         resolution: Option<f64>,

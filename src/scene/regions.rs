@@ -72,7 +72,7 @@ fn ring(outline: &[usize]) -> impl Iterator<Item = [usize; 2]> + '_ {
 
 /// Outlines that make up a simple polygon.
 pub(super) struct Region {
-    /// In the order of their indices.
+    /// The outlines, in the order of their indices.
     pub(super) members: Vec<usize>,
     /// The corner after each one, around the region.
     next: HashMap<usize, usize>,

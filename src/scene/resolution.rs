@@ -236,9 +236,9 @@ impl fmt::Display for ResolvedSurfaces {
         } = self;
         write!(
             f,
-            "coordinates are taken as ± {length:e}: {bent} bent surfaces count as plane, {coplanar} \
-             as lying in a plane with others, {touching} corners as lying on the edges beside them; a \
-             resolution of 0 takes them as exact"
+            "coordinates are taken as ± {length:e}: {bent} bent surfaces count as plane, \
+             {coplanar} as lying in a plane with others, {touching} corners as lying on the edges \
+             beside them; a resolution of 0 takes them as exact"
         )
     }
 }

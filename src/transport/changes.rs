@@ -6,11 +6,11 @@ use super::{ExchangeOperator, RadiositySystem, TransportError};
 /// Bounds on changes of exchange areas, in the unit of a system.
 #[derive(Debug, Clone)]
 pub(super) struct ExchangeChanges<O> {
-    /// Off the diagonal.
+    /// The changes off the diagonal.
     pub(super) exchange: O,
-    /// Of what rows exchange with themselves.
+    /// The changes of what rows exchange with themselves.
     pub(super) own: Vec<f64>,
-    /// Of the rows' areas.
+    /// The changes of the rows' areas.
     pub(super) areas: Vec<f64>,
 }
 

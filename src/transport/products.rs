@@ -90,12 +90,15 @@ impl Products<'_> {
 impl Products<'_> {
     /// Sums over the rows of what `kernel` adds for J_ij, x_j and x_i to the sum of j and to that
     /// of i.
-    fn pass<const Q: usize, const P: usize>(
+    fn pass<const Q: usize, const P: usize, K>(
         &self,
         x: [&[f64]; Q],
         add: impl Fn([f64; P], [f64; P]) -> [f64; P] + Sync + Copy,
-        kernel: impl Fn(Lanes, [f64; Q], [Lanes; Q], &mut [Lanes; P], &mut [Lanes; P]) + Sync + Copy,
-    ) -> Result<[Vec<f64>; P], ExchangeError> {
+        kernel: K,
+    ) -> Result<[Vec<f64>; P], ExchangeError>
+    where
+        K: Fn(Lanes, [f64; Q], [Lanes; Q], &mut [Lanes; P], &mut [Lanes; P]) + Sync + Copy,
+    {
         let order = self.0.order();
         let blocks = self.0.blocks();
         let deal = Deal::new(self.0.ranks(), order);

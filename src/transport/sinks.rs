@@ -26,9 +26,9 @@ use std::fmt;
 /// Patches that reflect all light and pass it on to no other patch for certain.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Sinkless {
-    /// Their indices, in order.
+    /// The indices of the patches, in order.
     pub patches: Vec<usize>,
-    /// Their names, if they are known.
+    /// The names of the patches, if they are known.
     pub names: Vec<String>,
 }
 

@@ -1,10 +1,11 @@
-//! The house rules that a machine can check: one direction of flow, short files, no grab-bags, and
-//! features that only add.
+//! The house rules that a machine can check: one direction of flow, short files, no grab-bags,
+//! features that only add, and refusals that keep their remedies.
 #![expect(clippy::unwrap_used, reason = "a test may panic")]
 
 mod features;
 mod files;
 mod flow;
+mod refusals;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -71,8 +71,8 @@ pub(crate) fn pair_increases_add_up(case: &Case<'_>) -> Result<Finding, ClaimErr
     Ok(Finding::residual(deviation, tolerance::IDENTITY))
 }
 
-/// Both lines of eq. (5) for every pair of a random refinement, the first sub-state's flux times
-/// `cover`.
+/// Computes both lines of eq. (5) for every pair of a random refinement, the first sub-state's flux
+/// times `cover`.
 pub(crate) fn destination_weight_drops_out(case: &Case<'_>) -> Result<Finding, ClaimError> {
     let cover = case.number("cover")?;
     let mut random = RandomChains::new(case.count("seed")?.into());

@@ -1,4 +1,4 @@
-//! Where a line of sight touches blockers: is there a way past?
+//! The way past blockers that a line of sight touches, if there is one.
 //!
 //! Seen along the line, each blocker that holds the point fills a sector around it, a half-plane at
 //! an edge, all at an inner point. Sectors that fill the whole circle leave no way past.

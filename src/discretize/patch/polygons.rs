@@ -22,7 +22,7 @@ use crate::discretize::error::DiscretizeError;
 use crate::form_factor::{
     Answer, DEFAULT_TOLERANCE, FormFactorError, Occluders, Polygon, RectanglePair,
 };
-use crate::geometry::{CutLines, GeometryError, Patch, Rectangle, SplitAxis};
+use crate::geometry::{CutLines, GeometryError, Patch, Rectangle, SplitAxis, check_part};
 use crate::numeric::GaussLegendre;
 use glam::DVec3;
 use std::sync::Arc;
@@ -170,7 +170,7 @@ impl CutSurface {
         [from, to]: [f64; 2],
         value: fn(&Answer) -> f64,
     ) -> Result<f64, FormFactorError> {
-        CutLines::check(from, to)?;
+        check_part(from, to)?;
         let mut sum = 0.0;
         for part in self.lines.part(from, to)? {
             let part = Polygon::new(&part);
@@ -205,7 +205,7 @@ impl CutSurface {
 
     /// The exchange area of the part between two positions with another polygon.
     fn part_exchange(&self, other: &Polygon, from: f64, to: f64) -> Result<f64, FormFactorError> {
-        CutLines::check(from, to)?;
+        check_part(from, to)?;
         if to - from < THIN {
             return Ok(self.strips_exchange(other, from, to));
         }

@@ -4,9 +4,9 @@
 //! the routes; and the rows that see themselves.
 
 use super::tiles::Block;
+use crate::exchange::pairs::row_pair::nothing;
 use crate::exchange::plan::counts::{PassCounts, PassSummary};
 use crate::exchange::plan::facing::Facing;
-use crate::exchange::row_pair::nothing;
 use crate::exchange::{Congruence, ExchangeError, ResolutionErrors, ScenePairs};
 use crate::form_factor::{Answer, DEFAULT_TOLERANCE, ExchangeArea, Route};
 use crate::numeric::Symmetric;

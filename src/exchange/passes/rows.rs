@@ -1,9 +1,9 @@
 //! Rows of exchange areas, one at a time; and single rows, columns and entries.
 
 use super::tiles::Block;
+use crate::exchange::pairs::row_pair::{nothing, per_area};
 use crate::exchange::plan::counts::{PassCounts, PassSummary};
 use crate::exchange::plan::facing::Facing;
-use crate::exchange::row_pair::{nothing, per_area};
 use crate::exchange::{ExchangeError, RowSum, ScenePairs, Selection};
 use crate::form_factor::Answer;
 use crate::numeric::{CompensatedSum, try_parallel_map};

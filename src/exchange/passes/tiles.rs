@@ -11,9 +11,9 @@
 //! summed of them is summed in the order of [`ScenePairs::tiles`], and comes out the same for any
 //! number of threads or machines.
 
+use crate::exchange::pairs::row_pair::nothing;
 use crate::exchange::plan::counts::PassCounts;
 use crate::exchange::plan::facing::Facing;
-use crate::exchange::row_pair::nothing;
 use crate::exchange::{ExchangeError, ScenePairs};
 use crate::form_factor::Answer;
 use crate::form_factor::together::TOGETHER;

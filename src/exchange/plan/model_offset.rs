@@ -35,7 +35,7 @@ use std::f64::consts::PI;
 /// Rectangles are so many times longer than corners are off, at least.
 const SHORTEST: f64 = 1e6;
 
-/// What factors of an area, a distance or a cap change by while corners move, six of them in a row.
+/// The change of factors of an area, a distance or a cap while corners move, six of them in a row.
 const MOVED: f64 = 1.0 + 1e-4;
 
 /// A bound on the difference of the exchange areas of two rectangles along the axes of a frame and

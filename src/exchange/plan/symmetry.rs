@@ -31,7 +31,7 @@ impl Symmetry {
         })
     }
 
-    /// Whether it is a reflection, which turns fronts into backs.
+    /// Whether the symmetry is a reflection, which turns fronts into backs.
     pub(crate) fn is_reflection(&self) -> bool {
         let [a, b, _] = self.axes;
         let is_odd = (a + 1) % 3 != b;

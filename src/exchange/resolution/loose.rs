@@ -1,7 +1,7 @@
 //! A polygon whose corners may move, and what that can change of its exchange with another one.
 
-use crate::geometry::{Patch, clipped};
-use crate::numeric::{compensated_sum, real};
+use crate::geometry::{Patch, clipped, mean};
+use crate::numeric::compensated_sum;
 use glam::DVec3;
 use std::f64::consts::PI;
 
@@ -41,7 +41,7 @@ pub(super) struct Loose {
 impl Loose {
     pub(super) fn of(patch: &Patch, delta: f64, widths: &[f64]) -> Self {
         let (corners, normal) = (patch.corners().to_vec(), patch.normal());
-        let centre = corners.iter().sum::<DVec3>() / real(corners.len());
+        let centre = mean(&corners);
         let radius = corners.iter().map(|corner| corner.distance(centre));
         let ends = || corners.iter().zip(corners.iter().cycle().skip(1));
         let side = |(from, to): (&DVec3, &DVec3)| {

@@ -64,7 +64,7 @@ impl ClippedPair<'_> {
         precise
     }
 
-    /// What the rounding of heights does to the value, relative to it, if that is little of the
+    /// The relative change of the value by the rounding of heights, if that is little of the
     /// tolerance: a product is within 3 ε of the distance.
     fn plain_heights(&self) -> Option<f64> {
         let least = |heights: &[f64]| {

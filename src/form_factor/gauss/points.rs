@@ -50,7 +50,7 @@ pub(crate) struct PointLanes {
     pub point: [Lanes; 3],
     pub weight: Lanes,
     pub height: Lanes,
-    /// Whether it only fills a vector.
+    /// Whether the point only fills a vector.
     pub is_empty: bool,
 }
 

@@ -20,14 +20,17 @@
 //!
 //! | step | file |
 //! |---|---|
-//! | the pair in the frame of P, clipped, cut into convex faces, edges and corners shared | `frame`, `setting` |
-//! | stretches of edges, and the faces through them, between which x looks past | `outer`, `pages` |
-//! | planes of sight through y(t) and an edge, linear in t | `trace`, `sight`, `region` |
-//! | the boundary of R at one t, and where it keeps this shape | `arrangement`, `boundary`, `convex`, `slice`, `chord`, `covers`, `validity` |
-//! | its corners as rational functions of t, Gauss rules with a-priori bounds | `corner`, `bound`, `reach`, `rule` |
-//! | all shapes along a stretch, and the sum of their rules | `stretch`, `gap` |
-//! | what displaced corners can change | `slack` |
-//! | from a point, in closed form | `point` |
+//! | the pair in P's frame, clipped, in convex faces, with shared edges | `view/{frame, setting}` |
+//! | stretches of edges, and the faces through them, between which x looks | `view/{outer, pages}` |
+//! | planes of sight through y(t) and an edge, linear in t | `view/{trace, sight, region}` |
+//! | the boundary of R at one t, by chords of lines | `shape/{arrangement, boundary, slice, chord}` |
+//! | the boundary that is convex as seen; what shadows cover of a line | `shape/{convex, covers}` |
+//! | the range of t in which it keeps this shape | `shape/validity` |
+//! | its corners as rational functions of t, and their displacement | `integral/{corner, reach}` |
+//! | Gauss rules with a-priori bounds | `integral/{rule, bound}` |
+//! | all shapes along a stretch, and the sum of their rules | `integral/{stretch, share, gap}` |
+//! | the change by displaced corners | `integral/slack` |
+//! | the view from a point, in closed form | `point` |
 //!
 //! **Two forms.** Over the edges of Q the part of P in shadow gives what is hidden, which is taken
 //! from the unoccluded value; where a quarter or less is left of that, so that digits cancel, the
@@ -65,30 +68,11 @@
 //! taking account of shadows and interreflection", *SIGGRAPH* 1985, for the contour of what a
 //! point sees.
 
-mod arrangement;
-mod bound;
-mod boundary;
-mod chord;
-mod convex;
-mod corner;
-mod covers;
-mod frame;
-mod gap;
+mod integral;
 mod occluders;
-mod outer;
-mod pages;
 mod point;
-mod reach;
-mod region;
-mod rule;
-mod setting;
-mod share;
-mod sight;
-mod slack;
-mod slice;
-mod stretch;
-mod trace;
-mod validity;
+mod shape;
+mod view;
 
 pub use occluders::Occluders;
 
@@ -96,14 +80,14 @@ pub use point::point_form_factor_past;
 pub(crate) use point::{Sight, Viewpoint};
 
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
-use outer::outers;
-use pages::Wanted;
-use setting::Setting;
-use share::Share;
-use slack::slack;
+use integral::share::Share;
+use integral::slack::slack;
+use integral::stretch::stretch;
 use smallvec::SmallVec;
 use std::f64::consts::TAU;
-use stretch::stretch;
+use view::outer::outers;
+use view::pages::Wanted;
+use view::setting::Setting;
 
 impl Polygon {
     /// The exchange area of two polygons past others, which block from both sides.

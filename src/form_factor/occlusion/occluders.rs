@@ -1,7 +1,7 @@
 //! Polygons that may stand in the way.
 
 use crate::form_factor::Polygon;
-use glam::DVec3;
+use crate::geometry::bounds;
 
 /// The polygons that may stand between two others, each blocking from both sides.
 #[derive(Debug, Clone, Copy)]
@@ -14,25 +14,16 @@ pub struct Occluders<'a> {
 }
 
 impl<'a> Occluders<'a> {
-    /// Those that reach into the box around two polygons.
+    /// The occluders that reach into the box around two polygons.
     pub(super) fn near(&self, ends: [&Polygon; 2]) -> impl Iterator<Item = &'a Polygon> {
-        let around = ends.map(bounds);
-        let low = around[0][0].min(around[1][0]);
-        let high = around[0][1].max(around[1][1]);
+        let corners = ends.iter().flat_map(|end| &end.shape.corners);
+        let [low, high] = bounds(corners.copied());
         let reach = low.abs().max(high.abs()).max_element();
         let margin = self.touching.max(64.0 * f64::EPSILON * reach);
         let polygons = self.polygons.iter().copied();
         polygons.filter(move |polygon| {
-            let [least, most] = bounds(polygon);
+            let [least, most] = bounds(polygon.shape.corners.iter().copied());
             (most + margin).cmpge(low).all() && (least - margin).cmple(high).all()
         })
     }
-}
-
-/// The smallest and the largest coordinates.
-fn bounds(polygon: &Polygon) -> [DVec3; 2] {
-    let corners = polygon.shape.corners.iter().copied();
-    corners.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], c| {
-        [low.min(c), high.max(c)]
-    })
 }

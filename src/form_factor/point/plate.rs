@@ -106,7 +106,7 @@ pub(crate) struct PointView {
     pub touching: f64,
 }
 
-/// What a point sees of a polygon.
+/// The part of a polygon that a point sees.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Seen {
     /// Nothing is hidden.

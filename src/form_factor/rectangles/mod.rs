@@ -17,3 +17,5 @@ pub(crate) mod layout;
 pub(crate) mod pair;
 pub mod parallel;
 pub mod perpendicular;
+mod rounded_ends;
+mod second;

@@ -9,13 +9,14 @@
 use super::far::exchange_by_rules;
 use super::layout::Layout;
 use super::parallel::strip_exchange;
-use super::perpendicular::{Plate, strip_exchange_at_depth, strip_exchange_at_width};
+use super::perpendicular::{strip_exchange_at_depth, strip_exchange_at_width};
+use super::rounded_ends::rounding_of_ends;
+use super::second::{Second, other};
 use crate::form_factor::{Exchange, ExchangeArea, FormFactorError};
 use crate::geometry::{
-    AlignedRectangle, Extent, GeometryError, Offsets, Placement, Rectangle, Span, SplitAxis,
+    AlignedRectangle, GeometryError, Offsets, Placement, Rectangle, Span, SplitAxis,
 };
-use crate::numeric::{Scalar, two_sum, vectorised};
-use std::f64::consts::PI;
+use crate::numeric::{Scalar, vectorised};
 
 /// Two rectangles with edges along three common axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,24 +24,6 @@ pub struct RectanglePair<S = f64> {
     first: [Span<S>; 2],
     second: Second<S>,
     unit: f64,
-}
-
-/// The second rectangle in the first one's frame, already clipped to its front.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Second<S> {
-    /// Nothing of it is visible from anywhere on the first one's plane.
-    Dark,
-    /// The second rectangle lies in a parallel plane.
-    Parallel { spans: [Span<S>; 2], distance: S },
-    /// The second rectangle lies in the plane where the coordinate along `across` is `plane`; its
-    /// front is where that coordinate is larger (`faces_along`) or smaller. Its width runs along
-    /// the other axis.
-    Perpendicular {
-        across: SplitAxis,
-        plane: S,
-        faces_along: bool,
-        plate: Plate<S>,
-    },
 }
 
 impl RectanglePair {
@@ -85,52 +68,13 @@ impl RectanglePair {
             || self.closed_form(),
         )?;
         let value = exchange.value;
-        let error = exchange.error + self.rounding_of_ends() * (self.unit * self.unit);
+        let error =
+            exchange.error + rounding_of_ends(&self.first, &self.second) * (self.unit * self.unit);
         if value > error || exchange == ExchangeArea::NOTHING {
             Ok(ExchangeArea { value, error })
         } else {
             Err(FormFactorError::NotResolved { value, error })
         }
-    }
-
-    /// A bound on the change of the exchange area by the rounding of upper ends, in units of the
-    /// frame.
-    ///
-    /// ```text
-    ///   an end that is off by δ adds or takes a strip of width δ, which exchanges with the other
-    ///   rectangle, of area A at a distance r, at most  strip · min(1, A/(π r²))
-    /// ```
-    fn rounding_of_ends(&self) -> f64 {
-        let [x, y] = &self.first;
-        let (sides, square) = match &self.second {
-            Second::Dark => return 0.0,
-            Second::Parallel { spans, distance } => {
-                let gaps = [gap(x, &spans[0]), gap(y, &spans[1]), *distance];
-                ([&spans[0], &spans[1]], square_of(gaps))
-            }
-            Second::Perpendicular {
-                across,
-                plane,
-                plate,
-                ..
-            } => {
-                let beside = gap(&self.first[other(*across) as usize], plate.width());
-                let along = &self.first[*across as usize];
-                let depth = (along.lower() - plane).max(plane - along.upper());
-                let gaps = [beside, depth.max(0.0), plate.depth().lower().max(0.0)];
-                ([plate.width(), plate.depth()], square_of(gaps))
-            }
-        };
-        let strip = |[one, two]: [&Span; 2]| off(one) * two.length() + off(two) * one.length();
-        let displaced = [x, y, sides[0], sides[1]].map(off).iter().sum::<f64>();
-        let distance = (square.sqrt() - displaced).max(0.0);
-        let seen = |[one, two]: [&Span; 2]| {
-            let share = one.length() * two.length() / (PI * distance * distance);
-            // at distance 0 it is infinite or not a number
-            if share < 1.0 { share } else { 1.0 }
-        };
-        // twice for the rounding of these lines
-        2.0 * (strip([x, y]) * seen(sides) + strip(sides) * seen([x, y]))
     }
 
     /// [`exchange_area`](Self::exchange_area) of the ends as given, to be called where vector code
@@ -158,24 +102,7 @@ impl RectanglePair {
     pub fn lifted<S: Scalar>(&self, like: &S) -> RectanglePair<S> {
         RectanglePair {
             first: self.first.map(|span| span.lifted(like)),
-            second: match &self.second {
-                Second::Dark => Second::Dark,
-                Second::Parallel { spans, distance } => Second::Parallel {
-                    spans: spans.map(|span| span.lifted(like)),
-                    distance: like.constant(*distance),
-                },
-                Second::Perpendicular {
-                    across,
-                    plane,
-                    faces_along,
-                    plate,
-                } => Second::Perpendicular {
-                    across: *across,
-                    plane: like.constant(*plane),
-                    faces_along: *faces_along,
-                    plate: plate.lifted(like),
-                },
-            },
+            second: self.second.lifted(like),
             unit: self.unit,
         }
     }
@@ -363,64 +290,6 @@ impl<S: Scalar> RectanglePair<S> {
     }
 }
 
-impl TryFrom<&Placement> for Second<f64> {
-    type Error = FormFactorError;
-
-    #[inline(always)]
-    fn try_from(placement: &Placement) -> Result<Self, FormFactorError> {
-        let perpendicular = |across, plane, width, height: Span| {
-            Ok(match height.above(&0.0) {
-                None => Self::Dark,
-                Some(depth) => Self::Perpendicular {
-                    across,
-                    plane,
-                    faces_along: placement.faces_along,
-                    plate: Plate::try_new(depth, width)?,
-                },
-            })
-        };
-        match placement.second {
-            [Extent::Long(u), Extent::Long(v), Extent::Flat(distance)]
-                if distance > 0.0 && !placement.faces_along =>
-            {
-                Ok(Self::Parallel {
-                    spans: [u, v],
-                    distance,
-                })
-            }
-            [
-                Extent::Flat(plane),
-                Extent::Long(width),
-                Extent::Long(height),
-            ] => perpendicular(SplitAxis::U, plane, width, height),
-            [
-                Extent::Long(width),
-                Extent::Flat(plane),
-                Extent::Long(height),
-            ] => perpendicular(SplitAxis::V, plane, width, height),
-            // coplanar, behind, or turned away
-            _ => Ok(Self::Dark),
-        }
-    }
-}
-
-/// The distance by which an upper end is off its lower end and length.
-fn off(span: &Span) -> f64 {
-    let (sum, lost) = two_sum(*span.lower(), *span.length());
-    ((sum - span.upper()) + lost).abs()
-}
-
-/// The distance between two spans of one axis; 0 where they overlap.
-fn gap(one: &Span, other: &Span) -> f64 {
-    (one.lower() - other.upper())
-        .max(other.lower() - one.upper())
-        .max(0.0)
-}
-
-fn square_of(gaps: [f64; 3]) -> f64 {
-    gaps.iter().map(|gap| gap * gap).sum()
-}
-
 /// Refuses a position that is certainly not in `[0, 1]`.
 fn relative<S: Scalar>(position: &S) -> Result<(), GeometryError> {
     let number = position.to_f64();
@@ -443,12 +312,4 @@ fn in_front<S: Scalar>(depth: &S) -> Result<(), FormFactorError> {
         });
     }
     Ok(())
-}
-
-#[inline(always)]
-const fn other(axis: SplitAxis) -> SplitAxis {
-    match axis {
-        SplitAxis::U => SplitAxis::V,
-        SplitAxis::V => SplitAxis::U,
-    }
 }

@@ -37,13 +37,13 @@ pub(crate) type Asked<'p> = ([&'p Polygon; 2], f64);
 /// A pair with its measures, whose plan is a rule over both polygons.
 #[derive(Debug, Clone, Copy)]
 struct Waiting {
-    /// Its place among those that are asked for.
+    /// The pair's place among those that are asked for.
     place: usize,
     rule: Rule,
     measures: Measures,
-    /// Of the corners of each above the other's plane.
+    /// The heights of each polygon's corners above the other's plane.
     heights: [[f64; 4]; 2],
-    /// What the planes are off by at the other polygon.
+    /// The distance by which the planes are off at the other polygon.
     tilted: f64,
 }
 

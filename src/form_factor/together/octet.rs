@@ -101,9 +101,9 @@ impl Octet {
 /// The measures of eight pairs.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Measured {
-    /// Of the corners of each above the other's plane.
+    /// The heights of each polygon's corners above the other's plane.
     heights: [[Lanes; 4]; 2],
-    /// The larger of what the planes are off by at the other polygon.
+    /// The larger distance by which the planes are off at the other polygon.
     tilted: Lanes,
     gap: Lanes,
     reach: Lanes,
@@ -123,7 +123,7 @@ impl Measured {
         self.is_served[lane]
     }
 
-    /// What the planes of a pair are off by at the other polygon.
+    /// The distance by which the planes of a pair are off at the other polygon.
     pub(super) const fn tilted(&self, lane: usize) -> f64 {
         self.tilted[lane]
     }

@@ -14,7 +14,7 @@
 
 use super::clip::clipped;
 use super::convexity::is_convex;
-use crate::geometry::{GeometryError, Patch, SplitAxis, triangulated};
+use crate::geometry::{GeometryError, Patch, SplitAxis, check_part, triangulated};
 use glam::DVec3;
 
 /// Positions nearer than this are one line.
@@ -139,30 +139,13 @@ impl CutLines {
         self.breadth
     }
 
-    /// Refuses what is not a part.
-    ///
-    /// # Errors
-    /// [`GeometryError::PositionOutOfRange`] unless `0 ≤ from < to ≤ 1`.
-    pub fn check(from: f64, to: f64) -> Result<(), GeometryError> {
-        for (position, lower, upper) in [(from, 0.0, 1.0), (to, from, 1.0)] {
-            if !(lower..=upper).contains(&position) || to <= from {
-                return Err(GeometryError::PositionOutOfRange {
-                    position,
-                    lower,
-                    upper,
-                });
-            }
-        }
-        Ok(())
-    }
-
     /// Convex polygons that make up the part between two positions.
     ///
     /// # Errors
     /// [`GeometryError::PositionOutOfRange`] unless `0 ≤ from < to ≤ 1`; [`GeometryError::NoArea`]
     /// or [`GeometryError::NotPlanar`] if it is too thin for the rounding of its corners.
     pub fn part(&self, from: f64, to: f64) -> Result<Vec<Patch>, GeometryError> {
-        Self::check(from, to)?;
+        check_part(from, to)?;
         let mut parts = Vec::new();
         let mut nothing = None;
         for piece in &self.pieces {

@@ -295,7 +295,7 @@ pub(crate) fn united(polygons: &[&[DVec3]]) -> Option<Vec<DVec3>> {
     Some(whole.into_iter().map(|place| corners[place]).collect())
 }
 
-/// For each corner the index of the first one at its place.
+/// The index of the first corner at each one's place.
 fn first_places(corners: &[DVec3]) -> Vec<usize> {
     let mut first = HashMap::new();
     let places = corners.iter().enumerate().map(|(index, corner)| {

@@ -12,7 +12,7 @@ pub(crate) mod offsets;
 pub(crate) mod placement;
 pub(crate) mod span;
 
-use super::{GeometryError, Patch};
+use super::{GeometryError, Patch, check_part};
 use crate::numeric::tolerance;
 use glam::DVec3;
 
@@ -102,15 +102,7 @@ impl Rectangle {
     /// # Errors
     /// [`GeometryError::PositionOutOfRange`] unless `0 ≤ from < to ≤ 1`.
     pub fn part(&self, axis: SplitAxis, from: f64, to: f64) -> Result<Self, GeometryError> {
-        for (position, lower, upper) in [(from, 0.0, 1.0), (to, from, 1.0)] {
-            if !(lower..=upper).contains(&position) || to <= from {
-                return Err(GeometryError::PositionOutOfRange {
-                    position,
-                    lower,
-                    upper,
-                });
-            }
-        }
+        check_part(from, to)?;
         let edge = self.edge(axis);
         let mut part = *self;
         part.origin += edge * from;

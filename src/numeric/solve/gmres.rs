@@ -1,7 +1,7 @@
 //! The generalized minimal residual method, restarted.
 //!
 //! ```text
-//!   x_m = x_0 + V_m y,   y = argmin ‖β e_1 − H_m y‖          V_m: Arnoldi's basis, A V_m = V_{m+1} H_m
+//!   x_m = x_0 + V_m y,   y = argmin ‖β e_1 − H_m y‖     V_m: Arnoldi's basis, A V_m = V_{m+1} H_m
 //! ```
 //!
 //! **Not covered**: preconditioning; a bound on the error of the solution.

@@ -11,7 +11,7 @@ class Claim:
     """A claim of the paper, the number behind it and the verdict."""
 
     id: str
-    """Its short name."""
+    """The short name of the claim."""
     place: str
     """The place in the paper."""
     quantity: str
@@ -21,11 +21,11 @@ class Claim:
     computed: float | None
     """The number computed."""
     error: float | None
-    """Its error."""
+    """The absolute error of the number computed."""
     lower: str | None
     """The lower end of an enclosure, with every certified digit."""
     upper: str | None
-    """The upper end."""
+    """The upper end of an enclosure, likewise."""
     evidence: str | None
     """The grade of the evidence: ``"proof"``, ``"enclosure"``, ``"bound"``, ``"estimate"``, …"""
     verdict: str
@@ -47,8 +47,10 @@ def reproduce(
 
     >>> import infoscene
     >>> claim, = infoscene.reproduce("fig2-parallel-cut")
-    >>> claim.printed, round(claim.computed, 12), claim.verdict
-    (0.4, 0.399201026045, 'confirmed')
+    >>> claim.printed, claim.verdict
+    (0.4, 'confirmed')
+    >>> round(claim.computed, 12)  # enclosed by a proof in Coq: 0.39920102604538512…
+    0.399201026045
 
     Parameters
     ----------

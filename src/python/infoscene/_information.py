@@ -16,7 +16,7 @@ class MutualInformation:
     bits: float
     """Mutual information, eq. (3)."""
     error: float
-    """Its error, of this grade."""
+    """The absolute error of the value, of this grade."""
     grade: str
     """``"bound"`` or ``"estimate"``."""
     positional_entropy: float
@@ -59,7 +59,7 @@ class ContinuousInformation:
     bits: float
     """Continuous mutual information, eq. (4)."""
     error: float
-    """Its error, of this grade; of a sample a standard error."""
+    """The absolute error of the value, of this grade; of a sample a standard error."""
     grade: str
     """``"estimate"``, or ``"sample"`` where something stands in the way."""
     lower_bound: float | None
@@ -99,7 +99,7 @@ def mutual_information(
 
     >>> import infoscene
     >>> I = infoscene.mutual_information("cube:1")
-    >>> round(I.bits, 12), I.grade  # one patch per face, from a 50-digit evaluation
+    >>> round(I.bits, 12), I.grade  # one patch per face, with 50 digits without this program
     (0.263034544099, 'bound')
 
     Parameters

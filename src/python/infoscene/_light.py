@@ -106,9 +106,9 @@ class Refined:
     faces: list[int] = field(repr=False)
     """The numbers of the faces: those that have an area."""
     areas: Column = field(repr=False)
-    """Their areas."""
+    """The areas of the elements."""
     names: list[str] = field(repr=False)
-    """Their names."""
+    """The names of the elements' faces."""
     mesh: tuple[Column, NDArray[np.int64], NDArray[np.int64]] = field(repr=False)
     """The refined mesh: vertices, corners and offsets, which every function takes as a mesh."""
     element_values: Column = field(repr=False)

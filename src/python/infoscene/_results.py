@@ -1,4 +1,4 @@
-"""What all answers share."""
+"""The parts that all answers share."""
 
 import warnings
 from typing import Any, NamedTuple, TypeAlias

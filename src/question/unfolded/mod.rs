@@ -12,6 +12,7 @@ mod packing;
 mod shading;
 mod walls;
 
+use crate::geometry::bounds;
 use crate::hierarchy::{HierarchyError, Refinement};
 use crate::numeric::try_parallel_map;
 use crate::scene::Scene;
@@ -122,14 +123,9 @@ impl MeshNet {
 
 impl<'s> Unfolding<'s> {
     fn new(scene: &Scene, refinement: &'s Refinement<'s>) -> Self {
-        let corners = || {
-            scene
-                .patches()
-                .iter()
-                .flat_map(|patch| patch.shape().corners())
-        };
-        let low = corners().fold(DVec3::INFINITY, |low, corner| low.min(*corner));
-        let high = corners().fold(DVec3::NEG_INFINITY, |high, corner| high.max(*corner));
+        let patches = scene.patches().iter();
+        let corners = patches.flat_map(|patch| patch.shape().corners());
+        let [low, high] = bounds(corners.copied());
         let size = (high - low).length();
         let noise = (NOISE * size).max(2.0 * scene.resolution());
         let walls = walls(scene, noise);

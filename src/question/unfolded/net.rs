@@ -133,8 +133,8 @@ impl Page<'_> {
         let mut open: Vec<_> = hinges
             .filter(|(_, wall, ..)| self.places[*wall].is_none())
             .collect();
-        // lengths that differ by noise are equal; of these the wall that was placed first, and of its
-        // neighbours the last, as walls come floor, ceiling, left, right, front, back
+        // lengths that differ by noise are equal; of these the wall that was placed first, and of
+        // its neighbours the last, as walls come floor, ceiling, left, right, front, back
         let length = |length: f64| (length / (ALIKE * self.noise)).round();
         let order = |placed: usize| net.iter().position(|wall| *wall == placed);
         open.sort_by(|one, other| {

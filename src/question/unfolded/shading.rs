@@ -1,9 +1,8 @@
 //! Leaves cut into cells over which a function hardly varies, each shaded by its value at the
 //! middle.
 
-use crate::geometry::convex_pieces;
+use crate::geometry::{convex_pieces, mean};
 use crate::hierarchy::{Element, HierarchyError};
-use crate::numeric::real;
 use glam::DVec3;
 
 /// The least differences that are drawn.
@@ -41,17 +40,13 @@ pub(super) fn cells(
         }
     }
     let shaded = cells.into_iter().map(|cell| {
-        let shade = value(middle(&cell))?;
+        let shade = value(mean(&cell))?;
         Ok((cell, shade))
     });
     shaded.collect()
 }
 
-fn middle(cell: &[DVec3]) -> DVec3 {
-    cell.iter().sum::<DVec3>() / real(cell.len())
-}
-
-/// How far values differ; those of lights do not.
+/// The difference of two values, 0 for those of lights.
 fn difference(one: Option<f64>, other: Option<f64>) -> f64 {
     one.zip(other)
         .map_or(0.0, |(one, other)| (one - other).abs())
@@ -63,7 +58,7 @@ fn is_even(
     value: &Value<'_>,
     fineness: Fineness,
 ) -> Result<bool, HierarchyError> {
-    let middle = middle(corners);
+    let middle = mean(corners);
     let there = value(middle)?;
     for corner in corners {
         let here = value(corner.lerp(middle, INWARDS))?;
@@ -91,7 +86,7 @@ fn divide(
     fineness: Fineness,
     cells: &mut Vec<Vec<DVec3>>,
 ) -> Result<(), HierarchyError> {
-    let middle = middle(&[a, b, c, d]);
+    let middle = mean(&[a, b, c, d]);
     let along = |from: DVec3, to: DVec3| {
         let at = |place: f64| value(from.lerp(to, place).lerp(middle, INWARDS));
         let (first, half, last) = (at(0.0)?, at(0.5)?, at(1.0)?);

@@ -1,7 +1,7 @@
 //! The irradiance at points of a box, from sources that vary linearly over each cell.
 //!
 //! ```text
-//!   H(x) = Σ_g Σ_q n C + n_a (x_a C + X) + n_b (x_b C + Y)      q: crossings of the lines of face g
+//!   H(x) = Σ_g Σ_q n C + n_a (x_a C + X) + n_b (x_b C + Y)    q: crossings of the lines of face g
 //! ```
 //!
 //! with the sums n over cells at q of `B − s·c`, of s_a and of s_b, where s is the slope of a cell
@@ -26,9 +26,9 @@ struct Node {
 #[derive(Debug)]
 pub(super) struct Sources {
     edges: [f64; 3],
-    /// Of each face, as its opposite sees it.
+    /// The nodes of each face, as its opposite sees it.
     opposite: Vec<Vec<Node>>,
-    /// Of each face, as faces at the ends of its two axes see it.
+    /// The nodes of each face, as faces at the ends of its two axes see it.
     adjacent: Vec<[Vec<Node>; 2]>,
 }
 

@@ -1,8 +1,8 @@
 //! The radiosity of a box with diffuse faces, anywhere on it, far more exactly than a mesh has it.
 //!
 //! ```text
-//!   B_i = E_i + R_i Σ_j F_ij B_j        on a grid that is finer near edges and borders of materials
-//!   B(x) = E + R Σ_j ∫_j k(x, y) B_j(y) dy        gathered once more, B_j linear on each cell
+//!   B_i = E_i + R_i Σ_j F_ij B_j      on a grid that is finer near edges and borders of materials
+//!   B(x) = E + R Σ_j ∫_j k(x, y) B_j(y) dy      gathered once more, B_j linear on each cell
 //! ```
 //!
 //! in closed form both (`potential`), by sums over the crossings of the grid's lines. Two grids,

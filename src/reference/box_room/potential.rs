@@ -2,8 +2,8 @@
 //!
 //! ```text
 //!   J_ij = Σ_p Σ_q s_p s_q G(p, q)      p, q: corners of cells i and j of two faces, s = ±1
-//!   F_xj = Σ_q s_q C(x, q)              x: a point of one of them;  X, Y instead of C: integrals of
-//!                                       the places' coordinates from x, for what varies linearly
+//!   F_xj = Σ_q s_q C(x, q)              x: a point of one of them;  X, Y instead of C: integrals
+//!                                       of the coordinates from x, for what varies linearly
 //!
 //!   opposite faces, x and y apart, at distance z, with p = √(x² + z²), q = √(y² + z²)
 //!     2π G = y p atan(y/p) + x q atan(x/q) − ½ z² ln(x² + y² + z²)

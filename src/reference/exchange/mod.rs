@@ -5,10 +5,10 @@
 //! ```
 //!
 //! Both polygons are cut into strips along the line where their planes meet (`section`); two strips
-//! exchange a closed form, and there remains a twofold integral over u and v (`strips`), by Gauss
-//! rules on parts that shrink towards the singular points (`panels`). No contour, no logarithm and
-//! no solid angle occurs: nothing is shared with the fast routes. Every pass is repeated finer and
-//! with the two polygons' parts exchanged; the difference is the error *estimate*, which is no
+//! exchange a closed form, and there remains a twofold integral over v and u (`strips`, `strip`), by
+//! Gauss rules on parts that shrink towards the singular points (`panels`). No contour, no logarithm
+//! and no solid angle occurs: nothing is shared with the fast routes. Every pass is repeated finer
+//! and with the two polygons' parts exchanged; the difference is the error *estimate*, which is no
 //! bound.
 //!
 //! **Not covered**: occlusion; corners are taken exactly as given, and off-plane corners by their
@@ -16,6 +16,8 @@
 
 pub(crate) mod panels;
 pub(crate) mod section;
+pub(crate) mod singularities;
+pub(crate) mod strip;
 pub(crate) mod strips;
 
 use super::fixed_float::FixedFloat;
@@ -25,7 +27,7 @@ use crate::numeric::power_of_two_near;
 use glam::DVec3;
 use panels::Fineness;
 use section::Section;
-use strips::Pass;
+use strip::Pass;
 
 /// Words of the significand: 256 bits, of which a far pair of slivers leaves half.
 const WORDS: usize = 4;

@@ -89,7 +89,7 @@ fn table(answer: &PointsAnswer) -> Table {
     }
 }
 
-/// What a point sees, and what it does not.
+/// The patches that a point sees, and the part that sees none.
 fn lines<'p>(
     point: &'p PointRecord,
     patches: &'p [SeenPatch],

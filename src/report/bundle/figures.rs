@@ -46,8 +46,8 @@ fn of_the_paper(answer: &ReportAnswer) -> Result<Vec<BundleFigure>, PageError> {
         (
             "fig1-lit-part",
             "fig1-lit",
-            "Fig. 1: what a cut gains through the lit part, where the form factor is constant up to \
-             the marked line.",
+            "Fig. 1: what a cut gains through the lit part, where the form factor is constant up \
+             to the marked line.",
         ),
     ] {
         let figure = Figure {
@@ -126,8 +126,8 @@ fn figure_4(answer: &ReportAnswer) -> Result<BundleFigure, PageError> {
         marks: vec![abscissa(printed.0, &format!("printed {}", printed.1))],
         ..Figure::default()
     };
-    let caption = "Fig. 4(d): mutual information of 3 × 3 cells on every face of a cube against the \
-                   place of the first line, with the best place that the paper prints.";
+    let caption = "Fig. 4(d): mutual information of 3 × 3 cells on every face of a cube against \
+                   the place of the first line, with the best place that the paper prints.";
     Ok(BundleFigure::lines(
         "fig4",
         caption,
@@ -182,8 +182,8 @@ fn figure_5(answer: &ReportAnswer) -> Result<BundleFigure, PageError> {
         bands: bands.collect(),
         ..Figure::default()
     };
-    let caption = "Fig. 5: mutual information of three grids on the faces of a cube, as printed, as \
-                   random lines estimate it, and exact.";
+    let caption = "Fig. 5: mutual information of three grids on the faces of a cube, as printed, \
+                   as random lines estimate it, and exact.";
     Ok(BundleFigure::lines(
         "fig5",
         caption,

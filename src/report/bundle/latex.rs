@@ -1,4 +1,4 @@
-//! What an author pastes: a document that inputs everything, a reference, a paragraph of methods.
+//! Text that an author pastes: a document that inputs all, a reference, a paragraph of methods.
 
 use super::{Parts, file_name};
 use crate::claims::Verdict;
@@ -76,12 +76,12 @@ pub(super) fn methods(answer: &ReportAnswer) -> String {
     format!(
         "% A paragraph of methods, to be adapted. References: infoscene.bib.\n\
          \\paragraph{{Methods.}} The statements of~\\cite{{feixas1999}} were recomputed with \
-         infoscene~{}~\\cite{{infoscene}}. Form factors are closed forms or adaptive integrals with \
-         error bounds; numbers printed in the paper are compared with intervals found by outward \
-         rounding at {} bits, and best cuts are certified as the only maxima of their curves. Of {} \
-         claims {} are confirmed, {} supported by estimates, {} refuted and {} left open; {} rest on \
-         theorems checked by Coq. Every digit shown is certain to one unit of the last place. \
-         Mutual information is in bits, positions are relative to the patch.\n",
+         infoscene~{}~\\cite{{infoscene}}. Form factors are closed forms or adaptive integrals \
+         with error bounds; numbers printed in the paper are compared with intervals found by \
+         outward rounding at {} bits, and best cuts are certified as the only maxima of their \
+         curves. Of {} claims {} are confirmed, {} supported by estimates, {} refuted and {} left \
+         open; {} rest on theorems checked by Coq. Every digit shown is certain to one unit of the \
+         last place. Mutual information is in bits, positions are relative to the patch.\n",
         env!("CARGO_PKG_VERSION"),
         crate::claims::DEFAULT_PRECISION,
         claims.len(),

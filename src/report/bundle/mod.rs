@@ -26,8 +26,8 @@ mod records;
 mod tables;
 
 use crate::question::ReportAnswer;
-use crate::report::answers::findings::findings_page;
-use crate::report::answers::trusted::trusted_page;
+use crate::report::answers::pages::findings::findings_page;
+use crate::report::answers::pages::trusted::trusted_page;
 use crate::report::render::page::PageError;
 use crate::report::render::sheet::Drawing;
 use crate::report::{Format, json_text};

@@ -13,7 +13,7 @@ use minijinja::value::Serde;
 use minijinja::{AutoEscape, Environment, Value};
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html};
 
-/// What the page shows.
+/// The contents of the page.
 #[derive(serde::Serialize)]
 struct Page<'a> {
     version: &'static str,

@@ -30,7 +30,7 @@ pub(super) struct PageClaim<'a> {
     is_left_out: bool,
 }
 
-/// How a claim is decided: the inputs and the code of its computation, its control and its tests.
+/// The road to a verdict: the inputs and the code of the computation, its control and its tests.
 #[derive(Debug, Default, serde::Serialize)]
 struct PageTask {
     function: Option<&'static str>,

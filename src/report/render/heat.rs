@@ -15,7 +15,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 /// Numbers in rows and columns, each with a name.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Heat {
-    /// What the numbers are.
+    /// The name of what the numbers measure.
     pub(crate) quantity: String,
     /// The number that has the darkest colour; 0 has none.
     pub(crate) largest: f64,

@@ -42,7 +42,7 @@ pub struct MappedLine {
 const WIDTH: u32 = 480;
 /// The longest side of the polygon on the page.
 const SIDE: f64 = 4560.0;
-/// What a rectangle reaches over its seams.
+/// The length by which a rectangle reaches over its seams.
 const SEAM: i32 = 10;
 /// Steps of grey, from dark to white.
 const STEPS: f64 = 20.0;

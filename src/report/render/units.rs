@@ -1,6 +1,6 @@
 //! The units of all drawings, so that they have one look.
 
-/// How much finer than its page a figure is drawn.
+/// The factor by which a figure is drawn finer than its page.
 pub(super) const FINER: u32 = 10;
 /// A letter's height is 14; the library's size is 1.24 times that.
 pub(super) const LETTERS: u32 = 174;

@@ -7,6 +7,7 @@
 
 use super::sheet::{Area, Drawing};
 use super::units::FINER;
+use crate::geometry::mean;
 use crate::question::ReportedScene;
 use crate::report::ReportError;
 use glam::{DVec2, DVec3};
@@ -93,7 +94,7 @@ impl View {
             .filter_map(|(index, corners)| {
                 let corners: Vec<DVec3> = corners.iter().map(|c| DVec3::from_array(*c)).collect();
                 let normal = area_vector(&corners).normalize_or_zero();
-                let centre = corners.iter().sum::<DVec3>() / crate::numeric::real(corners.len());
+                let centre = mean(&corners);
                 let is_front = normal.dot(eye.place - centre) > 0.0;
                 let flat: Vec<DVec2> = corners.iter().map(|corner| eye.project(*corner)).collect();
                 let ground = if scene.cut_patch == Some(index) {

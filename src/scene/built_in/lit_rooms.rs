@@ -9,7 +9,7 @@
 //!   lit-wings           2, 2, 1    [3/2, 7/4] × [1/4, 1/2]        .5, without the quarter x, y > 1
 //!   shaded-cube         lit-cube with a plate [7/16, 3/4] × [3/16, 1/2] at z = 0.4
 //!   shaded-cube-low     lit-cube with the plate at z = 1/16, just above the floor
-//!   shaded-cube-sharp   lit-cube with the plate at z = 0.4 under a light [5/8, 21/32] × [3/8, 13/32]
+//!   shaded-cube-sharp   lit-cube with the plate at z = 0.4, light [5/8, 21/32] × [3/8, 13/32]
 //!   lit-table           lit-cube with the plate at z = 1/4 on two panels along y, and an upright
 //!                       screen x = 3/16, y in [9/16, 13/16], z in [1/2, 3/4]
 //! ```

@@ -5,7 +5,7 @@ use crate::scene::{EmptyRow, PatchMaterial, Scene, SceneError};
 /// The rows of the patches read so far, and of the faces without area among them.
 #[derive(Debug, Default)]
 pub(crate) struct Rows {
-    /// For each patch the number of its face, or of what that is summed into, and of its part.
+    /// The number of each patch's face, or of what that is summed into, and of its part.
     labels: Vec<(usize, usize)>,
     largest: Option<usize>,
     /// Whether a row may have several patches.

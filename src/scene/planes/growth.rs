@@ -13,8 +13,7 @@
 //! **Not covered**: exact scenes, whose planes are found by their numbers.
 
 use super::{SharedPlane, centred, through_far_corners};
-use crate::geometry::Plane;
-use crate::numeric::real;
+use crate::geometry::{Plane, mean};
 use glam::DVec3;
 
 /// The steepest slope of a plane of least squares over one through three of its points.
@@ -39,7 +38,7 @@ impl Panel {
         corners: Vec<DVec3>,
         [width, delta]: [f64; 2],
     ) -> Self {
-        let centre = corners.iter().sum::<DVec3>() / real(corners.len());
+        let centre = mean(&corners);
         let distances = corners.iter().map(|corner| corner.distance(centre));
         Self {
             surface,
@@ -160,7 +159,7 @@ impl Wall {
 
 /// The mean of points, put into a plane.
 fn middle(points: &[DVec3], plane: &Plane) -> DVec3 {
-    let mean = points.iter().sum::<DVec3>() / real(points.len());
+    let mean = mean(points);
     mean - plane.height(mean) * plane.normal
 }
 
@@ -194,7 +193,7 @@ fn thinnest(corners: &[DVec3]) -> Option<SharedPlane> {
 
 /// The plane from which squared heights are least, among those near a given one.
 fn least_squares(points: &[DVec3], near: &Plane) -> Plane {
-    let mean = points.iter().sum::<DVec3>() / real(points.len());
+    let mean = mean(points);
     let (across, up) = near.normal.any_orthonormal_pair();
     let [mut xx, mut xy, mut yy, mut xh, mut yh] = [0.0; 5];
     for point in points {

@@ -16,7 +16,7 @@
 //! screens count as sheets.
 
 use super::boxes::{BoxHull, Boxes, boxed};
-use crate::geometry::{Outline, Plane};
+use crate::geometry::{Outline, Plane, bounds};
 use glam::DVec3;
 use std::collections::HashMap;
 
@@ -281,11 +281,6 @@ impl Body {
 fn is_over(plane: &Plane, corners: &[DVec3], noise: f64) -> bool {
     let heights = || corners.iter().map(|corner| plane.height(*corner));
     heights().all(|height| height >= -noise) && heights().any(|height| height > noise)
-}
-
-fn bounds(corners: impl Iterator<Item = DVec3>) -> [DVec3; 2] {
-    let none = [DVec3::INFINITY, DVec3::NEG_INFINITY];
-    corners.fold(none, |[low, high], c| [low.min(c), high.max(c)])
 }
 
 /// The side that a solid is open on: the plane of all its free corners, front outward.

@@ -15,8 +15,7 @@
 //! and by bodies that are not convex.
 
 use super::bodies::Bodies;
-use crate::geometry::{Outline, Shaft, clipped};
-use crate::numeric::real;
+use crate::geometry::{Outline, Shaft, clipped, mean};
 use glam::DVec3;
 use std::collections::VecDeque;
 
@@ -33,7 +32,7 @@ pub(super) struct Hiding<'a> {
 /// The ends of a shaft, or halves of them.
 pub(super) type Ends = [Vec<DVec3>; 2];
 
-/// What bodies do to all segments between two ends.
+/// The effect of bodies on all segments between two ends.
 enum Cut {
     /// One of them cuts all.
     All,
@@ -82,7 +81,7 @@ impl Hiding<'_> {
     }
 
     fn cut(&self, ends: [&[DVec3]; 2], may_be_all: bool) -> Cut {
-        let middles = ends.map(middle);
+        let middles = ends.map(mean);
         let mut is_cut = false;
         for body in self.bodies.near(middles) {
             // halves of what touches a body touch it, too
@@ -102,11 +101,6 @@ impl Hiding<'_> {
     }
 }
 
-/// The mean of some corners.
-fn middle(corners: &[DVec3]) -> DVec3 {
-    corners.iter().sum::<DVec3>() / real(corners.len())
-}
-
 /// The two pairs into which the longer end is halved, across its longest edge.
 fn halves([ones, others]: Ends) -> [Ends; 2] {
     let longest = |corners: &[DVec3]| {
@@ -121,7 +115,7 @@ fn halves([ones, others]: Ends) -> [Ends; 2] {
         })
     };
     let half = |corners: &[DVec3], along: DVec3| {
-        let at = middle(corners);
+        let at = mean(corners);
         let heights: Vec<f64> = corners.iter().map(|c| (*c - at).dot(along)).collect();
         clipped(corners, &heights, DVec3::lerp)
     };

@@ -19,7 +19,7 @@
 //! Reference: Sbert, *An Integral Geometry Based Method for Fast Form-Factor Computation*,
 //! Eurographics 1993.
 
-use crate::geometry::{Facet, LocalLine, line_through_sphere};
+use crate::geometry::{Facet, LocalLine, bounds, line_through_sphere};
 use crate::numeric::tolerance;
 use crate::scene::{NamedPatch, Scene};
 use glam::DVec3;
@@ -85,9 +85,8 @@ impl SceneLines {
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
         let all = || scene.patches().iter().chain(scene.obstructions());
-        let corners = || all().flat_map(|patch| patch.shape().corners());
-        let lowest = corners().fold(DVec3::INFINITY, |low, c| low.min(*c));
-        let highest = corners().fold(DVec3::NEG_INFINITY, |high, c| high.max(*c));
+        let corners = all().flat_map(|patch| patch.shape().corners());
+        let [lowest, highest] = bounds(corners.copied());
         let middle = 0.5 * lowest + 0.5 * highest;
         // in units of a power of two near the size, so that squares stay in range
         let unit = (0.5 * highest - 0.5 * lowest).max_element().log2();
@@ -118,9 +117,8 @@ impl SceneLines {
         let (mut boxes, mut starts, mut sums) = (Vec::new(), Vec::new(), Vec::new());
         let mut sum = 0.0;
         for (index, surface) in surfaces.iter().enumerate().filter(|(i, _)| is_whole(*i)) {
-            let corners = || surface.facet.corners();
-            let low = corners().fold(DVec3::INFINITY, |low, c| low.min(*c)) - slack;
-            let high = corners().fold(DVec3::NEG_INFINITY, |high, c| high.max(*c)) + slack;
+            let [low, high] = bounds(surface.facet.corners().copied());
+            let (low, high) = (low - slack, high + slack);
             let place = Box3::from_corners(low.to_array(), high.to_array());
             boxes.push(GeomWithData::new(place, index));
             if surface.row.is_some() {

@@ -32,12 +32,12 @@ use crate::scene::Scene;
 use crate::scene::planes::ScenePlanes;
 use glam::DVec3;
 
-/// What screens leave of a pair of patches.
+/// The part of a pair of patches that screens leave.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Screened {
     /// All: nothing stands between.
     Nothing,
-    /// What is left past these screens.
+    /// The part past these screens.
     By(Vec<usize>),
     /// Nothing is left.
     Wholly,
@@ -71,7 +71,7 @@ impl<'a> Screening<'a> {
         }
     }
 
-    /// What screens leave of two patches.
+    /// The part of two patches that screens leave.
     pub(crate) fn between(&self, first: usize, second: usize) -> Screened {
         let noise = self.planes.noise();
         let patches = [first.min(second), first.max(second)];

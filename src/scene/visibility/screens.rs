@@ -34,8 +34,8 @@ pub(crate) struct Screens {
     bodies: Bodies,
     /// The screens that can stand between two patches.
     tree: Boxes,
-    /// What is known of pairs of groups, if these are fewer than the surfaces: of each with those
-    /// before it and itself, from when the first of these pairs is asked for.
+    /// Verdicts on pairs of groups, if these are fewer than the surfaces: on each with those before
+    /// it and itself, from when the first of these pairs is asked for.
     verdicts: Vec<OnceLock<Box<[AtomicU8]>>>,
 }
 
@@ -45,7 +45,7 @@ const UNKNOWN: u8 = 0;
 /// The verdict that two groups see nothing of each other.
 const HIDDEN: u8 = 1;
 
-/// The verdict that they may.
+/// The verdict that two groups may see something of each other.
 const OPEN: u8 = 2;
 
 /// Corners of the largest screen that is put together.

@@ -9,7 +9,7 @@
 
 use super::boxes::{BoxHull, Boxes, boxed};
 use super::screens::Screens;
-use crate::geometry::Outline;
+use crate::geometry::{Outline, bounds};
 use crate::scene::planes::ScenePlanes;
 use crate::scene::{NamedPatch, Scene};
 use glam::DVec3;
@@ -132,9 +132,7 @@ impl<'a> Search<'a> {
 fn scanned(scene: &Scene, [low, high]: [DVec3; 2]) -> Vec<usize> {
     let planes = scene.planes();
     let meets = |surface: &NamedPatch| {
-        let corners = || planes.corners(surface);
-        let least = corners().fold(DVec3::INFINITY, DVec3::min);
-        let most = corners().fold(DVec3::NEG_INFINITY, DVec3::max);
+        let [least, most] = bounds(planes.corners(surface));
         least.cmple(high).all() && most.cmpge(low).all()
     };
     let surfaces = scene.surfaces().enumerate();

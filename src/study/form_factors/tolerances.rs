@@ -1,9 +1,9 @@
 //! Error against run time of whole scenes, from loose tolerances to tight ones.
 //!
 //! ```text
-//!   scene     squares turned about an axis that is none of theirs, so that no edge is along an axis
-//!   truth     the closed forms of the same squares before the turn
-//!   time      of all pairs, preparations included, on one thread, for each pair that sees the other
+//!   scene   squares turned about an axis that is none of theirs, so that no edge is along an axis
+//!   truth   the closed forms of the same squares before the turn
+//!   time    of all pairs, preparations included, on one thread, for each pair that sees the other
 //! ```
 //!
 //! The corners of turned squares are rounded, which moves a value by some ε times the distance in
@@ -34,9 +34,9 @@ pub struct ToleranceRow {
     pub unreached: usize,
     /// The largest |computed − exact| / exact over the pairs.
     pub error: f64,
-    /// Its median.
+    /// The median of |computed − exact| / exact.
     pub median_error: f64,
-    /// The largest bound on it.
+    /// The largest relative bound of a pair.
     pub bound: f64,
     /// The median bound.
     pub median_bound: f64,

@@ -50,7 +50,7 @@ const QUICK_MESHES: usize = 30;
 /// The elements of a reference.
 const REFERENCE: usize = 24_000;
 const QUICK_REFERENCE: usize = 4_000;
-/// How meshes are drawn.
+/// The ways in which meshes are drawn at random.
 const DRAWS: [(&str, Draw); 2] = [
     ("all alike", Draw::Alike),
     ("light at will", Draw::LightAtWill),

@@ -45,7 +45,7 @@ pub struct OracleRow {
     pub method: String,
     /// The elements of the mesh.
     pub elements: usize,
-    /// Its links.
+    /// The links of the mesh.
     pub links: usize,
     /// The form factors of links that were computed.
     pub evaluations: u64,

@@ -22,9 +22,9 @@ const MOST_ON_LIGHT: f64 = 0.5;
 /// The leaves that are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Draw {
-    /// All with equal probability.
+    /// All elements with equal probability.
     Alike,
-    /// Those of the light with a probability of their own in each mesh, up to one half together;
+    /// Elements of the light with a probability of their own in each mesh, up to one half together;
     /// the others among each other alike.
     LightAtWill,
 }

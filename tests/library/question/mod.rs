@@ -4,6 +4,7 @@ mod cut;
 mod grid;
 mod nets;
 mod patch_names;
+mod remedies;
 mod reproduce;
 mod scenes;
 mod studies;

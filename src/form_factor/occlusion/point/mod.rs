@@ -29,6 +29,7 @@
 //!
 //! Reference: Lambert, *Photometria*, 1760.
 
+mod cap;
 mod cone;
 mod crossings;
 mod visible;
@@ -37,6 +38,7 @@ use super::Occluders;
 use crate::form_factor::{ExchangeArea, FormFactorError, Polygon};
 use crate::geometry::{Vector, convex_pieces};
 use crate::numeric::{Bounded, DoubleDouble, Scalar, vector_value};
+use cap::Cap;
 use cone::{Cone, Ray};
 use crossings::bend;
 use glam::{DVec2, DVec3};
@@ -71,14 +73,6 @@ pub(crate) struct Sight<'a> {
     cap: Cap,
     /// The distance of the farthest corner.
     reach: f64,
-}
-
-/// A circular cone around a polygon.
-#[derive(Debug, Clone, Copy)]
-struct Cap {
-    axis: DVec3,
-    cosine: f64,
-    sine: f64,
 }
 
 impl Sight<'_> {
@@ -267,36 +261,6 @@ impl Viewpoint {
                 before.extend(cut.map(Cow::Owned));
             }
         }
-    }
-}
-
-impl Cap {
-    const EVERYWHERE: Self = Self {
-        axis: DVec3::Z,
-        cosine: -1.0,
-        sine: 0.0,
-    };
-
-    fn around(rays: &[Ray]) -> Self {
-        let axis: DVec3 = rays.iter().map(|ray| ray.unit).sum();
-        let axis = axis.normalize_or_zero();
-        let cosines = rays.iter().map(|ray| ray.unit.dot(axis));
-        let cosine = cosines.fold(1.0, f64::min) - 1e-9;
-        if cosine <= 0.0 {
-            return Self::EVERYWHERE;
-        }
-        Self {
-            axis,
-            cosine,
-            sine: (1.0 - cosine * cosine).sqrt(),
-        }
-    }
-
-    /// May the two have a direction in common?
-    fn meets(&self, other: &Self) -> bool {
-        let is_everywhere = self.cosine <= 0.0 || other.cosine <= 0.0;
-        let apart = self.cosine * other.cosine - self.sine * other.sine;
-        is_everywhere || self.axis.dot(other.axis) >= apart - 1e-9
     }
 }
 

@@ -47,8 +47,8 @@ pub trait Maximand {
 pub enum Certificate {
     /// The maximiser is the only one in the open interval.
     Unique {
-        /// Whether it is the only stationary point, too. `None`: the derivative is not known
-        /// everywhere.
+        /// Whether the maximiser is the only stationary point, too. `None`: the derivative is not
+        /// known everywhere.
         is_only_stationary_point: Option<bool>,
     },
     /// The maximum is proved, and attained at one of this many points, which their enclosures

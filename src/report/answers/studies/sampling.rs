@@ -99,8 +99,8 @@ pub(crate) fn figure_5_report(rows: &[Figure5Row]) -> Result<Report, ReportError
     if let Some(row) = rows.first() {
         let reading = format!(
             "6 × 6 cells on every face of a cube, plug-in estimates from N = {} lines with the \
-             areas known, a round number that is not fitted; the lines at a quarter are a guess: the \
-             best explanation found, not a proof",
+             areas known, a round number that is not fitted; the lines at a quarter are a guess: \
+             the best explanation found, not a proof",
             row.samples
         );
         let spread = format!(

@@ -36,7 +36,8 @@ pub(crate) fn scale_report(rows: &[ScaleRow]) -> Result<Report, ReportError> {
         ),
         (
             "predicted",
-            "from the terms above, by the model of study::scale::model; nothing was run on a cluster",
+            "from the terms above, by the model of study::scale::model; nothing was run on a \
+             cluster",
         ),
     ];
     let table = Table {

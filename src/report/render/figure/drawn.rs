@@ -1,4 +1,4 @@
-//! How a figure is drawn: axes, bands, marks, lines and legend in one style.
+//! A figure as it is drawn: axes, bands, marks, lines and legend in one style.
 
 use super::{Band, Figure, Mark};
 use crate::report::render::scale::Scale;
@@ -199,7 +199,7 @@ impl Mark {
         }
     }
 
-    /// Its name, within the axes.
+    /// The name of the figure, within the axes.
     fn label<'a, DB: DrawingBackend>(
         &'a self,
         area: &Area<DB>,

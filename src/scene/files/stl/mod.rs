@@ -90,7 +90,7 @@ struct Facet {
 /// The patches so far.
 struct Reader {
     reading: Reading,
-    /// For each name of a solid the number of its facets so far, and what they are pieces of.
+    /// The number of facets so far for each name of a solid, and what they are pieces of.
     solids: HashMap<String, (usize, Arc<[String]>)>,
     patches: Vec<NamedPatch>,
     rows: Rows,

@@ -1,7 +1,7 @@
 //! Draws of random polygons in the way of a pair, a recipe for each family.
 
 use super::OccludedFamily;
-use crate::numeric::real;
+use crate::geometry::mean;
 use glam::DVec3;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -114,9 +114,8 @@ impl Draw {
 
     /// A place between two polygons.
     fn amid(&mut self, pair: &[Corners; 2]) -> DVec3 {
-        let middle = |corners: &Corners| corners.iter().sum::<DVec3>() / real(corners.len());
         let share = self.between(0.2, 0.8);
-        middle(&pair[0]).lerp(middle(&pair[1]), share)
+        mean(&pair[0]).lerp(mean(&pair[1]), share)
     }
 
     fn free(&mut self, count: usize) -> Drawn {

@@ -12,7 +12,7 @@ pub(crate) struct KnownPair {
     /// The kind of the pair, from its name.
     pub(crate) kind: String,
     pub(crate) pair: OccludedPair,
-    /// What the pair exchanges past its blockers.
+    /// The exchange area of the pair past its blockers.
     pub(crate) truth: Truth,
 }
 
@@ -56,7 +56,7 @@ struct Table {
     cases: Vec<Record>,
 }
 
-/// What is read of a case.
+/// A case as it is read.
 #[derive(Debug, serde::Deserialize)]
 struct Record {
     id: String,
