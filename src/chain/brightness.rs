@@ -48,6 +48,21 @@ pub fn brightness_chain(
     brightness: &[f64],
 ) -> Result<ReversibleChain, ChainError> {
     let n = exchange.rows();
+    let (scaled, _) = scaled(brightness, n)?;
+    ReversibleChain::try_new(DMatrix::from_fn(n, n, |i, j| {
+        // one order of factors for (i, j) and (j, i): a product of three rounds differently in
+        // another
+        let (i, j) = (i.min(j), i.max(j));
+        scaled[i] * scaled[j] * exchange.get(i, j).exchange.value
+    }))
+}
+
+/// Brightnesses of so many rows in units of a power of two that brings the largest near 1, and its
+/// exponent.
+///
+/// # Errors
+/// As [`brightness_chain`], unless there is no mass.
+pub(crate) fn scaled(brightness: &[f64], n: usize) -> Result<(Vec<f64>, i32), ChainError> {
     if brightness.len() != n {
         return Err(ChainError::WrongShape {
             what: "the list of brightnesses",
@@ -68,10 +83,5 @@ pub fn brightness_chain(
         .iter()
         .map(|value| Scaled::new(*value).times_power(power))
         .collect();
-    ReversibleChain::try_new(DMatrix::from_fn(n, n, |i, j| {
-        // one order of factors for (i, j) and (j, i): a product of three rounds differently in
-        // another
-        let (i, j) = (i.min(j), i.max(j));
-        scaled[i] * scaled[j] * exchange.get(i, j).exchange.value
-    }))
+    Ok((scaled, power))
 }

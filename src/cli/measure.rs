@@ -41,8 +41,7 @@ pub(super) struct Measure {
     /// The same seed draws the same lines.
     #[arg(long, value_name = "S", requires = "sample", default_value_t = 1)]
     seed: u64,
-    /// Read the form factors of the visibility chain from the folder that `form-factor --store`
-    /// wrote.
+    /// Read the form factors from the folder that `form-factor --store` wrote, and hold none.
     #[arg(long, value_name = "DIR", conflicts_with = "sample")]
     store: Option<PathBuf>,
     #[command(flatten)]

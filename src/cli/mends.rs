@@ -37,7 +37,6 @@ fn option(remedy: Remedy) -> String {
         Remedy::ListOfClaims => "; `infoscene reproduce` shows all ids",
         Remedy::ResumedStore => "; --resume goes on with it",
         Remedy::CompletedStore => ", with form-factor --store and --resume",
-        Remedy::NoStore => ": leave out --store, or --chain",
     };
     words.to_owned()
 }

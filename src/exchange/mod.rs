@@ -88,6 +88,7 @@ mod blocks;
 mod closure;
 mod error;
 mod matrix_laws;
+mod pair_source;
 mod pairs;
 mod passes;
 mod plan;
@@ -106,6 +107,8 @@ pub use blocks::{HeldBlocks, LowerBlocks};
 pub use closure::{Closure, RowSum};
 pub use error::ExchangeError;
 pub use matrix_laws::{BrokenLaw, MatrixLaws, MatrixLawsError};
+pub use pair_source::PairSource;
+pub use passes::lower_pairs::LowerPairs;
 pub use passes::matrix::ExchangeAreas;
 pub use passes::row_sums::TileSums;
 pub use passes::rows::Entry;
@@ -124,7 +127,7 @@ pub use scene_pairs::ScenePairs;
 pub use selection::Selection;
 pub(crate) use store::unread;
 pub use store::{
-    MatrixStore, PairSource, ProductFiles, Shard, StoreError, StoreFilled, StoreState,
-    StoredBlocks, StoredMatrix, check_store,
+    MatrixStore, ProductFiles, Shard, StoreError, StoreFilled, StoreState, StoredBlocks,
+    StoredMatrix, check_store,
 };
 pub use tolerance::Tolerance;

@@ -1,9 +1,18 @@
-//! The information of a scene's radiosity or importance chain (§3.4, §3.5).
-//!
-//! **Errors** to first order: with `x_ij = log2( J_ij W/(w_i w_j) )`, W = ΣJ,
+//! The information of a scene's radiosity or importance chain (§3.4, §3.5), from its pairs as they
+//! come.
 //!
 //! ```text
-//!   ΔI = Σ_ij ΔJ_ij (x_ij − I)/W,    |ΔJ_ij| ≤ β_i β_j δ_ij + J_ij (η_i + η_j)
+//!   w_i = B_i A_i H_i,  H_i = Σ_j F_ij B_j          I = Σ_ij J_ij B_i B_j log2( J_ij B_i B_j W/(w_i w_j) )/W
+//! ```
+//!
+//! W = Σw. The light in equilibrium brings the weights, so that one pass over the pairs is enough,
+//! and the chain's matrix is never held.
+//!
+//! **Errors** to first order: with `x_ij = log2( J_ij B_i B_j W/(w_i w_j) )`,
+//!
+//! ```text
+//!   ΔI = Σ_ij Δ(J_ij B_i B_j) (x_ij − I)/W
+//!   |Δ(J_ij B_i B_j)| ≤ B_i B_j (δ_ij + J_ij (η_i + η_j))
 //! ```
 //!
 //! δ the bounds of the exchange areas, η those of the brightnesses relative to themselves. The
@@ -12,90 +21,98 @@
 //! **Not covered**: what the resolution of coordinates can change, which is not known here.
 
 use super::SceneInformation;
-use super::chain::{divergence_error, pair_divergence, positional_entropy};
+use super::chain::{Unit, divergence_error, pair_divergence};
 use super::resolution::InformationResolution;
-use crate::chain::{ChainError, brightness_chain};
-use crate::exchange::{Closure, ExchangeAreas};
-use crate::numeric::{Bounded, compensated_sum, parallel_map, tolerance};
+use crate::chain::{ChainError, scaled};
+use crate::exchange::{Closure, PairSource};
+use crate::numeric::{Bounded, Scaled, compensated_sum, tolerance, x_log2_x};
 use crate::transport::RadiositySolution;
 use std::f64::consts::LN_2;
 
 /// The information of a scene's chain under a brightness; light that escapes has no state in it.
 ///
+/// **Arguments** `pairs`: those of the scene, or its stored matrix, or what a
+/// [`SceneExchange`](crate::transport::SceneExchange) holds; `brightness`: their light in
+/// equilibrium.
+///
 /// # Errors
-/// As [`brightness_chain`].
+/// As [`brightness_chain`](crate::chain::brightness_chain); [`ChainError::Exchange`] if two patches
+/// are refused, or a store cannot be read.
 ///
 /// # Examples
 /// ```
 /// use infoscene::information::{OpenScene, brightness_information, scene_information};
 /// use infoscene::exchange::{Congruence, ScenePairs};
-/// use infoscene::scene::{Material, Occlusion, Scene};
-/// use infoscene::transport::RadiositySystem;
+/// use infoscene::scene::{Occlusion, Scene};
+/// use infoscene::transport::SceneExchange;
 /// // with E = k (1 − R) everywhere the radiosity chain is the visibility chain (§3.4)
 /// let cube = Scene::built_in("cube:2")?;
 /// let pairs = ScenePairs::try_new(&cube, 1e-12, Congruence::Shared, Occlusion::Exact)?;
-/// let exchange = pairs.exchange_areas()?;
-/// let room = RadiositySystem::of(&exchange, &[Material::try_new(0.5, 0.0)?; 24])?;
-/// let radiosity = brightness_information(&exchange, &room.radiosity(&[0.5; 24])?)?;
+/// let exchange = SceneExchange::held(&pairs)?;
+/// let light = exchange.system(vec![0.5; 24])?.radiosity(&[0.5; 24])?;
+/// let radiosity = brightness_information(exchange.lower_pairs(), &light)?;
 /// let visibility = scene_information(&pairs, OpenScene::Refuse)?;
 /// let difference = radiosity.mutual_information.value - visibility.mutual_information.value;
 /// assert!(difference.abs() < 1e-13);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn brightness_information(
-    exchange: &ExchangeAreas,
+pub fn brightness_information<'s>(
+    pairs: impl Into<PairSource<'s>>,
     brightness: &RadiositySolution,
 ) -> Result<SceneInformation, ChainError> {
-    let chain = brightness_chain(exchange, &brightness.values)?;
-    let n = chain.states();
-    let (weights, total) = (chain.weights(), chain.total());
+    let source = pairs.into();
+    let pairs = source.pairs();
+    let (lit, power) = scaled(&brightness.values, pairs.rows())?;
+    let total_area = compensated_sum(pairs.areas().iter().copied());
+    let unit = Unit::of_total(total_area);
+    let received = brightness.received.iter();
+    let received = received.map(|received| Scaled::new(*received).times_power(power));
+    let weights: Vec<f64> = lit
+        .iter()
+        .zip(received)
+        .zip(pairs.areas())
+        .map(|((lit, received), area)| lit * received * unit.times(*area))
+        .collect();
+    let total = compensated_sum(weights.iter().copied());
+    if !(total.is_finite() && total > 0.0) {
+        return Err(ChainError::NoMass { total });
+    }
     let relative = relative_errors(brightness);
-    let rows = parallel_map(n, &|j| {
-        let column = chain.joint().column(j);
-        let probability = weights[j] / total;
-        if probability <= 0.0 {
-            return [0.0; 3];
+    let (sums, summary) = source.row_sums(|i, j, exchange| {
+        let [value, bound] = [exchange.value, exchange.error];
+        let [joint, moved] = [value, bound].map(|area| lit[i] * lit[j] * unit.times(area));
+        let weight = weights[i] * (weights[j] / total);
+        if weight <= 0.0 {
+            return [value, bound, 0.0, 0.0, 0.0];
         }
-        let lit = || (0..n).filter(|i| weights[*i] > 0.0);
-        let terms = lit().map(|i| pair_divergence(column[i], weights[i], probability));
-        let bounded = lit().map(|i| {
-            let known = exchange.get(i, j).exchange;
-            let share = if known.value > 0.0 {
-                known.error / known.value
-            } else {
-                0.0
-            };
-            let bound = column[i] * (share + relative[i] + relative[j]);
-            let moved = divergence_error(column[i], bound, weights[i] * probability);
-            [bound, moved]
-        });
-        let bounds: Vec<[f64; 2]> = bounded.collect();
-        [
-            compensated_sum(terms),
-            bounds.iter().map(|[bound, _]| bound).sum(),
-            bounds.iter().map(|[_, moved]| moved).sum(),
-        ]
-    });
-    let contributions: Vec<f64> = rows.iter().map(|row| row[0] / (total * LN_2)).collect();
+        let moved = moved + joint * (relative[i] + relative[j]);
+        let divergence = pair_divergence(joint, weights[i], weights[j] / total);
+        let error = divergence_error(joint, moved, weight);
+        [value, bound, divergence, moved, error]
+    })?;
+    // J = 0 where nothing is seen: φ(−1) = 1
+    let unseen = pairs.unseen(&weights);
+    let rows = sums.iter().zip(weights.iter().zip(unseen));
+    let contributions: Vec<f64> = rows
+        .map(|(sums, (weight, unseen))| (sums[2] + weight * (unseen / total)) / (total * LN_2))
+        .collect();
     let mutual_information = compensated_sum(contributions.iter().copied());
-    let [mass, moved] = [1, 2].map(|k| compensated_sum(rows.iter().map(|row| row[k])));
+    let [mass, moved] = [3, 4].map(|k| compensated_sum(sums.iter().map(|sums| sums[k])));
     let error = (moved / LN_2 + mass * (mutual_information + 1.0 / LN_2)) / total;
-    let positional_entropy = positional_entropy(&chain);
     let rounding = tolerance::INFORMATION * (2.0 + mutual_information);
+    let weights: Vec<f64> = weights.iter().map(|weight| weight / total).collect();
+    let positional_entropy = 0.0 - compensated_sum(weights.iter().map(|weight| x_log2_x(*weight)));
     Ok(SceneInformation {
         positional_entropy,
         entropy_rate: (positional_entropy - mutual_information).max(0.0),
         mutual_information: Bounded::estimate(mutual_information, error + rounding),
-        resolution: exchange
-            .resolution_errors()
-            .is_none()
-            .then(InformationResolution::default),
+        resolution: (pairs.resolution() <= 0.0).then(InformationResolution::default),
         contributions,
         outside_contribution: None,
-        weights: (0..n).map(|i| chain.stationary_probability(i)).collect(),
-        total_area: compensated_sum(exchange.areas().iter().copied()),
-        closure: Closure::of_held(exchange),
-        summary: exchange.summary().clone(),
+        weights,
+        total_area,
+        closure: Closure::of_sums(pairs, sums.iter().map(|sums| [sums[0], sums[1]])),
+        summary,
     })
 }
 

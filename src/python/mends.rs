@@ -36,11 +36,7 @@ fn argument(remedy: Remedy) -> String {
         Remedy::AllClaims => "; leave out printed_only",
         Remedy::ListOfClaims => "; reproduce() without ids has all",
         // there are no lines at random, no lists of pairs and no stores
-        Remedy::Occluded
-        | Remedy::FewerPairs
-        | Remedy::ResumedStore
-        | Remedy::CompletedStore
-        | Remedy::NoStore => "",
+        Remedy::Occluded | Remedy::FewerPairs | Remedy::ResumedStore | Remedy::CompletedStore => "",
     };
     words.to_owned()
 }

@@ -22,11 +22,6 @@ pub enum QuestionError {
     /// Light was described for the visibility chain.
     #[error("the visibility chain has no light")]
     NoLightMeant,
-    /// A store was to answer for a chain of light.
-    #[error(
-        "a store is read for the visibility chain alone, as other chains need it whole in memory"
-    )]
-    StoreOfVisibility,
     /// A chain of coloured light was asked for, and no channel was named.
     #[error(
         "patch {row} ({name}) is coloured, and each channel of its light is computed by itself: \

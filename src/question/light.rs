@@ -3,9 +3,8 @@
 use super::QuestionError;
 use super::material_changes::{MaterialChanges, first_coloured, in_channel};
 use super::patch_values::{PatchValue, values};
-use crate::exchange::ExchangeAreas;
 use crate::scene::{Channel, Channels, Scene};
-use crate::transport::{DenseExchange, RadiositySolution, RadiositySystem, TransportError};
+use crate::transport::{RadiositySolution, SceneExchange, TransportError};
 
 /// A chain of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
@@ -52,20 +51,22 @@ impl Light {
     pub(super) fn brightness(
         &self,
         scene: &Scene,
-        exchange: &ExchangeAreas,
+        exchange: &SceneExchange<'_>,
     ) -> Result<RadiositySolution, QuestionError> {
         let reflectances = self.materials.reflectances(scene)?;
         if self.chain == SceneChain::Importance {
             let channel = channel_meant(self.channel, scene, [&reflectances, &[]])?;
             let direct = values(&self.importance, scene)?;
-            let found = room(exchange, &reflectances, channel)
+            let found = exchange
+                .system(in_channel(&reflectances, channel))
                 .and_then(|room| room.importance(&direct))
                 .map_err(|source| self.refused(source))?;
             return Ok(found.reflected);
         }
         let emittances = self.materials.emittances(scene)?;
         let channel = channel_meant(self.channel, scene, [&reflectances, &emittances])?;
-        room(exchange, &reflectances, channel)
+        exchange
+            .system(in_channel(&reflectances, channel))
             .and_then(|room| room.radiosity(&in_channel(&emittances, channel)))
             .map_err(|source| self.refused(source))
     }
@@ -93,13 +94,4 @@ pub(super) fn channel_meant(
         }),
         (named, _) => Ok(named.unwrap_or(Channel::Red)),
     }
-}
-
-/// The system of one channel.
-fn room<'e>(
-    exchange: &'e ExchangeAreas,
-    reflectances: &[Channels<f64>],
-    channel: Channel,
-) -> Result<RadiositySystem<DenseExchange<'e>>, TransportError> {
-    RadiositySystem::with_reflectances(exchange, in_channel(reflectances, channel))
 }

@@ -153,8 +153,7 @@ impl Radiosity {
             None => {
                 let asked = (self.tolerance, self.congruence);
                 let pairs = self.scene.pairs(&scene, asked, progress)?.among(ranks);
-                let (exchange, summary) = SceneExchange::held(&pairs)?;
-                self.lit(&scene, &exchange, &summary)?
+                self.lit(&scene, &SceneExchange::held(&pairs)?)?
             }
             Some(folder) => {
                 let store = StoreToRead::of(&self.scene, (self.tolerance, self.congruence), folder);
@@ -176,9 +175,8 @@ impl Radiosity {
     ) -> Result<RadiosityAnswer, QuestionError> {
         let matrix = store.open(scene, pairs)?;
         let products = Arc::new(ProductFiles::open(store.folder, self.resume)?);
-        let exchange = SceneExchange::stored(&matrix, &products)?;
-        let summary = matrix.summary();
-        let answer = self.lit(scene, &exchange, &summary)?;
+        let exchange = SceneExchange::stored(&matrix, Some(&products))?;
+        let answer = self.lit(scene, &exchange)?;
         let is_first = pairs.ranks().number() == 0;
         let cleared = if is_first { products.clear() } else { Ok(()) };
         agreed::<_, StoreError>(pairs.ranks(), cleared)?;
@@ -190,7 +188,6 @@ impl Radiosity {
         &self,
         scene: &Scene,
         exchange: &SceneExchange<'_>,
-        summary: &PassSummary,
     ) -> Result<RadiosityAnswer, QuestionError> {
         let reflectances = self.materials.reflectances(scene)?;
         let emittances = self.materials.emittances(scene)?;
@@ -226,8 +223,8 @@ impl Radiosity {
             resolution: scene.resolution(),
             power: solution.power,
             channels,
-            plan: summary.plan.clone(),
-            unreached: self.unreached(&names, summary, solution.relative_error),
+            plan: exchange.summary().plan.clone(),
+            unreached: self.unreached(&names, exchange.summary(), solution.relative_error),
             notes: Vec::new(),
         })
     }

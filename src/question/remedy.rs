@@ -65,8 +65,6 @@ pub enum Remedy {
     ResumedStore,
     /// To compute what a store is without.
     CompletedStore,
-    /// To compute the matrix anew, or to ask for the visibility chain.
-    NoStore,
 }
 
 impl Remedy {
@@ -132,7 +130,6 @@ fn of_question(error: &(dyn Error + 'static)) -> Option<Remedy> {
         QuestionError::OpenScene(_) => Remedy::StateOutside,
         QuestionError::ChannelNotNamed { .. } => Remedy::OneChannel,
         QuestionError::NoLightMeant => Remedy::ChainOfLight,
-        QuestionError::StoreOfVisibility => Remedy::NoStore,
         QuestionError::OccludedLines => Remedy::Occluded,
         QuestionError::TooManyPairs { .. } => Remedy::FewerPairs,
         QuestionError::NoLinearEstimate => Remedy::ElementsOrLinks,

@@ -10,8 +10,8 @@ use super::products::Products;
 use super::system::{ExchangeRows, RadiositySystem};
 use super::{ExchangeOperator, TransportError};
 use crate::exchange::{
-    Closure, ExchangeBlocks, ExchangeError, LowerBlocks, PassSummary, ProductFiles, ScenePairs,
-    StoredMatrix, agreed, unread,
+    Closure, ExchangeBlocks, ExchangeError, LowerBlocks, LowerPairs, PassSummary, ProductFiles,
+    ScenePairs, StoredMatrix, agreed, unread,
 };
 use crate::form_factor::ExchangeArea;
 use crate::numeric::{DoubleDouble, Scaled};
@@ -139,8 +139,9 @@ pub struct SceneExchange<'e> {
     /// The sums of the rows off the diagonal, and of the bounds.
     sums: [Vec<DoubleDouble>; 2],
     closure: Closure,
-    areas: Vec<f64>,
-    names: Arc<[String]>,
+    pairs: &'e ScenePairs<'e>,
+    own: Vec<ExchangeArea>,
+    summary: PassSummary,
     changes: Option<ExchangeChanges<SceneOperator<'e>>>,
 }
 
@@ -149,15 +150,16 @@ struct Parts<'e> {
     values: SceneOperator<'e>,
     bounds: SceneOperator<'e>,
     own: Vec<ExchangeArea>,
+    summary: PassSummary,
     changes: Option<SceneOperator<'e>>,
 }
 
 impl<'e> SceneExchange<'e> {
-    /// The exchange of a scene, computed and held by its ranks, and the summary of that pass.
+    /// The exchange of a scene, computed and held by its ranks.
     ///
     /// # Errors
     /// [`TransportError::Exchange`] if two patches are refused, or a row is above one.
-    pub fn held(pairs: &ScenePairs<'e>) -> Result<(Self, PassSummary), TransportError> {
+    pub fn held(pairs: &'e ScenePairs<'e>) -> Result<Self, TransportError> {
         let ExchangeBlocks {
             values,
             bounds,
@@ -168,23 +170,26 @@ impl<'e> SceneExchange<'e> {
             values: SceneOperator::held(values),
             bounds: SceneOperator::held(bounds),
             own,
+            summary,
             changes: pairs.resolution_blocks().map(SceneOperator::held),
         };
-        Ok((Self::new(pairs, parts)?, summary))
+        Self::new(pairs, parts)
     }
 
     /// The exchange of a scene whose matrix is stored.
+    ///
+    /// **Arguments** `products`: the files from which a solution that was stopped goes on.
     ///
     /// # Errors
     /// [`TransportError::Exchange`] if the store cannot be read, or a row is above one.
     pub fn stored(
         matrix: &'e StoredMatrix<'e>,
-        products: &Arc<ProductFiles>,
+        products: Option<&Arc<ProductFiles>>,
     ) -> Result<Self, TransportError> {
         let stored = |matrix: Arc<dyn LowerBlocks + Send + 'e>, name| SceneOperator {
             matrix,
             power: 0,
-            products: Some((Arc::clone(products), name)),
+            products: products.map(|files| (Arc::clone(files), name)),
         };
         let pairs = matrix.pairs();
         let is_rounded = pairs.resolution() > 0.0;
@@ -192,12 +197,13 @@ impl<'e> SceneExchange<'e> {
             values: stored(Arc::new(matrix.values()), "values"),
             bounds: stored(Arc::new(matrix.error_bounds()), "bounds"),
             own: matrix.own()?,
+            summary: matrix.summary(),
             changes: is_rounded.then(|| stored(Arc::new(pairs.resolution_rows()), "resolution")),
         };
         Self::new(pairs, parts)
     }
 
-    fn new(pairs: &ScenePairs<'_>, parts: Parts<'e>) -> Result<Self, TransportError> {
+    fn new(pairs: &'e ScenePairs<'e>, parts: Parts<'e>) -> Result<Self, TransportError> {
         let ones = vec![1.0; pairs.rows()];
         let sums = [&parts.values, &parts.bounds].map(|matrix| matrix.gathered(&ones));
         let [values, bounds] = sums;
@@ -251,8 +257,9 @@ impl<'e> SceneExchange<'e> {
             rows,
             sums,
             closure,
-            areas: areas.to_vec(),
-            names: pairs.shared_names(),
+            pairs,
+            own: parts.own,
+            summary: parts.summary,
             changes,
         })
     }
@@ -266,7 +273,25 @@ impl<'e> SceneExchange<'e> {
     /// The areas of the rows.
     #[must_use]
     pub fn areas(&self) -> &[f64] {
-        &self.areas
+        self.pairs.areas()
+    }
+
+    /// The plan, and whether the tolerance was reached.
+    #[must_use]
+    pub const fn summary(&self) -> &PassSummary {
+        &self.summary
+    }
+
+    /// The pairs, as they are held or stored.
+    #[must_use]
+    pub fn lower_pairs(&self) -> LowerPairs<'_> {
+        LowerPairs {
+            pairs: self.pairs,
+            values: &*self.values.matrix,
+            bounds: &*self.bounds.matrix,
+            own: &self.own,
+            summary: &self.summary,
+        }
     }
 
     /// The system of rows that reflect so much.
@@ -286,7 +311,7 @@ impl<'e> SceneExchange<'e> {
         )
         .map_err(|error| match error {
             TransportError::NoSink { group } => TransportError::NoSink {
-                group: group.named(&self.names),
+                group: group.named(self.pairs.names()),
             },
             other => other,
         })

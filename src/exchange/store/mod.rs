@@ -34,7 +34,6 @@ mod zarr;
 pub use check::{StoreState, check_store};
 pub use error::StoreError;
 pub use products::ProductFiles;
-pub use row_sums::PairSource;
 pub(crate) use stored::unread;
 pub use stored::{StoredBlocks, StoredMatrix};
 

@@ -11,55 +11,8 @@ use crate::exchange::passes::row_sums::sums_of_tiles;
 use crate::exchange::passes::tiles::Block;
 use crate::exchange::plan::facing::Facing;
 use crate::exchange::ranks::Deal;
-use crate::exchange::{ExchangeError, PassCounts, PassSummary, ScenePairs, Tile, TileSums};
+use crate::exchange::{ExchangeError, PassCounts, PassSummary, Tile, TileSums};
 use crate::form_factor::ExchangeArea;
-
-/// The pairs of a scene, computed or read from a store.
-#[derive(Debug, Clone, Copy)]
-pub enum PairSource<'s> {
-    /// They are computed.
-    Computed(&'s ScenePairs<'s>),
-    /// They are read.
-    Stored(&'s StoredMatrix<'s>),
-}
-
-impl<'s> From<&'s ScenePairs<'_>> for PairSource<'s> {
-    fn from(pairs: &'s ScenePairs<'_>) -> Self {
-        Self::Computed(pairs)
-    }
-}
-
-impl<'s> From<&'s StoredMatrix<'_>> for PairSource<'s> {
-    fn from(matrix: &'s StoredMatrix<'_>) -> Self {
-        Self::Stored(matrix)
-    }
-}
-
-impl<'s> PairSource<'s> {
-    /// The pairs of the scene.
-    #[must_use]
-    pub const fn pairs(&self) -> &'s ScenePairs<'s> {
-        match self {
-            Self::Computed(pairs) => pairs,
-            Self::Stored(matrix) => matrix.pairs(),
-        }
-    }
-
-    /// Sums over each row ([`ScenePairs::row_sums`]).
-    ///
-    /// # Errors
-    /// [`ExchangeError::Pair`] if two patches are refused; [`ExchangeError::Unread`] if a store
-    /// cannot be read.
-    pub fn row_sums<const K: usize>(
-        &self,
-        term: impl Fn(usize, usize, &ExchangeArea) -> [f64; K] + Sync,
-    ) -> Result<(Vec<[f64; K]>, PassSummary), ExchangeError> {
-        match self {
-            Self::Computed(pairs) => pairs.row_sums(term),
-            Self::Stored(matrix) => matrix.row_sums(term),
-        }
-    }
-}
 
 impl StoredMatrix<'_> {
     /// `K` sums over each row, of terms that are the same for (i, j) and (j, i); terms are asked

@@ -10,6 +10,7 @@ use crate::question::QuestionError;
 use crate::question::light::Light;
 use crate::question::scene::{SceneSource, ignored_note};
 use crate::scene::{Channel, Occlusion, Scene};
+use crate::transport::SceneExchange;
 
 /// The question for the best cut of a patch.
 ///
@@ -180,7 +181,8 @@ impl Split {
     /// The brightness of each patch, and Σw.
     fn lit(&self, scene: &Scene, progress: &dyn Progress) -> Result<Lit, QuestionError> {
         let asked = (Tolerance::default(), Congruence::Shared);
-        let exchange = self.scene.pairs(scene, asked, progress)?.exchange_areas()?;
+        let pairs = self.scene.pairs(scene, asked, progress)?;
+        let exchange = SceneExchange::held(&pairs)?;
         let found = self.light.brightness(scene, &exchange)?;
         let rows = found.values.iter().zip(&found.received);
         let weights = rows

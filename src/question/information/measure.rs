@@ -14,6 +14,7 @@ use crate::question::light::Light;
 use crate::question::scene::{SceneSource, ignored_note};
 use crate::question::unreached::Unreached;
 use crate::scene::{Occlusion, Scene, SceneError};
+use crate::transport::SceneExchange;
 use std::path::PathBuf;
 
 /// The question for the information of a scene.
@@ -45,7 +46,7 @@ pub struct Measure {
     pub continuous: bool,
     /// Whether the losses of the pairs of patches are asked for, too.
     pub pairs: bool,
-    /// The store that the form factors of the visibility chain are read from; none to compute them.
+    /// The store that the form factors are read from; none to compute them.
     pub store: Option<PathBuf>,
 }
 
@@ -81,8 +82,8 @@ impl Measure {
         self.ask_among(&Alone, progress)
     }
 
-    /// Measures the scene as one of the ranks that share its pairs out, those of the visibility
-    /// chain: each asks the same, and has the same answer.
+    /// Measures the scene as one of the ranks that share its pairs out: each asks the same, and has
+    /// the same answer.
     ///
     /// # Errors
     /// As [`ask`](Self::ask); [`ExchangeError::Rank`] of another rank's.
@@ -123,21 +124,23 @@ impl Measure {
         let asked = (self.tolerance, self.congruence);
         let is_visibility = self.light.is_visibility()?;
         if let Some(folder) = &self.store {
-            if !is_visibility {
-                return Err(QuestionError::StoreOfVisibility);
-            }
             let store = StoreToRead::of(&self.scene, asked, folder);
             let pairs = store.pairs(scene, ranks)?;
             let matrix = store.open(scene, &pairs)?;
-            return scene_information(&matrix, self.open_scene).map_err(refused);
+            if is_visibility {
+                return scene_information(&matrix, self.open_scene).map_err(refused);
+            }
+            let exchange = SceneExchange::stored(&matrix, None)?;
+            let brightness = self.light.brightness(scene, &exchange)?;
+            return Ok(brightness_information(&matrix, &brightness)?);
         }
-        let pairs = self.scene.pairs(scene, asked, progress)?;
+        let pairs = self.scene.pairs(scene, asked, progress)?.among(ranks);
         if is_visibility {
-            return scene_information(&pairs.among(ranks), self.open_scene).map_err(refused);
+            return scene_information(&pairs, self.open_scene).map_err(refused);
         }
-        let exchange = pairs.exchange_areas()?;
+        let exchange = SceneExchange::held(&pairs)?;
         let brightness = self.light.brightness(scene, &exchange)?;
-        Ok(brightness_information(&exchange, &brightness)?)
+        Ok(brightness_information(exchange.lower_pairs(), &brightness)?)
     }
 
     /// Whether the continuous mutual information is to be sampled, as something stands in the way:

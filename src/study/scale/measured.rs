@@ -157,7 +157,7 @@ fn products(timer: &mut Timer<'_>, scene: &Scene) -> Result<[f64; 3], StudyError
     let mut emittances = vec![0.0; n];
     emittances[0] = 1.0;
     let reflectances = vec![REFLECTANCE; n];
-    let (_, (held, _)) = timer.time(("matrix, held", n, 1), || Ok(SceneExchange::held(&pairs)?))?;
+    let (_, held) = timer.time(("matrix, held", n, 1), || Ok(SceneExchange::held(&pairs)?))?;
     let solve = |exchange: &SceneExchange<'_>| {
         let system = exchange.system(reflectances.clone())?;
         Ok::<_, StudyError>(system.radiosity(&emittances)?)
@@ -178,7 +178,7 @@ fn products(timer: &mut Timer<'_>, scene: &Scene) -> Result<[f64; 3], StudyError
     let stored = StoredMatrix::open(folder, scene, &pairs, treatment)?;
     let files = Arc::new(ProductFiles::open(folder, false)?);
     let (from_store, products) = timer.time(("radiosity, from the store", n, 1), || {
-        solve(&SceneExchange::stored(&stored, &files)?)?;
+        solve(&SceneExchange::stored(&stored, Some(&files))?)?;
         Ok(products_in(folder))
     })?;
     if ranks.number() == 0 {

@@ -3,6 +3,7 @@
 mod continuous;
 mod divergence;
 mod known_values;
+mod light;
 mod negative_controls;
 #[cfg(feature = "proptest")]
 mod refinement;
