@@ -373,8 +373,8 @@ fn fifty_kills_lose_nothing() {
 /// The study of scale is measured by the ranks of the job, told once; what one sends to another is
 /// measured, too.
 #[test]
-#[ignore = "needs mpirun: cargo test --features mpi --test command mpirun -- --ignored"]
-fn mpirun_measures_its_own_scale() {
+#[ignore = "ten seconds, needs mpirun: cargo test --features mpi --test command own_scale -- --ignored"]
+fn ranks_measure_their_own_scale() {
     let told = stdout(2, &["study", "scale", "--quick", "--format", "json"]);
     let study: serde_json::Value = serde_json::from_str(&told).unwrap();
     let rows = study["rows"].as_array().unwrap();
