@@ -115,8 +115,7 @@ impl Adapted {
     fn sums(&self, integrals: impl Iterator<Item = Integrals>) -> Vec<Integrals> {
         let mut sums = vec![Integrals::default(); self.minorant.areas().len()];
         for (part, integral) in self.pieces.iter().zip(integrals) {
-            sums[part.cell].first += integral.first;
-            sums[part.cell].second += integral.second;
+            sums[part.cell].add(&integral);
         }
         sums
     }

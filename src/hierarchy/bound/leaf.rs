@@ -1,5 +1,6 @@
 //! The leaves of a tree, as sources of light.
 
+use crate::form_factor::Polygon;
 use crate::geometry::Patch;
 use glam::DVec3;
 
@@ -7,6 +8,7 @@ use glam::DVec3;
 #[derive(Debug, Clone)]
 pub(super) struct Leaf {
     pub(super) shape: Patch,
+    pub(super) polygon: Polygon,
     /// The corners, and those of neighbours on its edges.
     pub(super) outline: Vec<DVec3>,
     pub(super) centre: DVec3,
