@@ -1,12 +1,12 @@
 //! Leaves that are seen in part: somewhere in their range, but with their means over a piece.
 //!
 //! ```text
-//!   0 ≤ F ≤ M on a part of a piece where a plate may stand before the leaf: M/2 ± M/2
-//!   ∫ F dx = A F(piece → leaf)                                the exchange area past the plates
+//!   0 ≤ F ≤ M       on a part of a piece, for a part of a leaf before which a plate may stand
+//!   ∫ F = A F(piece → leaf)                                   the exchange area past the plates
 //! ```
 //!
-//! A constant over the piece is added so that the integral is the exchange area. With the mean P ρ
-//! of a function, the rest ρ of the leaves that are mended and σ of those that are not,
+//! F counts as M/2 ± M/2 there, and a constant over the piece is added so that the integral over it
+//! is the exchange area. With the mean P ρ of a function, the rest ρ of the leaves that are mended and σ of those that are not,
 //!
 //! ```text
 //!   ‖ρ − P ρ + σ‖² = ‖(1 − P)(ρ + σ)‖² + ‖P σ‖² ≤ ‖ρ + σ‖² + (∫ |σ|)²/A
@@ -20,6 +20,8 @@
 use super::jet::Jet;
 use super::piece::Piece;
 use super::residual::{FUNCTIONS, Item, Open, Sums, Task};
+use super::seen::Seen;
+use super::sight::End;
 use super::views::{Veiled, View};
 use crate::form_factor::Polygon;
 use crate::geometry::Patch;
@@ -32,6 +34,8 @@ use std::array::from_fn;
 const CUTS: usize = 2;
 /// The doubt in remainders that are allowed, up to which a leaf is not mended.
 const LITTLE: f64 = 0.1;
+/// The same, up to which a leaf is not looked at in parts.
+const FAINT: f64 = 0.02;
 
 /// A leaf before which these plates may stand.
 #[derive(Debug, Clone)]
@@ -53,7 +57,7 @@ impl Doubtful {
 }
 
 /// What is counted of a leaf on the parts of a piece.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Counted {
     /// Its integral.
     first: f64,
@@ -61,6 +65,8 @@ pub(super) struct Counted {
     error: f64,
     /// The same where it may be hidden.
     half: f64,
+    /// What may stand before it on the whole piece.
+    plates: SmallVec<[u32; 4]>,
 }
 
 impl Task<'_> {
@@ -74,9 +80,15 @@ impl Task<'_> {
         open.veiled.retain_mut(|doubtful| {
             let veiled = &self.view.veiled[doubtful.veiled];
             let plates = &doubtful.plates;
-            match self.views.narrowed(self.view, &corners, veiled, plates) {
+            let leaf = &self.views.leaves[veiled.leaf];
+            let there = End::of(leaf.patch, &leaf.shape);
+            match self.views.narrowed(self.view, &corners, there, plates) {
                 Visibility::Hidden => false,
                 Visibility::Past(plates) => {
+                    let whole = &mut sums.counted[doubtful.veiled].plates;
+                    if whole.is_empty() {
+                        whole.clone_from(&plates);
+                    }
                     doubtful.plates = plates;
                     true
                 }
@@ -108,16 +120,17 @@ impl Task<'_> {
         if veiled.is_empty() || depth < CUTS {
             return;
         }
-        let most = |doubtful: &Doubtful| self.view.veiled[doubtful.veiled].seen.most(piece);
+        let corners = self.lifted(piece);
         let mut halves = [0.0; FUNCTIONS];
         for doubtful in veiled.drain(..) {
-            let half = 0.5 * most(&doubtful);
+            let (jet, half) = self.in_part(piece, &corners, &doubtful);
             for (k, weight) in self.leaf_weights(doubtful.veiled).into_iter().enumerate() {
-                functions[k].value += weight * half;
+                functions[k].add(weight, &jet);
                 halves[k] += weight.abs() * half;
             }
+            let [integrals] = piece.integrals(&[jet]);
             let counted = &mut sums.counted[doubtful.veiled];
-            counted.first += half * piece.area;
+            counted.first += integrals.first;
             counted.half += half * piece.area;
         }
         for (k, half) in halves.into_iter().enumerate() {
@@ -126,12 +139,46 @@ impl Task<'_> {
         }
     }
 
+    /// A leaf that is seen in part, as a function on a piece and a bound on the rest: by its parts,
+    /// if much depends on it.
+    fn in_part(&self, piece: &Piece, corners: &[DVec3], doubtful: &Doubtful) -> (Jet, f64) {
+        let at = &self.view.veiled[doubtful.veiled];
+        let half = 0.5 * at.seen.most(piece);
+        if half * self.share(doubtful.veiled) <= FAINT {
+            return (Jet::constant(half), half);
+        }
+        let leaf = &self.views.leaves[at.leaf];
+        let (mut jet, mut rest) = (Jet::default(), 0.0);
+        for part in &leaf.parts {
+            let there = End::of(leaf.patch, part);
+            let plates = &doubtful.plates;
+            let between = self.views.narrowed(self.view, corners, there, plates);
+            if between == Visibility::Hidden {
+                continue;
+            }
+            let frame = &self.view.frame;
+            let Some(seen) = Seen::of(part, part.corners(), frame, self.noise) else {
+                continue;
+            };
+            if between == Visibility::Clear {
+                let seen = seen.expanded(piece, self.noise);
+                jet.add(1.0, &seen.jet);
+                rest += seen.cubic * piece.radius.powi(3) + seen.flat;
+            } else {
+                let half = 0.5 * seen.most(piece);
+                jet.value += half;
+                rest += half;
+            }
+        }
+        (jet, rest)
+    }
+
     /// Mends the means of leaves that were in doubt on parts of a piece.
     pub(super) fn mend(&self, piece: &Piece, sums: &mut Sums) {
         let mut polygon = None;
         let mut shifts = [0.0; FUNCTIONS];
         for veiled in 0..sums.counted.len() {
-            let counted = sums.counted[veiled];
+            let counted = &sums.counted[veiled];
             if counted.half * self.share(veiled) <= LITTLE * piece.area {
                 continue;
             }
@@ -139,18 +186,18 @@ impl Task<'_> {
                 let shape = Patch::try_new(self.lifted(piece)).ok();
                 shape.map(|shape| Polygon::new(&shape))
             });
-            let at = &self.view.veiled[veiled];
-            let leaf = &self.views.leaves[at.leaf];
+            let leaf = &self.views.leaves[self.view.veiled[veiled].leaf];
             let exchange = polygon.as_ref().and_then(|polygon| {
                 let pair = [polygon, &leaf.polygon];
-                self.views.sight.exchange_area(pair, &at.plates).ok()
+                self.views.sight.exchange_area(pair, &counted.plates).ok()
             });
             let Some(exchange) = exchange else { continue };
             let error = exchange.error + counted.error;
             if error < counted.half {
+                let (shift, less) = (exchange.value - counted.first, error - counted.half);
                 for (k, weight) in self.leaf_weights(veiled).into_iter().enumerate() {
-                    shifts[k] += weight * (exchange.value - counted.first) / piece.area;
-                    sums.doubts[k].first += weight.abs() * (error - counted.half);
+                    shifts[k] += weight * shift / piece.area;
+                    sums.doubts[k].first += weight.abs() * less;
                 }
             }
         }

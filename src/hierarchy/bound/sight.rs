@@ -78,6 +78,11 @@ impl Sight {
         })
     }
 
+    /// Whether something may stand between some patches.
+    pub(super) const fn can_be_hidden(&self) -> bool {
+        self.plates.is_some()
+    }
+
     /// What stands between two patches.
     pub(super) fn of_patches(&self, first: usize, second: usize) -> &Visibility {
         let plates = self.plates.as_ref();

@@ -6,6 +6,7 @@ use super::seen::Seen;
 use super::sight::{End, Sight};
 use super::sources::{Source, outlines};
 use crate::form_factor::{FormFactorError, Polygon};
+use crate::geometry::{Patch, quartered};
 use crate::hierarchy::{Element, Lighting, Tree, Visibility};
 use crate::numeric::parallel_map;
 use crate::scene::Scene;
@@ -49,6 +50,10 @@ impl Views {
         let leaf = |(element, outline): (&&Element, Vec<DVec3>)| Leaf {
             shape: element.shape().clone(),
             polygon: Polygon::new(element.shape()),
+            parts: match sight.can_be_hidden() {
+                true => parts(element.shape()),
+                false => Vec::new(),
+            },
             outline,
             centre: element.centre(),
             patch: element.patch(),
@@ -136,26 +141,33 @@ impl Views {
 
     /// What stands between points of a view's plane and a leaf.
     pub(super) fn between(&self, view: &View, corners: &[DVec3], veiled: &Veiled) -> Visibility {
-        self.narrowed(view, corners, veiled, &veiled.plates)
+        let leaf = &self.leaves[veiled.leaf];
+        let there = End::of(leaf.patch, &leaf.shape);
+        self.narrowed(view, corners, there, &veiled.plates)
     }
 
-    /// What stands between points of a view's plane and a leaf, if nothing but these plates does.
+    /// What stands between points of a view's plane and a polygon, if nothing but these plates
+    /// does.
     pub(super) fn narrowed(
         &self,
         view: &View,
         corners: &[DVec3],
-        veiled: &Veiled,
+        there: End<'_>,
         plates: &[u32],
     ) -> Visibility {
-        let leaf = &self.leaves[veiled.leaf];
         let here = End {
             patch: view.patch,
             corners,
             normal: view.frame.normal(),
         };
-        let there = End::of(leaf.patch, &leaf.shape);
         self.sight.narrowed(plates, [here, there])
     }
+}
+
+/// The quarters of a shape's quarters, as far as it can be cut.
+fn parts(shape: &Patch) -> Vec<Patch> {
+    let quarters = |shape: &Patch| quartered(shape).unwrap_or_else(|_| vec![shape.clone()]);
+    quarters(shape).iter().flat_map(quarters).collect()
 }
 
 impl View {
