@@ -118,6 +118,25 @@ impl Judged {
         squares
     }
 
+    /// `‖c + R f‖²` for a change c by leaf, as far as f is known.
+    pub(super) fn shown_by_residual(&self, change: &[f64]) -> f64 {
+        let parts = self.residual.iter().zip(self.adapted.pieces());
+        let squares = parts.map(|(part, piece)| {
+            let (reflectance, known) = (self.setting.reflectance(piece.leaf), &part.known);
+            reflectance * (reflectance * known.second + 2.0 * change[piece.leaf] * known.first)
+        });
+        self.setting.square(change) + squares.sum::<f64>()
+    }
+
+    /// A bound on `‖R ρ + R K e‖` for the rest ρ of the residual, from a bound on ‖e‖.
+    pub(super) fn unknown(&self, error: f64) -> f64 {
+        let parts = self.residual.iter().zip(self.adapted.pieces());
+        let squares = parts
+            .map(|(part, piece)| self.setting.reflectance(piece.leaf).powi(2) * part.rest.second);
+        let reflectances = self.setting.light.reflectances().iter().copied();
+        squares.sum::<f64>().sqrt() + reflectances.fold(0.0, f64::max) * error
+    }
+
     /// By leaf of another tree a bound on `‖f‖`.
     pub(super) fn shown(&self, origins: &[usize], count: usize) -> Vec<f64> {
         let mut squares = vec![[0.0; 2]; count];

@@ -26,6 +26,9 @@
 //!   ‖B − B_h‖² = ‖B̃ − B_h‖² + 2 ⟨B̃ − B_h, B − B̃⟩ + ‖B − B̃‖²
 //! ```
 //!
+//! or, as `e = R f + R K e` and ‖K‖ ≤ 1, `‖B − B_h‖ ≤ ‖B̃ + R f − B_h‖ + max R ‖e‖`, of which f is
+//! known but for a rest.
+//!
 //! Linear parts of B_h on its leaves meet the residual of B̃, too (`slopes`).
 //!
 //! What is left over a single leaf is what its residual shows and what it receives of the rest
@@ -174,7 +177,9 @@ impl ErrorBound {
         let known = setting.square(&change) + slopes.square();
         let product = changed.upper() - slopes.least_product(rest);
         let absolute = (known + 2.0 * product + rest * rest).max(0.0).sqrt();
-        let absolute = absolute.min(known.sqrt() + rest);
+        let shown = judged.shown_by_residual(&change) + slopes.shown();
+        let again = shown.max(0.0).sqrt() + judged.unknown(rest);
+        let absolute = absolute.min(known.sqrt() + rest).min(again);
         let least = setting.square(&goals[2]) + 2.0 * bright.lower();
         let relative = if least > 0.0 {
             absolute / least.sqrt()

@@ -8,7 +8,8 @@
 //! On a piece each source is a quadratic function with a remainder
 //! ([`Source::expanded`](super::sources::Source::expanded)). Those whose remainders together are
 //! small are added up. For the others the piece is cut, and its parts begin anew with them. Where
-//! that ends, they are somewhere in their range.
+//! that ends, they are somewhere in their range. So is at once, if that is small enough, a polygon
+//! through whose plane the piece reaches: it is seen edge-on there.
 //!
 //! **Not covered**: rounding, as in [`edge`](super::edge).
 

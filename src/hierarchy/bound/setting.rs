@@ -244,10 +244,10 @@ impl Setting {
         terms.extend((0..self.leaves().len()).map(|leaf| self.area(leaf) * values[leaf]));
         let mut error = 0.0;
         for first in black {
-            for second in 0..self.leaves().len() {
+            for (second, value) in values.iter().enumerate() {
                 let exchange = self.exchange_area(first, second)?;
-                terms.push(-values[second] * exchange.value);
-                error += values[second].abs() * exchange.error;
+                terms.push(-value * exchange.value);
+                error += value.abs() * exchange.error;
             }
         }
         let size: f64 = terms.iter().map(|term| term.abs()).sum();

@@ -70,6 +70,11 @@ impl Slopes {
         self.squares.iter().sum()
     }
 
+    /// `‖δ‖² − 2 ⟨δ, R f⟩`, as far as f is known.
+    pub(super) fn shown(&self) -> f64 {
+        self.square() - 2.0 * self.products.iter().sum::<f64>()
+    }
+
     /// A lower bound on `⟨δ, e⟩`, from a bound on ‖e‖.
     pub(super) fn least_product(&self, error: f64) -> f64 {
         self.products.iter().sum::<f64>() - self.doubt - self.reflected * error
