@@ -63,7 +63,8 @@ fn a_coarse_mesh_past_a_plate_is_bounded() {
     assert!((1.0..4.0).contains(&ratio), "{ratio}");
 }
 
-/// `‖B − B_h‖ ≤ bound` past a plate, a corner, a table and blocks; the table is printed.
+/// `‖B − B_h‖ ≤ bound` past a plate, a corner, a table and blocks, for the plate at most four times
+/// as much; the table is printed.
 #[test]
 #[ignore = "minutes: cargo test --release --test library hidden_from -- --ignored --nocapture"]
 fn meshes_of_rooms_with_patches_hidden_from_each_other_are_bounded() {
@@ -84,6 +85,9 @@ fn meshes_of_rooms_with_patches_hidden_from_each_other_are_bounded() {
                      {seconds:.2} s"
                 );
                 assert!(ratio >= 1.0, "{name} {reflectance:?} {elements}: {ratio}");
+                // walls see the plate edge-on, which cost 11 times the error once
+                let is_near = name != "shaded-cube" || ratio <= 4.0;
+                assert!(is_near, "{name} {reflectance:?} {elements}: {ratio}");
             }
         }
     }
