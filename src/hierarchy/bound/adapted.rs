@@ -7,8 +7,8 @@ use super::cells::{Cells, LeafPart};
 use super::dark::Dark;
 use super::minorant::{Couplings, Minorant, Split};
 use super::piece::Integrals;
-use super::residual::{FUNCTIONS, Measured};
 use super::sight::Sight;
+use super::task::{FUNCTIONS, Measured};
 use crate::hierarchy::{Element, HierarchyError, Lighting, Tree};
 use crate::numeric::real;
 

@@ -19,15 +19,13 @@
 
 use super::jet::Jet;
 use super::piece::Piece;
-use super::residual::{FUNCTIONS, Item, Open, Sums, Task};
 use super::seen::Seen;
 use super::sight::End;
-use super::views::{Veiled, View};
+use super::task::{Doubtful, FUNCTIONS, Item, Open, Sums, Task};
 use crate::form_factor::Polygon;
 use crate::geometry::Patch;
 use crate::hierarchy::Visibility;
 use glam::DVec3;
-use smallvec::SmallVec;
 use std::array::from_fn;
 
 /// The number of times that a piece is cut for leaves that are seen in part.
@@ -36,38 +34,6 @@ const CUTS: usize = 2;
 const LITTLE: f64 = 0.1;
 /// The same, up to which a leaf is not looked at in parts.
 const FAINT: f64 = 0.02;
-
-/// A leaf before which these plates may stand.
-#[derive(Debug, Clone)]
-pub(super) struct Doubtful {
-    /// Among what is veiled in the view.
-    veiled: usize,
-    plates: SmallVec<[u32; 4]>,
-}
-
-impl Doubtful {
-    /// The leaves before which something may stand in a view.
-    pub(super) fn all(view: &View) -> Vec<Self> {
-        let of = |(veiled, at): (usize, &Veiled)| Self {
-            veiled,
-            plates: at.plates.clone(),
-        };
-        view.veiled.iter().enumerate().map(of).collect()
-    }
-}
-
-/// What is counted of a leaf on the parts of a piece.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Counted {
-    /// Its integral.
-    first: f64,
-    /// A bound on the error of that where the leaf is seen.
-    error: f64,
-    /// The same where it may be hidden.
-    half: f64,
-    /// What may stand before it on the whole piece.
-    plates: SmallVec<[u32; 4]>,
-}
 
 impl Task<'_> {
     /// Finds out which leaves are seen from all of a piece, and which from nowhere.

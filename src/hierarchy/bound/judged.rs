@@ -1,8 +1,8 @@
 //! Radiosities on leaves with their residual, and bounds on weighted sums of their error.
 
 use super::adapted::Adapted;
-use super::residual::{FUNCTIONS, Measured};
 use super::setting::Setting;
+use super::task::{FUNCTIONS, Measured};
 use crate::hierarchy::{Element, HierarchyError, Lighting, Tree};
 use std::array::from_fn;
 

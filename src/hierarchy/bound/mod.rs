@@ -73,6 +73,7 @@ mod setting;
 mod sight;
 mod slopes;
 mod sources;
+mod task;
 mod views;
 
 use crate::geometry::{Patch, is_inside};

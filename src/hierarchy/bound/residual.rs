@@ -13,84 +13,12 @@
 //!
 //! **Not covered**: rounding, as in [`edge`](super::edge).
 
-use super::doubt::{Counted, Doubtful};
 use super::edge::Expanded;
 use super::jet::Jet;
 use super::piece::{Integrals, Piece};
-use super::views::{View, Views};
+use super::task::{Counted, DEEPEST, Doubtful, FUNCTIONS, Item, Measured, Open, Sums, Task};
 use crate::numeric::real;
 use std::array::from_fn;
-
-/// The number of times that a piece is cut.
-const DEEPEST: usize = 8;
-
-/// The number of functions that are measured together.
-pub(super) const FUNCTIONS: usize = 4;
-
-/// A function on one piece: a polynomial part, and a bound on the rest.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Measured {
-    /// Of the polynomial part.
-    pub(super) known: Integrals,
-    /// Bounds on `|∫ ρ|` and `∫ ρ²` of the rest.
-    pub(super) rest: Integrals,
-}
-
-/// The functions on one piece: what the recursion needs of them.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Task<'t> {
-    pub(super) views: &'t Views,
-    /// The plane of the piece.
-    pub(super) view: &'t View,
-    /// The values of the functions on the leaves.
-    pub(super) values: [&'t [f64]; FUNCTIONS],
-    /// The values that are taken off: b₀.
-    pub(super) references: [f64; FUNCTIONS],
-    /// The remainders that are allowed, in the root mean square.
-    pub(super) allowed: [f64; FUNCTIONS],
-    /// The height up to which a point counts as in a plane.
-    pub(super) noise: f64,
-}
-
-/// A source, and how much counts on either side of it.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Item {
-    pub(super) source: usize,
-    pub(super) sides: [f64; 2],
-}
-
-/// What is left to be added on a piece: sources, and leaves before which something may stand.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Open {
-    pub(super) items: Vec<Item>,
-    pub(super) veiled: Vec<Doubtful>,
-}
-
-impl Open {
-    const fn is_empty(&self) -> bool {
-        self.items.is_empty() && self.veiled.is_empty()
-    }
-
-    /// Makes one item of those of the same source.
-    pub(super) fn merge(&mut self) {
-        self.items.sort_by_key(|item| item.source);
-        self.items.dedup_by(|next, kept| {
-            let is_same = next.source == kept.source;
-            if is_same {
-                kept.sides = from_fn(|side| kept.sides[side] + next.sides[side]);
-            }
-            is_same
-        });
-    }
-}
-
-impl Measured {
-    /// Adds what was measured on another piece.
-    pub(super) fn add(&mut self, other: &Self) {
-        self.known.add(&other.known);
-        self.rest.add(&other.rest);
-    }
-}
 
 impl Task<'_> {
     fn weights(&self, item: Item) -> [f64; FUNCTIONS] {
@@ -239,26 +167,5 @@ impl Task<'_> {
             sums.squares[k][DEEPEST + 1] += half * half * piece.area;
         }
         sums.add_known(piece, functions);
-    }
-}
-
-/// What the parts of a piece add up to.
-#[derive(Debug, Default)]
-pub(super) struct Sums {
-    pub(super) known: [Integrals; FUNCTIONS],
-    magnitudes: [f64; FUNCTIONS],
-    /// By depth, each a function on the whole piece.
-    squares: [[f64; DEEPEST + 2]; FUNCTIONS],
-    /// Bounds on the integral, and on that of the square, of what leaves seen in part leave open.
-    pub(super) doubts: [Integrals; FUNCTIONS],
-    /// By what is veiled in the view.
-    pub(super) counted: Vec<Counted>,
-}
-
-impl Sums {
-    fn add_known(&mut self, piece: &Piece, functions: [Jet; FUNCTIONS]) {
-        for (sum, part) in self.known.iter_mut().zip(piece.integrals(&functions)) {
-            sum.add(&part);
-        }
     }
 }

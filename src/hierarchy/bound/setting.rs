@@ -3,8 +3,8 @@
 use super::adjoint::DiscreteOperator;
 use super::leaf::Leaf;
 use super::piece::Piece;
-use super::residual::{FUNCTIONS, Measured, Task};
 use super::sight::{End, Sight};
+use super::task::{FUNCTIONS, Measured, Task};
 use super::views::Views;
 use crate::form_factor::{DEFAULT_TOLERANCE, ExchangeArea};
 use crate::geometry::convex_pieces;
