@@ -136,6 +136,14 @@ pub enum HierarchyError {
         /// The only radiosity that it can have, if it is known.
         expected: Option<f64>,
     },
+    /// A gradient of a radiosity is not a number.
+    #[error("the gradient of the radiosity on leaf {leaf} is {gradient}")]
+    WrongGradient {
+        /// The leaf, counted among leaves.
+        leaf: usize,
+        /// The gradient.
+        gradient: DVec3,
+    },
     /// Light does not surely come to an end: too little is absorbed, or escapes.
     #[error(
         "no bound: the error of some brightness is not surely damped, as too little is absorbed; \

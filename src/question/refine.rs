@@ -172,7 +172,7 @@ impl Refine {
         Ok(ignored_note(summary.plan.ignored))
     }
 
-    /// The bound on the error of constants, where one is known; a note says why there is none.
+    /// The bound on the error, where one is known; a note says why there is none.
     fn error_bound(
         &self,
         scene: &Scene,
@@ -180,7 +180,7 @@ impl Refine {
         notes: &mut Vec<String>,
     ) -> Result<Option<ErrorBound>, QuestionError> {
         let (tree, radiosity) = (refinement.tree(), &refinement.solution().radiosity);
-        if self.linear || tree.leaf_count() > MOST_BOUNDED {
+        if tree.leaf_count() > MOST_BOUNDED {
             return Ok(None);
         }
         if refinement.factors().can_be_hidden() && !self.bound {
@@ -188,7 +188,14 @@ impl Refine {
             return Ok(None);
         }
         let values: Vec<f64> = tree.leaves().map(|leaf| radiosity[leaf]).collect();
-        match ErrorBound::try_new(scene, tree, refinement.lighting(), &values) {
+        let (light, solution) = (refinement.lighting(), refinement.solution());
+        let bound = if self.linear {
+            let gradients = tree.leaves().map(|l| solution.gradient(tree, light, l));
+            ErrorBound::of_linear(scene, tree, light, &values, &gradients.collect::<Vec<_>>())
+        } else {
+            ErrorBound::try_new(scene, tree, light, &values)
+        };
+        match bound {
             Ok(bound) => Ok(Some(bound)),
             Err(refused @ HierarchyError::NotDamped) => {
                 notes.push(format!("no bound on the error: {refused}"));

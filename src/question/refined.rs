@@ -42,9 +42,8 @@ pub struct RefineStep {
     pub evaluations: u64,
     /// Time that was taken so far, without that for this record.
     pub seconds: f64,
-    /// A bound on the error of the last step; none for the others, for a linear solution, for more
-    /// than 2,000 elements, past what stands in the way unless it is asked for, or where none is
-    /// known.
+    /// A bound on the error of the last step; none for the others, for more than 2,000 elements,
+    /// past what stands in the way unless it is asked for, or where none is known.
     pub error_bound: Option<f64>,
     /// An estimate of the error; none for a linear solution.
     pub error_estimate: Option<f64>,

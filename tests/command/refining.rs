@@ -58,9 +58,11 @@ fn other_goals_are_reached() {
     assert!(last(&[cube.as_slice(), &["--links", "500"]].concat(), "links") >= 500.0);
     let error = [cube.as_slice(), &["--error", "0.15"]].concat();
     assert!(last(&error, "error_estimate") <= 0.15);
-    // the estimate is of constants
+    // the estimate is of constants, the bound of what is asked for
     let linear = json(&with(&["--linear"]));
     assert!(linear["steps"][0]["error_estimate"].is_null());
+    let steps = linear["steps"].as_array().unwrap();
+    assert!(steps.last().unwrap()["error_bound"].as_f64().unwrap() > 0.0);
 }
 
 #[test]

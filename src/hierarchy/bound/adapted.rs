@@ -7,8 +7,8 @@ use super::cells::{Cells, LeafPart};
 use super::dark::Dark;
 use super::minorant::{Couplings, Minorant, Split};
 use super::piece::Integrals;
-use super::residual::{FUNCTIONS, Measured};
 use super::sight::Sight;
+use super::task::{FUNCTIONS, Measured};
 use crate::hierarchy::{Element, HierarchyError, Lighting, Tree};
 use crate::numeric::real;
 
@@ -115,8 +115,7 @@ impl Adapted {
     fn sums(&self, integrals: impl Iterator<Item = Integrals>) -> Vec<Integrals> {
         let mut sums = vec![Integrals::default(); self.minorant.areas().len()];
         for (part, integral) in self.pieces.iter().zip(integrals) {
-            sums[part.cell].first += integral.first;
-            sums[part.cell].second += integral.second;
+            sums[part.cell].add(&integral);
         }
         sums
     }

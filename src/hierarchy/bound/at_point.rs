@@ -12,7 +12,6 @@
 
 use super::leaf::Leaf;
 use super::local::{kernel, wedge};
-use super::sight::Between;
 use super::views::Views;
 use crate::geometry::distance_from_patch;
 use crate::hierarchy::Visibility;
@@ -42,9 +41,9 @@ impl AtPoint {
         for veiled in &view.veiled {
             let leaf = veiled.leaf;
             squares[leaf] = match views.between(view, &[point], veiled) {
-                Between::Nothing => continue,
-                Between::All => 0.0,
-                Between::Perhaps => square(&views.leaves[leaf], point, normal),
+                Visibility::Clear => continue,
+                Visibility::Hidden => 0.0,
+                Visibility::Past(_) => square(&views.leaves[leaf], point, normal),
             };
             weights[leaf] = 0.0;
         }

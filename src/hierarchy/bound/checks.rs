@@ -5,6 +5,7 @@ use crate::exchange::{Closure, Congruence, ScenePairs};
 use crate::form_factor::DEFAULT_TOLERANCE;
 use crate::hierarchy::{HierarchyError, Lighting, Tree};
 use crate::scene::{Occlusion, Scene};
+use glam::DVec3;
 
 /// Checks that a scene has a bound, and tells whether it is closed.
 ///
@@ -47,6 +48,19 @@ pub(super) fn check_count(
         found,
         expected,
     })
+}
+
+/// Checks gradients of radiosities: as many as leaves, and finite.
+///
+/// # Errors
+/// [`HierarchyError::WrongCount`]; [`HierarchyError::WrongGradient`].
+pub(super) fn check_gradients(gradients: &[DVec3], leaves: usize) -> Result<(), HierarchyError> {
+    check_count("gradients", gradients.len(), leaves)?;
+    let mut numbered = gradients.iter().copied().enumerate();
+    match numbered.find(|(_, gradient)| !gradient.is_finite()) {
+        Some((leaf, gradient)) => Err(HierarchyError::WrongGradient { leaf, gradient }),
+        None => Ok(()),
+    }
 }
 
 /// Checks radiosities: finite, and what is emitted where nothing is reflected.

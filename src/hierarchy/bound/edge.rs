@@ -43,11 +43,12 @@ pub(super) struct Edge {
 }
 
 /// A part of a form factor as a function on a piece: its polynomial about the centre, and the
-/// remainder `≤ cubic |x − c|³`.
-#[derive(Debug, Clone, Copy)]
+/// remainder `≤ cubic |x − c|³ + flat`.
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Expanded {
     pub(super) jet: Jet,
     pub(super) cubic: f64,
+    pub(super) flat: f64,
 }
 
 impl Edge {
@@ -141,6 +142,7 @@ impl Edge {
                     .map(|x| scale * x),
             },
             cubic: u.length() * j2 / (TAU * (1.0 - closeness)),
+            flat: 0.0,
         })
     }
 
@@ -167,6 +169,10 @@ impl Edge {
             jet.add(scale * sign, &polar);
             cubic += 1.0 / (3.0 * TAU * square * square.sqrt() * (1.0 - closeness));
         }
-        Some(Expanded { jet, cubic })
+        Some(Expanded {
+            jet,
+            cubic,
+            flat: 0.0,
+        })
     }
 }

@@ -1,8 +1,8 @@
 //! Radiosities on leaves with their residual, and bounds on weighted sums of their error.
 
 use super::adapted::Adapted;
-use super::residual::{FUNCTIONS, Measured};
 use super::setting::Setting;
+use super::task::{FUNCTIONS, Measured};
 use crate::hierarchy::{Element, HierarchyError, Lighting, Tree};
 use std::array::from_fn;
 
@@ -116,6 +116,25 @@ impl Judged {
             squares[origins[piece.leaf]] += reflectance * reflectance * part.known.second;
         }
         squares
+    }
+
+    /// `‖c + R f‖²` for a change c by leaf, as far as f is known.
+    pub(super) fn shown_by_residual(&self, change: &[f64]) -> f64 {
+        let parts = self.residual.iter().zip(self.adapted.pieces());
+        let squares = parts.map(|(part, piece)| {
+            let (reflectance, known) = (self.setting.reflectance(piece.leaf), &part.known);
+            reflectance * (reflectance * known.second + 2.0 * change[piece.leaf] * known.first)
+        });
+        self.setting.square(change) + squares.sum::<f64>()
+    }
+
+    /// A bound on `‖R ρ + R K e‖` for the rest ρ of the residual, from a bound on ‖e‖.
+    pub(super) fn unknown(&self, error: f64) -> f64 {
+        let parts = self.residual.iter().zip(self.adapted.pieces());
+        let squares = parts
+            .map(|(part, piece)| self.setting.reflectance(piece.leaf).powi(2) * part.rest.second);
+        let reflectances = self.setting.light.reflectances().iter().copied();
+        squares.sum::<f64>().sqrt() + reflectances.fold(0.0, f64::max) * error
     }
 
     /// By leaf of another tree a bound on `‖f‖`.

@@ -8,13 +8,14 @@
 //! `min a · min b/(π max r⁴)` over pairs of corners is below the kernel. It is 0 where the minimum
 //! of a height is not positive, and where something may stand between.
 
-use super::sight::{Between, End, Sight};
+use super::sight::{End, Sight};
+use crate::hierarchy::Visibility;
 use std::f64::consts::PI;
 
 /// A lower bound on the kernel between the points of two polygons.
 pub(super) fn least_kernel(first: End<'_>, second: End<'_>, sight: &Sight) -> f64 {
     let kernel = unveiled(first, second);
-    if kernel > 0.0 && sight.between([first, second]) == Between::Nothing {
+    if kernel > 0.0 && sight.between([first, second]) == Visibility::Clear {
         kernel
     } else {
         0.0

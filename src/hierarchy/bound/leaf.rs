@@ -1,5 +1,6 @@
 //! The leaves of a tree, as sources of light.
 
+use crate::form_factor::Polygon;
 use crate::geometry::Patch;
 use glam::DVec3;
 
@@ -7,8 +8,11 @@ use glam::DVec3;
 #[derive(Debug, Clone)]
 pub(super) struct Leaf {
     pub(super) shape: Patch,
+    pub(super) polygon: Polygon,
     /// The corners, and those of neighbours on its edges.
     pub(super) outline: Vec<DVec3>,
+    /// What it is cut into where it is seen in part; nothing if nothing can be hidden.
+    pub(super) parts: Vec<Patch>,
     pub(super) centre: DVec3,
     pub(super) patch: usize,
 }

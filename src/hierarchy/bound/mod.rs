@@ -1,4 +1,5 @@
-//! A bound on the error of piecewise constant radiosities, against the continuous solution.
+//! A bound on the error of piecewise constant or linear radiosities, against the continuous
+//! solution.
 //!
 //! ```text
 //!   B = E + R K B,  (K b)(x) = ∫ k(x, y) b(y) dy,   B_h constant on leaves,   e = B − B_h
@@ -25,17 +26,28 @@
 //!   ‖B − B_h‖² = ‖B̃ − B_h‖² + 2 ⟨B̃ − B_h, B − B̃⟩ + ‖B − B̃‖²
 //! ```
 //!
+//! or, as `e = R f + R K e` and ‖K‖ ≤ 1, `‖B − B_h‖ ≤ ‖B̃ + R f − B_h‖ + max R ‖e‖`, of which f is
+//! known but for a rest.
+//!
+//! Linear parts of B_h on its leaves meet the residual of B̃, too (`slopes`).
+//!
 //! What is left over a single leaf is what its residual shows and what it receives of the rest
 //! (`local`), and at a point what it receives (`at_point`).
 //!
 //! Where something may stand between patches, what is certainly seen or certainly hidden counts as
-//! such ([`sight`]), and anything else with its whole range: the bound holds, but is 10 times the
-//! error and more where a large part of the light is seen in part.
+//! such ([`sight`]). What is seen in part counts with its range, cut finer where much depends on
+//! it, and with its mean, which the exchange area past what stands between tells (`doubt`).
+//!
+//! **How near**, by `meshes_of_rooms_with_patches_hidden_from_each_other_are_bounded` and
+//! `linear_solutions_are_bounded`: constants on 100 and 300 elements under a plate 2.6 and 2.7
+//! times the error, on 100 with a table and a screen at R = 0.95 4.5 times, between blocks 4.7
+//! times: what is left there is how leaves that are seen in part vary over a piece. Linear
+//! functions on 100 and 300 elements of a cube 1.6 to 8 times, as B̃ is constant on leaves and
+//! may be farther from B than they are.
 //!
 //! **Grade**: a bound, up to rounding, which is less than 1e-9 of it.
 //!
-//! **Not covered**: patches that lie in another one; directions, and anything but a piecewise
-//! constant B_h.
+//! **Not covered**: patches that lie in another one; directions.
 
 mod adapted;
 mod adjoint;
@@ -43,6 +55,7 @@ mod at_point;
 mod cells;
 mod checks;
 mod dark;
+mod doubt;
 mod edge;
 mod frame;
 mod jet;
@@ -58,7 +71,9 @@ mod ritz;
 mod seen;
 mod setting;
 mod sight;
+mod slopes;
 mod sources;
+mod task;
 mod views;
 
 use crate::geometry::{Patch, is_inside};
@@ -66,16 +81,17 @@ use crate::hierarchy::{Element, HierarchyError, Lighting, Tree};
 use crate::numeric::{Bounded, tolerance};
 use crate::scene::Scene;
 use at_point::AtPoint;
-use checks::{check_count, check_radiosities, is_closed};
+use checks::{check_count, check_gradients, check_radiosities, is_closed};
 use glam::DVec3;
 use judged::Judged;
 use local::Local;
 use refined::Refined;
 use setting::Setting;
 use sight::Sight;
+use slopes::Slopes;
 use views::Views;
 
-/// A bound on the error of radiosities that are constant on the leaves of a tree.
+/// A bound on the error of radiosities that are constant or linear on the leaves of a tree.
 #[derive(Debug, Clone)]
 pub struct ErrorBound {
     /// A bound on `‖B − B_h‖`, in the mean square over all patches that reflect.
@@ -83,7 +99,7 @@ pub struct ErrorBound {
     /// The same per `‖B‖` over the patches that reflect and emit nothing; over all that reflect, if
     /// there are none. Infinite if B may be 0.
     pub relative: f64,
-    /// An estimate of `‖B − B_h‖`: the residual, times R.
+    /// An estimate of `‖B − B_h‖`: by the residual, times R.
     pub estimate: f64,
     /// The parts of the leaves in the estimate's square.
     pub by_leaf: Vec<f64>,
@@ -118,7 +134,23 @@ impl ErrorBound {
         light: &Lighting,
         values: &[f64],
     ) -> Result<Self, HierarchyError> {
+        Self::of_linear(scene, tree, light, values, &vec![DVec3::ZERO; values.len()])
+    }
+
+    /// Bounds the error of radiosities that are linear on each leaf: these values at its centre of
+    /// gravity, with these gradients.
+    ///
+    /// # Errors
+    /// As [`try_new`](Self::try_new); [`HierarchyError::WrongGradient`] for one that is not finite.
+    pub fn of_linear(
+        scene: &Scene,
+        tree: &Tree,
+        light: &Lighting,
+        values: &[f64],
+        gradients: &[DVec3],
+    ) -> Result<Self, HierarchyError> {
         check_count("radiosities", values.len(), tree.leaf_count())?;
+        check_gradients(gradients, tree.leaf_count())?;
         let is_closed = is_closed(scene, tree, light)?;
         let sight = Sight::of(scene)?;
         let views = Views::of(scene, tree, light, &sight);
@@ -126,10 +158,18 @@ impl ErrorBound {
         let refined = Refined::of(&views, tree, light, values)?;
         let fine = Views::of(scene, &refined.tree, light, &sight);
         let setting = Setting::new(scene, fine, light, is_closed);
+        let slope = |leaf: usize| gradients[refined.origins[leaf]];
+        let mean = |leaf: usize| {
+            let origin = refined.origins[leaf];
+            let apart = setting.leaves()[leaf].centre - views.leaves[origin].centre;
+            values[origin] + slope(leaf).dot(apart)
+        };
         let leaves = 0..refined.values.len();
         let change: Vec<f64> = leaves
-            .map(|leaf| refined.values[leaf] - values[refined.origins[leaf]])
+            .clone()
+            .map(|leaf| refined.values[leaf] - mean(leaf))
             .collect();
+        let slopes: Vec<DVec3> = leaves.map(slope).collect();
         let unlit = setting.unlit();
         let bright = unlit
             .iter()
@@ -141,23 +181,26 @@ impl ErrorBound {
             Judged::try_new(setting, &refined.tree, light, fine, &goals)?;
         let rest = judged.norm_of_error(mean.most())?;
         let setting = &judged.setting;
-        let known = setting.square(&change);
-        let absolute = (known + 2.0 * changed.upper() + rest * rest)
-            .max(0.0)
-            .sqrt();
-        let absolute = absolute.min(known.sqrt() + rest);
+        let slopes = Slopes::of(&judged, &slopes);
+        let known = setting.square(&change) + slopes.square();
+        let product = changed.upper() - slopes.least_product(rest);
+        let absolute = (known + 2.0 * product + rest * rest).max(0.0).sqrt();
+        let shown = judged.shown_by_residual(&change) + slopes.shown();
+        let again = shown.max(0.0).sqrt() + judged.unknown(rest);
+        let absolute = absolute.min(known.sqrt() + rest).min(again);
         let least = setting.square(&goals[2]) + 2.0 * bright.lower();
         let relative = if least > 0.0 {
             absolute / least.sqrt()
         } else {
             f64::INFINITY
         };
-        let by_leaf = judged.by_leaf(&refined.origins, &change, values.len());
+        let mut by_leaf = judged.by_leaf(&refined.origins, &change, values.len());
         let shown = judged.shown(&refined.origins, values.len());
         let local = Local::new(tree, light, &shown, rest);
         let mut known = vec![0.0; values.len()];
         for (leaf, (origin, change)) in refined.origins.iter().zip(&change).enumerate() {
-            known[*origin] += setting.area(leaf) * change * change;
+            known[*origin] += setting.area(leaf) * change * change + slopes.squares[leaf];
+            by_leaf[*origin] += slopes.squares[leaf] - 2.0 * slopes.products[leaf];
         }
         let parts = known.iter().zip(local.bounds());
         let bound_by_leaf = parts.map(|(known, left)| (known.sqrt() + left).min(absolute));
@@ -218,7 +261,7 @@ impl ErrorBound {
         }
         let found = self.judged.goal(&at.weights);
         let received = views.irradiance(patch, point, values) + found.value;
-        let doubt = views.doubt(patch, point, values);
+        let doubt = views.doubt(patch, point, values)?;
         let error = reflectance * (found.error + left + doubt);
         Ok(Bounded::bound(emitted + reflectance * received, error))
     }

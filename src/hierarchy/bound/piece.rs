@@ -24,11 +24,29 @@ pub(super) struct Piece {
     pub(super) inertia: f64,
 }
 
-/// `∫ f` and `∫ f²`.
+/// `∫ f` and `∫ f²`, and of functions that are known `∫ x f`.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Integrals {
     pub(super) first: f64,
     pub(super) second: f64,
+    /// In the coordinates of the plane.
+    pub(super) moment: DVec2,
+}
+
+impl Integrals {
+    /// Raises a function on a piece by a constant.
+    pub(super) fn raise(&mut self, constant: f64, piece: &Piece) {
+        self.second += constant * (2.0 * self.first + constant * piece.area);
+        self.first += constant * piece.area;
+        self.moment += constant * piece.area * piece.centre;
+    }
+
+    /// Adds those over another piece.
+    pub(super) fn add(&mut self, other: &Self) {
+        self.first += other.first;
+        self.second += other.second;
+        self.moment += other.moment;
+    }
 }
 
 impl Piece {
@@ -95,6 +113,7 @@ impl Piece {
                         let value = function.at(at);
                         sum.first += weight * value;
                         sum.second += weight * value * value;
+                        sum.moment += weight * value * (self.centre + at);
                     }
                 }
             }

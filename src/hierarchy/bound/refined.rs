@@ -19,8 +19,8 @@ const SHARE: f64 = 0.25;
 
 /// The number of times that lights are cut where something may stand before them, so that parts of
 /// them are certainly seen; and the parts, at most.
-const LIGHT_CUTS: usize = 3;
-const MOST_OF_LIGHTS: usize = 256;
+const LIGHT_CUTS: usize = 2;
+const MOST_OF_LIGHTS: usize = 64;
 
 /// A finer mesh with its radiosities.
 #[derive(Debug, Clone)]

@@ -8,94 +8,17 @@
 //! On a piece each source is a quadratic function with a remainder
 //! ([`Source::expanded`](super::sources::Source::expanded)). Those whose remainders together are
 //! small are added up. For the others the piece is cut, and its parts begin anew with them. Where
-//! that ends, they are somewhere in their range.
+//! that ends, they are somewhere in their range. So is at once, if that is small enough, a polygon
+//! through whose plane the piece reaches: it is seen edge-on there.
 //!
 //! **Not covered**: rounding, as in [`edge`](super::edge).
 
 use super::edge::Expanded;
 use super::jet::Jet;
 use super::piece::{Integrals, Piece};
-use super::sight::Between;
-use super::views::{View, Views};
+use super::task::{Counted, DEEPEST, Doubtful, FUNCTIONS, Item, Measured, Open, Sums, Task};
 use crate::numeric::real;
-use glam::DVec3;
 use std::array::from_fn;
-
-/// The number of times that a piece is cut.
-const DEEPEST: usize = 8;
-
-/// The number of times that it is cut for leaves that may be hidden.
-const DEEPEST_VEILED: usize = 2;
-
-/// The number of functions that are measured together.
-pub(super) const FUNCTIONS: usize = 4;
-
-/// A function on one piece: a polynomial part, and a bound on the rest.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Measured {
-    /// Of the polynomial part.
-    pub(super) known: Integrals,
-    /// Bounds on `∫ |ρ|` and `∫ ρ²` of the rest.
-    pub(super) rest: Integrals,
-}
-
-/// The functions on one piece: what the recursion needs of them.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Task<'t> {
-    pub(super) views: &'t Views,
-    /// The plane of the piece.
-    pub(super) view: &'t View,
-    /// The values of the functions on the leaves.
-    pub(super) values: [&'t [f64]; FUNCTIONS],
-    /// The values that are taken off: b₀.
-    pub(super) references: [f64; FUNCTIONS],
-    /// The remainders that are allowed, in the root mean square.
-    pub(super) allowed: [f64; FUNCTIONS],
-    /// The height up to which a point counts as in a plane.
-    pub(super) noise: f64,
-}
-
-/// A source, and how much counts on either side of it.
-#[derive(Debug, Clone, Copy)]
-struct Item {
-    source: usize,
-    sides: [f64; 2],
-}
-
-/// What is left to be added on a piece: sources, and leaves before which something may stand.
-#[derive(Debug, Clone, Default)]
-struct Open {
-    items: Vec<Item>,
-    veiled: Vec<usize>,
-}
-
-impl Open {
-    const fn is_empty(&self) -> bool {
-        self.items.is_empty() && self.veiled.is_empty()
-    }
-
-    /// Makes one item of those of the same source.
-    fn merge(&mut self) {
-        self.items.sort_by_key(|item| item.source);
-        self.items.dedup_by(|next, kept| {
-            let is_same = next.source == kept.source;
-            if is_same {
-                kept.sides = from_fn(|side| kept.sides[side] + next.sides[side]);
-            }
-            is_same
-        });
-    }
-}
-
-impl Measured {
-    /// Adds what was measured on another piece.
-    pub(super) fn add(&mut self, other: &Self) {
-        self.known.first += other.known.first;
-        self.known.second += other.known.second;
-        self.rest.first += other.rest.first;
-        self.rest.second += other.rest.second;
-    }
-}
 
 impl Task<'_> {
     fn weights(&self, item: Item) -> [f64; FUNCTIONS] {
@@ -122,17 +45,26 @@ impl Task<'_> {
             items: items
                 .filter(|item| item.sides.iter().any(|side| side.abs() > 0.0))
                 .collect(),
-            veiled: (0..self.view.veiled.len()).collect(),
+            veiled: Doubtful::all(self.view),
         };
-        let mut sums = Sums::default();
+        let mut sums = Sums {
+            counted: vec![Counted::default(); self.view.veiled.len()],
+            ..Sums::default()
+        };
         self.descend(piece, constants.map(Jet::constant), open, 0, &mut sums);
+        self.mend(piece, &mut sums);
         from_fn(|k| {
-            let squares = sums.squares[k].iter().chain(&sums.doubts[k]);
+            let doubt = &sums.doubts[k];
+            // rounding may leave less than nothing
+            let doubted = doubt.first.max(0.0);
+            let doubts = doubt.second + doubted * doubted / piece.area;
+            let squares = sums.squares[k].iter().chain([&doubts]);
             Measured {
                 known: sums.known[k],
                 rest: Integrals {
-                    first: sums.magnitudes[k],
+                    first: sums.magnitudes[k] + doubted,
                     second: squares.map(|square| square.sqrt()).sum::<f64>().powi(2),
+                    ..Integrals::default()
                 },
             }
         })
@@ -146,11 +78,8 @@ impl Task<'_> {
         depth: usize,
         sums: &mut Sums,
     ) {
-        self.unveil(piece, &mut open);
-        if depth >= DEEPEST_VEILED {
-            self.doubt(piece, &mut functions, &open.veiled, depth, sums);
-            open.veiled.clear();
-        }
+        self.unveil(piece, &mut open, sums);
+        self.doubt(piece, &mut functions, &mut open.veiled, depth, sums);
         if depth > DEEPEST {
             self.end(piece, functions, &open.items, sums);
             return;
@@ -163,53 +92,6 @@ impl Task<'_> {
         for part in piece.parts() {
             let moved = functions.map(|jet| jet.moved(part.centre - piece.centre));
             self.descend(&part, moved, open.clone(), depth + 1, sums);
-        }
-    }
-
-    /// Finds out which leaves are seen from all of a piece, and which from nowhere.
-    fn unveil(&self, piece: &Piece, open: &mut Open) {
-        if open.veiled.is_empty() {
-            return;
-        }
-        let corners = piece.corners.iter();
-        let corners: Vec<DVec3> = corners.map(|c| self.view.frame.lifted(*c)).collect();
-        let items = &mut open.items;
-        open.veiled.retain(|index| {
-            let veiled = &self.view.veiled[*index];
-            let between = self.views.between(self.view, &corners, veiled);
-            if between == Between::Nothing {
-                let sources = veiled.sources.iter();
-                items.extend(sources.map(|&(source, sides)| Item { source, sides }));
-            }
-            between == Between::Perhaps
-        });
-        open.merge();
-    }
-
-    /// Adds leaves that may be hidden: each form factor is between 0 and its most, and all together
-    /// are at most 1.
-    fn doubt(
-        &self,
-        piece: &Piece,
-        functions: &mut [Jet; FUNCTIONS],
-        veiled: &[usize],
-        depth: usize,
-        sums: &mut Sums,
-    ) {
-        for (k, function) in functions.iter_mut().enumerate() {
-            let (mut each, mut together) = ([0.0f64; 2], [0.0f64; 2]);
-            for index in veiled {
-                let veiled = &self.view.veiled[*index];
-                let weight = self.values[k][veiled.leaf] - self.references[k];
-                let most = weight * veiled.seen.most(piece);
-                each = [each[0] + most.min(0.0), each[1] + most.max(0.0)];
-                together = [together[0].min(weight), together[1].max(weight)];
-            }
-            let [low, high] = [each[0].max(together[0]), each[1].min(together[1])];
-            function.value += 0.5 * (low + high);
-            let half = 0.5 * (high - low);
-            sums.magnitudes[k] += half * piece.area;
-            sums.doubts[k][depth] += half * half * piece.area;
         }
     }
 
@@ -227,11 +109,12 @@ impl Task<'_> {
         let root_mean = (piece.inertia / piece.area).sqrt() * piece.radius * piece.radius;
         let allowed = 0.5f64.powi(i32::try_from(depth).unwrap_or(i32::MAX) + 1);
         let small = 0.5 * allowed / real(items.len());
-        let (mut used, mut cubic) = (0.0, [0.0; FUNCTIONS]);
+        let (mut used, mut cubic, mut flat) = (0.0, [0.0; FUNCTIONS], [0.0; FUNCTIONS]);
         let mut add = |weights: [f64; FUNCTIONS], expanded: &Expanded| {
             for k in 0..FUNCTIONS {
                 functions[k].add(weights[k], &expanded.jet);
                 cubic[k] += weights[k].abs() * expanded.cubic;
+                flat[k] += weights[k].abs() * expanded.flat;
             }
         };
         for item in items {
@@ -243,7 +126,7 @@ impl Task<'_> {
             let weights = self.weights(*item);
             let shares = weights.iter().zip(&self.allowed);
             let share: f64 = shares.map(|(weight, allowed)| weight.abs() / allowed).sum();
-            let size = share * expanded.cubic * root_mean;
+            let size = share * (expanded.cubic * root_mean + expanded.flat);
             if size <= small {
                 used += size;
                 add(weights, &expanded);
@@ -260,10 +143,11 @@ impl Task<'_> {
                 add(self.weights(item), &expanded);
             }
         }
-        for (k, cubic) in cubic.into_iter().enumerate() {
+        for (k, (cubic, flat)) in cubic.into_iter().zip(flat).enumerate() {
             let largest = cubic * piece.radius * piece.radius;
-            sums.magnitudes[k] += cubic * piece.radius * piece.inertia;
-            sums.squares[k][depth] += largest * largest * piece.inertia;
+            sums.magnitudes[k] += cubic * piece.radius * piece.inertia + flat * piece.area;
+            sums.squares[k][depth] +=
+                (largest * piece.inertia.sqrt() + flat * piece.area.sqrt()).powi(2);
         }
         rest
     }
@@ -283,25 +167,5 @@ impl Task<'_> {
             sums.squares[k][DEEPEST + 1] += half * half * piece.area;
         }
         sums.add_known(piece, functions);
-    }
-}
-
-/// What the parts of a piece add up to.
-#[derive(Debug, Default)]
-struct Sums {
-    known: [Integrals; FUNCTIONS],
-    magnitudes: [f64; FUNCTIONS],
-    /// By depth, each a function on the whole piece.
-    squares: [[f64; DEEPEST + 2]; FUNCTIONS],
-    /// The same, of leaves that may be hidden.
-    doubts: [[f64; DEEPEST + 2]; FUNCTIONS],
-}
-
-impl Sums {
-    fn add_known(&mut self, piece: &Piece, functions: [Jet; FUNCTIONS]) {
-        for (sum, part) in self.known.iter_mut().zip(piece.integrals(&functions)) {
-            sum.first += part.first;
-            sum.second += part.second;
-        }
     }
 }

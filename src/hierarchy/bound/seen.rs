@@ -101,28 +101,40 @@ impl Seen {
         self.edges.iter().map(|edge| edge.factor(point)).sum()
     }
 
+    /// The form factor on a piece. Somewhere in its range, if the piece reaches farther than
+    /// `noise` through the polygon's plane, near which that is small, or is too near.
+    pub(super) fn expanded(&self, piece: &Piece, noise: f64) -> Expanded {
+        self.smooth(piece, noise).unwrap_or_else(|| {
+            let half = 0.5 * self.most(piece);
+            Expanded {
+                jet: Jet::constant(half),
+                cubic: 0.0,
+                flat: half,
+            }
+        })
+    }
+
     /// The form factor on a piece, all of it before the polygon to within `noise`; `None` if the
     /// polygon is too near, or the piece reaches through its plane.
-    pub(super) fn expanded(&self, piece: &Piece, noise: f64) -> Option<Expanded> {
+    fn smooth(&self, piece: &Piece, noise: f64) -> Option<Expanded> {
         let heights = piece.corners.iter().map(|corner| self.height(*corner));
         let (low, high) = heights.fold((f64::MAX, f64::MIN), |(low, high), height| {
             (low.min(height), high.max(height))
         });
         if high <= noise {
-            let (jet, cubic) = (Jet::default(), 0.0);
-            return Some(Expanded { jet, cubic });
+            return Some(Expanded::default());
         }
         if low < -noise {
             return None;
         }
-        let (mut jet, mut cubic) = (Jet::default(), 0.0);
+        let mut sum = Expanded::default();
         for edge in &self.edges {
             let part = edge.expanded(piece)?;
-            jet.add(1.0, &part.jet);
-            cubic += part.cubic;
+            sum.jet.add(1.0, &part.jet);
+            sum.cubic += part.cubic;
         }
-        let cubic = cubic.min(self.cubic_of_area(piece));
-        Some(Expanded { jet, cubic })
+        sum.cubic = sum.cubic.min(self.cubic_of_area(piece));
+        Some(sum)
     }
 
     /// A bound on the form factor on a piece.

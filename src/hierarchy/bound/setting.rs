@@ -3,12 +3,12 @@
 use super::adjoint::DiscreteOperator;
 use super::leaf::Leaf;
 use super::piece::Piece;
-use super::residual::{FUNCTIONS, Measured, Task};
-use super::sight::{Between, End, Sight};
+use super::sight::{End, Sight};
+use super::task::{FUNCTIONS, Measured, Task};
 use super::views::Views;
-use crate::form_factor::{DEFAULT_TOLERANCE, Polygon};
+use crate::form_factor::{DEFAULT_TOLERANCE, ExchangeArea};
 use crate::geometry::convex_pieces;
-use crate::hierarchy::{Element, HierarchyError, Lighting};
+use crate::hierarchy::{Element, HierarchyError, Lighting, Visibility};
 use crate::numeric::{compensated_sum, parallel_map};
 use crate::scene::Scene;
 use nalgebra::DMatrix;
@@ -242,38 +242,35 @@ impl Setting {
             .map(|leaf| self.area(*leaf) * constants[*leaf])
             .collect();
         terms.extend((0..self.leaves().len()).map(|leaf| self.area(leaf) * values[leaf]));
-        let polygons: Vec<Polygon> = self
-            .leaves()
-            .iter()
-            .map(|leaf| Polygon::new(&leaf.shape))
-            .collect();
         let mut error = 0.0;
         for first in black {
-            for (second, polygon) in polygons.iter().enumerate() {
-                let ends = [first, second].map(|leaf| {
-                    let leaf = &self.leaves()[leaf];
-                    End::of(leaf.patch, &leaf.shape)
-                });
-                let between = self.views.sight.between(ends);
-                if between == Between::All {
-                    continue;
-                }
-                let answer = polygons[first].exchange_area(polygon, DEFAULT_TOLERANCE);
-                let answer = answer.map_err(|source| HierarchyError::Pair {
-                    first,
-                    second,
-                    source,
-                })?;
-                let half = match between {
-                    Between::Perhaps => 0.5 * answer.exchange.value,
-                    _ => 0.0,
-                };
-                terms.push(-values[second] * (answer.exchange.value - half));
-                error += values[second].abs() * (answer.exchange.error + half);
+            for (second, value) in values.iter().enumerate() {
+                let exchange = self.exchange_area(first, second)?;
+                terms.push(-value * exchange.value);
+                error += value.abs() * exchange.error;
             }
         }
         let size: f64 = terms.iter().map(|term| term.abs()).sum();
         Ok(Some([compensated_sum(terms), error + 1e-13 * size]))
+    }
+
+    /// The exchange area of two leaves.
+    fn exchange_area(&self, first: usize, second: usize) -> Result<ExchangeArea, HierarchyError> {
+        let leaves = [first, second].map(|leaf| &self.leaves()[leaf]);
+        let polygons = leaves.map(|leaf| &leaf.polygon);
+        let ends = leaves.map(|leaf| End::of(leaf.patch, &leaf.shape));
+        let exchange = match self.sight().between(ends) {
+            Visibility::Hidden => return Ok(ExchangeArea::NOTHING),
+            Visibility::Past(plates) => self.sight().exchange_area(polygons, &plates),
+            Visibility::Clear => polygons[0]
+                .exchange_area(polygons[1], DEFAULT_TOLERANCE)
+                .map(|answer| answer.exchange),
+        };
+        exchange.map_err(|source| HierarchyError::Pair {
+            first,
+            second,
+            source,
+        })
     }
 }
 

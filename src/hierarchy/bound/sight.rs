@@ -8,25 +8,35 @@
 //! ```
 //!
 //! so that all crossings lie in the hull of those between corners. Outside of one edge of a convex
-//! plate they pass it; inside of every one they are stopped.
+//! plate they pass it; inside of every one they are stopped. Of what is between, the form factor
+//! from a point and the mean over a polygon are known
+//! ([`exchange_area_past`](Polygon::exchange_area_past)).
 //!
 //! **Not covered**: several plates that hide together; rounding.
 
-use crate::form_factor::Plate;
+use crate::form_factor::{
+    ExchangeArea, FormFactorError, Occluders, Plate, PointView, Polygon, point_form_factor_past,
+};
 use crate::geometry::{Patch, clipped};
+use crate::hierarchy::link_factor::Plates;
 use crate::hierarchy::{HierarchyError, LinkFactors, Visibility};
+use crate::numeric::Bounded;
 use crate::scene::{Occlusion, Scene};
 use glam::DVec3;
+use smallvec::SmallVec;
 
-/// What stands between all points of two polygons.
+/// The relative tolerance of exchange areas past plates.
+const TOLERANCE: f64 = 1e-4;
+
+/// The place of a plate relative to all segments between two polygons.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Between {
-    /// Nothing.
-    Nothing,
-    /// Something, wherever one looks.
-    All,
-    /// Something, perhaps.
-    Perhaps,
+enum Place {
+    /// None meets it.
+    Aside,
+    /// All meet it.
+    Across,
+    /// Some may meet it.
+    Between,
 }
 
 /// A convex polygon, or a point, on a surface.
@@ -51,10 +61,8 @@ impl<'e> End<'e> {
 /// The plates of a scene, and those that may stand between its patches.
 #[derive(Debug, Clone)]
 pub(super) struct Sight {
-    plates: Vec<Plate>,
-    /// Row by row.
-    pairs: Vec<Visibility>,
-    patches: usize,
+    /// None if nothing stands between patches.
+    plates: Option<Plates>,
     noise: f64,
 }
 
@@ -64,59 +72,131 @@ impl Sight {
     /// # Errors
     /// [`HierarchyError::Scene`] if patches overlap.
     pub(super) fn of(scene: &Scene) -> Result<Self, HierarchyError> {
-        let factors = LinkFactors::try_new(scene, Occlusion::Exact)?;
-        let patches = scene.patches().len();
-        let pairs = (0..patches * patches)
-            .map(|pair| factors.visibility(pair / patches, pair % patches).clone());
         Ok(Self {
-            pairs: pairs.collect(),
-            plates: factors.plates().to_vec(),
-            patches,
+            plates: LinkFactors::try_new(scene, Occlusion::Exact)?.into_plates(),
             noise: scene.noise_length(),
         })
     }
 
+    /// Whether something may stand between some patches.
+    pub(super) const fn can_be_hidden(&self) -> bool {
+        self.plates.is_some()
+    }
+
     /// What stands between two patches.
     pub(super) fn of_patches(&self, first: usize, second: usize) -> &Visibility {
-        &self.pairs[first * self.patches + second]
+        let plates = self.plates.as_ref();
+        plates.map_or(&Visibility::Clear, |plates| {
+            plates.of_patches(first, second)
+        })
     }
 
     /// What stands between two polygons.
-    pub(super) fn between(&self, ends: [End<'_>; 2]) -> Between {
+    pub(super) fn between(&self, ends: [End<'_>; 2]) -> Visibility {
         let [first, second] = ends;
-        let plates = match self.of_patches(first.patch, second.patch) {
-            Visibility::Clear => return Between::Nothing,
-            Visibility::Hidden => return Between::All,
-            Visibility::Past(plates) => plates,
-        };
-        let mut found = Between::Nothing;
-        for number in plates {
-            match self.past(&self.plates[*number as usize], ends) {
-                Between::Nothing => {}
-                Between::All => return Between::All,
-                Between::Perhaps => found = Between::Perhaps,
-            }
+        match self.of_patches(first.patch, second.patch) {
+            Visibility::Past(plates) => self.narrowed(plates, ends),
+            known => known.clone(),
         }
-        found
     }
 
-    fn past(&self, plate: &Plate, ends: [End<'_>; 2]) -> Between {
+    /// What stands between two polygons, if nothing but these plates does.
+    pub(super) fn narrowed(&self, plates: &[u32], ends: [End<'_>; 2]) -> Visibility {
+        let Some(all) = &self.plates else {
+            return Visibility::Clear;
+        };
+        let mut left = SmallVec::new();
+        for number in plates {
+            match self.place(all.plate(*number), ends) {
+                Place::Aside => {}
+                Place::Across => return Visibility::Hidden,
+                Place::Between => left.push(*number),
+            }
+        }
+        if left.is_empty() {
+            Visibility::Clear
+        } else {
+            Visibility::Past(left)
+        }
+    }
+
+    /// The form factor from a point of a surface with this normal to what plates leave of a shape,
+    /// about.
+    pub(super) fn form_factor(
+        &self,
+        [point, normal]: [DVec3; 2],
+        shape: &Patch,
+        between: &[u32],
+    ) -> f64 {
+        let view = PointView {
+            point,
+            normal,
+            touching: self.noise,
+        };
+        let plates = self.plates.as_ref();
+        plates.map_or(0.0, |plates| plates.form_factor(view, shape, between))
+    }
+
+    /// The form factor from a point of a surface with this normal to what plates leave of a
+    /// polygon.
+    ///
+    /// # Errors
+    /// As [`point_form_factor_past`].
+    pub(super) fn bounded_form_factor(
+        &self,
+        [point, normal]: [DVec3; 2],
+        polygon: &Polygon,
+        between: &[u32],
+    ) -> Result<Bounded, FormFactorError> {
+        let polygons = self.polygons(between);
+        let occluders = Occluders {
+            polygons: &polygons,
+            touching: self.noise,
+        };
+        point_form_factor_past(point, normal, polygon, &occluders)
+    }
+
+    /// The exchange area of two polygons past plates.
+    ///
+    /// # Errors
+    /// As [`Polygon::exchange_area_past`].
+    pub(super) fn exchange_area(
+        &self,
+        [one, other]: [&Polygon; 2],
+        between: &[u32],
+    ) -> Result<ExchangeArea, FormFactorError> {
+        let polygons = self.polygons(between);
+        let occluders = Occluders {
+            polygons: &polygons,
+            touching: self.noise,
+        };
+        Ok(one
+            .exchange_area_past(other, &occluders, TOLERANCE)?
+            .exchange)
+    }
+
+    fn polygons(&self, between: &[u32]) -> SmallVec<[&Polygon; 8]> {
+        let plates = self.plates.as_ref();
+        plates.map_or_else(SmallVec::new, |plates| plates.polygons(between))
+    }
+
+    fn place(&self, plate: &Plate, ends: [End<'_>; 2]) -> Place {
         for end in ends {
             let height = |corner: &DVec3| (*corner - end.corners[0]).dot(end.normal);
             if plate.corners().iter().all(|c| height(c) <= self.noise) {
-                return Between::Nothing;
+                return Place::Aside;
             }
         }
         let sides = ends.map(|end| [1.0, -1.0].map(|sign| self.on_side(plate, end.corners, sign)));
         let [[above, below], [others_above, others_below]] = sides;
         let ways = [(above, others_below), (below, others_above)];
         let mut places = ways.iter().filter_map(|(x, y)| self.crossed(plate, x, y));
-        if places.clone().all(|place| place == Between::Nothing) {
-            Between::Nothing
-        } else if self.is_between(plate, ends) && places.all(|place| place == Between::All) {
-            Between::All
+        if places.clone().all(|place| place == Place::Aside) {
+            Place::Aside
+        } else if self.is_between(plate, ends) && places.all(|place| place == Place::Across) {
+            Place::Across
         } else {
-            Between::Perhaps
+            Place::Between
         }
     }
 
@@ -135,7 +215,7 @@ impl Sight {
     }
 
     /// Where the segments between two parts cross a plate; none if there are none.
-    fn crossed(&self, plate: &Plate, x: &[(DVec3, f64)], y: &[(DVec3, f64)]) -> Option<Between> {
+    fn crossed(&self, plate: &Plate, x: &[(DVec3, f64)], y: &[(DVec3, f64)]) -> Option<Place> {
         let mut crossings = Vec::with_capacity(x.len() * y.len());
         for (x, a) in x {
             for (y, b) in y {
@@ -148,7 +228,7 @@ impl Sight {
             return None;
         }
         let corners = plate.corners();
-        let mut found = Between::All;
+        let mut found = Place::Across;
         for (from, to) in corners.iter().zip(corners.iter().cycle().skip(1)) {
             let outward = (*to - *from).cross(plate.normal()).normalize();
             let apart = crossings.iter().map(|p| (*p - *from).dot(outward));
@@ -156,10 +236,10 @@ impl Sight {
                 [low.min(apart), high.max(apart)]
             });
             if low >= -self.noise {
-                return Some(Between::Nothing);
+                return Some(Place::Aside);
             }
             if high > -self.noise {
-                found = Between::Perhaps;
+                found = Place::Between;
             }
         }
         Some(found)

@@ -100,7 +100,7 @@ impl Source {
     pub(super) fn expanded(&self, piece: &Piece, noise: f64) -> Option<Expanded> {
         match &self.kind {
             Kind::Edge(edge) => edge.expanded(piece),
-            Kind::Polygon(seen) => seen.expanded(piece, noise),
+            Kind::Polygon(seen) => Some(seen.expanded(piece, noise)),
         }
     }
 
@@ -108,7 +108,7 @@ impl Source {
     pub(super) fn range(&self, piece: &Piece) -> [f64; 2] {
         match &self.kind {
             Kind::Edge(edge) => edge.range(piece),
-            Kind::Polygon(_) => [0.0, 1.0],
+            Kind::Polygon(seen) => [0.0, seen.most(piece)],
         }
     }
 }

@@ -3,12 +3,15 @@
 use super::frame::Frame;
 use super::leaf::Leaf;
 use super::seen::Seen;
-use super::sight::{Between, End, Sight};
+use super::sight::{End, Sight};
 use super::sources::{Source, outlines};
+use crate::form_factor::{FormFactorError, Polygon};
+use crate::geometry::{Patch, quartered};
 use crate::hierarchy::{Element, Lighting, Tree, Visibility};
 use crate::numeric::parallel_map;
 use crate::scene::Scene;
 use glam::{DVec2, DVec3};
+use smallvec::SmallVec;
 
 /// The plane of a patch, and what is above it.
 #[derive(Debug, Clone)]
@@ -25,6 +28,8 @@ pub(super) struct View {
 pub(super) struct Veiled {
     pub(super) leaf: usize,
     pub(super) seen: Seen,
+    /// What may stand between it and the patch.
+    pub(super) plates: SmallVec<[u32; 4]>,
     /// Its sources, each with the side on which it is: left, right.
     pub(super) sources: Vec<(usize, [f64; 2])>,
 }
@@ -44,6 +49,11 @@ impl Views {
         let polygons: Vec<&[DVec3]> = elements.iter().map(|e| e.shape().corners()).collect();
         let leaf = |(element, outline): (&&Element, Vec<DVec3>)| Leaf {
             shape: element.shape().clone(),
+            polygon: Polygon::new(element.shape()),
+            parts: match sight.can_be_hidden() {
+                true => parts(element.shape()),
+                false => Vec::new(),
+            },
             outline,
             centre: element.centre(),
             patch: element.patch(),
@@ -82,40 +92,82 @@ impl Views {
         })
     }
 
-    /// What [`Self::irradiance`] may be off at most, as leaves are hidden or not.
-    pub(super) fn doubt(&self, patch: usize, point: DVec3, values: &[f64]) -> f64 {
-        self.view(patch).map_or(0.0, |view| {
-            let at = view.frame.flat(point);
-            let veiled = view.veiled.iter();
-            let doubtful = veiled.filter(|v| self.between(view, &[point], v) == Between::Perhaps);
-            let part = |v: &Veiled| 0.5 * v.seen.factor(at) * values[v.leaf].abs();
-            doubtful.map(part).sum()
-        })
+    /// What [`Self::irradiance`] may be off at most, as leaves are seen in part.
+    ///
+    /// # Errors
+    /// As [`Sight::bounded_form_factor`].
+    pub(super) fn doubt(
+        &self,
+        patch: usize,
+        point: DVec3,
+        values: &[f64],
+    ) -> Result<f64, FormFactorError> {
+        let Some(view) = self.view(patch) else {
+            return Ok(0.0);
+        };
+        let here = [point, view.frame.normal()];
+        let mut sum = 0.0;
+        for veiled in &view.veiled {
+            if let Visibility::Past(plates) = self.between(view, &[point], veiled) {
+                let leaf = &self.leaves[veiled.leaf];
+                let about = self.sight.form_factor(here, &leaf.shape, &plates);
+                let found = self
+                    .sight
+                    .bounded_form_factor(here, &leaf.polygon, &plates)?;
+                sum += values[veiled.leaf].abs() * ((about - found.value).abs() + found.error);
+            }
+        }
+        Ok(sum)
     }
 
-    /// The parts of the leaves that a point sees, about: a half where it is not known.
+    /// The shares of the leaves' form factors that a point sees, about.
     pub(super) fn shares(&self, view: &View, point: DVec3) -> Vec<f64> {
+        let here = [point, view.frame.normal()];
         let mut shares = vec![1.0; self.leaves.len()];
         for veiled in &view.veiled {
             shares[veiled.leaf] = match self.between(view, &[point], veiled) {
-                Between::Nothing => 1.0,
-                Between::All => 0.0,
-                Between::Perhaps => 0.5,
+                Visibility::Clear => 1.0,
+                Visibility::Hidden => 0.0,
+                Visibility::Past(plates) => {
+                    let shape = &self.leaves[veiled.leaf].shape;
+                    let whole = veiled.seen.factor(view.frame.flat(point));
+                    let part = self.sight.form_factor(here, shape, &plates);
+                    if whole > 0.0 { part / whole } else { 0.0 }
+                }
             };
         }
         shares
     }
 
     /// What stands between points of a view's plane and a leaf.
-    pub(super) fn between(&self, view: &View, corners: &[DVec3], veiled: &Veiled) -> Between {
+    pub(super) fn between(&self, view: &View, corners: &[DVec3], veiled: &Veiled) -> Visibility {
         let leaf = &self.leaves[veiled.leaf];
+        let there = End::of(leaf.patch, &leaf.shape);
+        self.narrowed(view, corners, there, &veiled.plates)
+    }
+
+    /// What stands between points of a view's plane and a polygon, if nothing but these plates
+    /// does.
+    pub(super) fn narrowed(
+        &self,
+        view: &View,
+        corners: &[DVec3],
+        there: End<'_>,
+        plates: &[u32],
+    ) -> Visibility {
         let here = End {
             patch: view.patch,
             corners,
             normal: view.frame.normal(),
         };
-        self.sight.between([here, End::of(leaf.patch, &leaf.shape)])
+        self.sight.narrowed(plates, [here, there])
     }
+}
+
+/// The quarters of a shape's quarters, as far as it can be cut.
+fn parts(shape: &Patch) -> Vec<Patch> {
+    let quarters = |shape: &Patch| quartered(shape).unwrap_or_else(|_| vec![shape.clone()]);
+    quarters(shape).iter().flat_map(quarters).collect()
 }
 
 impl View {
@@ -136,11 +188,12 @@ impl View {
             }
         }
         let veiled = seen().filter_map(|(index, leaf)| {
-            if *sight.of_patches(patch, leaf.patch) == Visibility::Clear {
+            let Visibility::Past(plates) = sight.of_patches(patch, leaf.patch) else {
                 return None;
-            }
+            };
             Some(Veiled {
                 leaf: index,
+                plates: plates.clone(),
                 seen: Seen::of(&leaf.shape, &leaf.outline, &frame, noise)?,
                 sources: of_leaf[index].clone(),
             })

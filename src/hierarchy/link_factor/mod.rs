@@ -24,6 +24,7 @@
 mod rule;
 mod visibility;
 
+pub(in crate::hierarchy) use visibility::Plates;
 pub use visibility::Visibility;
 
 use super::HierarchyError;
@@ -36,8 +37,6 @@ use crate::scene::{Occlusion, Scene};
 use glam::DVec3;
 use rule::Rule;
 use smallvec::SmallVec;
-use visibility::Plates;
-
 /// The distance of centres, in radii of the receiver, below which a link is near.
 const NEAR: f64 = 4.0;
 /// The height over a plane, in sizes of elements, that counts as none.
@@ -94,9 +93,9 @@ impl<'s> LinkFactors<'s> {
         })
     }
 
-    /// The plates that may stand between patches, by number.
-    pub(in crate::hierarchy) fn plates(&self) -> &[Plate] {
-        self.plates.as_ref().map_or(&[], Plates::all)
+    /// The plates that may stand between patches; none if nothing does.
+    pub(in crate::hierarchy) fn into_plates(self) -> Option<Plates> {
+        self.plates
     }
 
     /// The form factor from one element to another; none if none of one sees the other.
@@ -171,15 +170,7 @@ impl<'s> LinkFactors<'s> {
                     normal,
                     touching,
                 };
-                if (point - shape.corners()[0]).dot(shape.normal()) <= 0.0 {
-                    return Ok(0.0);
-                }
-                Ok(
-                    match view.visible(shape.corners(), &plates.selected(between)) {
-                        Seen::Part(value) => value,
-                        Seen::Whole => view.form_factor(shape.corners()),
-                    },
-                )
+                Ok(plates.form_factor(view, shape, between))
             }
             _ => Ok(point_form_factor_with_gradient(point, normal, shape)?.value),
         }
@@ -238,8 +229,7 @@ impl<'s> LinkFactors<'s> {
         let answer = match (&self.plates, visibility) {
             (_, Visibility::Hidden) => return Ok(ExchangeArea::NOTHING),
             (Some(plates), Visibility::Past(between)) => {
-                let polygons = between.iter().map(|plate| plates.polygon(*plate));
-                let polygons: Vec<&Polygon> = polygons.collect();
+                let polygons = plates.polygons(between);
                 let occluders = Occluders {
                     polygons: &polygons,
                     touching: self.scene.noise_length(),

@@ -20,7 +20,7 @@
 //!
 //! **Not covered**: several plates that hide together.
 
-use crate::form_factor::{Plate, Polygon};
+use crate::form_factor::{Plate, PointView, Polygon, Seen};
 use crate::geometry::Patch;
 use crate::hierarchy::tree::Element;
 use crate::numeric::parallel_map;
@@ -53,8 +53,8 @@ enum Place {
 }
 
 /// The convex pieces of a scene's screens, and those that stand between its patches.
-#[derive(Debug)]
-pub(super) struct Plates {
+#[derive(Debug, Clone)]
+pub(in crate::hierarchy) struct Plates {
     plates: Vec<Plate>,
     polygons: Vec<Polygon>,
     /// What stands between pairs of patches, row by row of the lower triangle.
@@ -92,9 +92,9 @@ impl Plates {
         })
     }
 
-    /// All plates, by number.
-    pub(super) fn all(&self) -> &[Plate] {
-        &self.plates
+    /// The plate with this number.
+    pub(in crate::hierarchy) fn plate(&self, number: u32) -> &Plate {
+        &self.plates[number as usize]
     }
 
     /// The plates with these numbers.
@@ -105,13 +105,33 @@ impl Plates {
             .collect()
     }
 
-    /// The polygon of a plate.
-    pub(super) fn polygon(&self, number: u32) -> &Polygon {
-        &self.polygons[number as usize]
+    /// The polygons of the plates with these numbers.
+    pub(in crate::hierarchy) fn polygons(&self, numbers: &[u32]) -> SmallVec<[&Polygon; 8]> {
+        let numbers = numbers.iter();
+        numbers
+            .map(|number| &self.polygons[*number as usize])
+            .collect()
+    }
+
+    /// The form factor from a point to what plates leave of a shape.
+    pub(in crate::hierarchy) fn form_factor(
+        &self,
+        view: PointView,
+        shape: &Patch,
+        between: &[u32],
+    ) -> f64 {
+        let corners = shape.corners();
+        if (view.point - corners[0]).dot(shape.normal()) <= 0.0 {
+            return 0.0;
+        }
+        match view.visible(corners, &self.selected(between)) {
+            Seen::Part(value) => value,
+            Seen::Whole => view.form_factor(corners),
+        }
     }
 
     /// What stands between two patches.
-    pub(super) fn of_patches(&self, first: usize, second: usize) -> &Visibility {
+    pub(in crate::hierarchy) fn of_patches(&self, first: usize, second: usize) -> &Visibility {
         let [low, high] = [first.min(second), first.max(second)];
         if low == high {
             return &Visibility::Hidden;

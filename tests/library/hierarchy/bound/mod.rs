@@ -2,6 +2,8 @@
 
 mod effectivity;
 mod furnace;
+mod hidden;
+mod linear;
 mod local;
 mod rooms;
 mod solver;

@@ -8,7 +8,7 @@ use infoscene::scene::{Channel, Material, NamedPatch, Scene};
 use std::time::Instant;
 
 /// A built-in room whose walls reflect so much, or as they do by themselves.
-fn room(name: &str, reflectance: Option<f64>) -> Scene {
+pub fn room(name: &str, reflectance: Option<f64>) -> Scene {
     let scene = Scene::built_in(name).unwrap();
     let Some(reflectance) = reflectance else {
         return scene;
@@ -86,46 +86,6 @@ fn meshes_of_the_solver_are_bounded() {
             }
         }
     }
-}
-
-/// The same where something stands between patches, against a finer mesh of the solver, which errs
-/// itself by about a third of the coarser one's error.
-#[test]
-#[ignore = "minutes: cargo test --release --test library hidden_from -- --ignored --nocapture"]
-fn meshes_of_rooms_with_patches_hidden_from_each_other_are_bounded() {
-    for name in ["shaded-cube", "lit-wings", "cornell-box-blocks"] {
-        let scene = Scene::built_in(name).unwrap();
-        let lighting = lighting(&scene);
-        let fine = refined(&scene, &lighting, OracleName::Gradient, 2000);
-        for elements in [100, 300] {
-            let room = refined(&scene, &lighting, OracleName::Gradient, elements);
-            let leaves = room.tree().leaves();
-            let values: Vec<f64> = leaves.map(|leaf| room.solution().radiosity[leaf]).collect();
-            let start = Instant::now();
-            let bound = ErrorBound::try_new(&scene, room.tree(), &lighting, &values).unwrap();
-            let seconds = start.elapsed().as_secs_f64();
-            let error = difference(&fine, &room);
-            let ratio = bound.absolute / error;
-            println!("{name} {elements}: {error:.3e}, bound/error {ratio:.3}, {seconds:.2} s");
-            assert!(ratio >= 1.0, "{name} {elements}: {ratio}");
-        }
-    }
-}
-
-/// The root of the squared difference from a finer solution at the centres of its leaves, over all
-/// that is no light.
-fn difference(fine: &Refinement<'_>, room: &Refinement<'_>) -> f64 {
-    let (tree, lighting) = (fine.tree(), fine.lighting());
-    let squares = tree.leaves().map(|leaf| {
-        let element = &tree.elements()[leaf];
-        if lighting.is_light(element.patch()) {
-            return 0.0;
-        }
-        let place = room.tree().leaf_at(element.patch(), element.centre());
-        let value = room.solution().radiosity[place.unwrap()];
-        element.shape().area() * (fine.solution().radiosity[leaf] - value).powi(2)
-    });
-    squares.sum::<f64>().sqrt()
 }
 
 /// Effectivity and seconds for 100, 300 and 1000 elements of a cube.
