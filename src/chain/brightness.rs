@@ -48,7 +48,7 @@ pub fn brightness_chain(
     brightness: &[f64],
 ) -> Result<ReversibleChain, ChainError> {
     let n = exchange.rows();
-    let (scaled, _) = scaled(brightness, n)?;
+    let (scaled, _) = in_unit(brightness, n)?;
     ReversibleChain::try_new(DMatrix::from_fn(n, n, |i, j| {
         // one order of factors for (i, j) and (j, i): a product of three rounds differently in
         // another
@@ -62,7 +62,7 @@ pub fn brightness_chain(
 ///
 /// # Errors
 /// As [`brightness_chain`], unless there is no mass.
-pub(crate) fn scaled(brightness: &[f64], n: usize) -> Result<(Vec<f64>, i32), ChainError> {
+pub(crate) fn in_unit(brightness: &[f64], n: usize) -> Result<(Vec<f64>, i32), ChainError> {
     if brightness.len() != n {
         return Err(ChainError::WrongShape {
             what: "the list of brightnesses",

@@ -19,7 +19,7 @@ mod reversible;
 mod visibility;
 
 pub use brightness::brightness_chain;
-pub(crate) use brightness::scaled;
+pub(crate) use brightness::in_unit;
 pub use continuous::{ContinuousChain, continuous_chain, patch_integrals};
 pub use error::ChainError;
 pub use refinement::Refinement;

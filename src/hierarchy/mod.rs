@@ -1,7 +1,7 @@
 //! Hierarchical radiosity: light on a mesh that an oracle refines (§5, §6).
 //!
 //! ```text
-//!   B(x) = E + R ∫ k(x,y) B(y) dy       k = cos θ_x cos θ_y/(π r²), 0 where something stands between
+//!   B(x) = E + R ∫ k(x,y) B(y) dy     k = cos θ_x cos θ_y/(π r²), 0 where something stands between
 //! ```
 //!
 //! Patches are cut into a [`Tree`] of elements; its leaves carry the solution, a constant each or a

@@ -2,7 +2,8 @@
 //! come.
 //!
 //! ```text
-//!   w_i = B_i A_i H_i,  H_i = Σ_j F_ij B_j          I = Σ_ij J_ij B_i B_j log2( J_ij B_i B_j W/(w_i w_j) )/W
+//!   w_i = B_i A_i H_i,   H_i = Σ_j F_ij B_j
+//!   I = Σ_ij J_ij B_i B_j log2( J_ij B_i B_j W/(w_i w_j) )/W
 //! ```
 //!
 //! W = Σw. The light in equilibrium brings the weights, so that one pass over the pairs is enough,
@@ -23,7 +24,7 @@
 use super::SceneInformation;
 use super::chain::{Unit, divergence_error, pair_divergence};
 use super::resolution::InformationResolution;
-use crate::chain::{ChainError, scaled};
+use crate::chain::{ChainError, in_unit};
 use crate::exchange::{Closure, PairSource};
 use crate::numeric::{Bounded, Scaled, compensated_sum, tolerance, x_log2_x};
 use crate::transport::RadiositySolution;
@@ -62,7 +63,7 @@ pub fn brightness_information<'s>(
 ) -> Result<SceneInformation, ChainError> {
     let source = pairs.into();
     let pairs = source.pairs();
-    let (lit, power) = scaled(&brightness.values, pairs.rows())?;
+    let (lit, power) = in_unit(&brightness.values, pairs.rows())?;
     let total_area = compensated_sum(pairs.areas().iter().copied());
     let unit = Unit::of_total(total_area);
     let received = brightness.received.iter();

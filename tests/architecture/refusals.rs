@@ -3,7 +3,7 @@
 use crate::{code, sources};
 use std::fs;
 
-/// The variants of the errors in code whose message is that of the error inside, as `Error::Variant`.
+/// The variants of errors in code whose message is that of the error inside, as `Error::Variant`.
 fn passed_on(code: &str) -> Vec<String> {
     let mut found = Vec::new();
     let mut error = "";

@@ -290,7 +290,7 @@ fn kill(process: u32) -> ExitStatus {
 /// one to three ranks, killed fifty times at random moments: what was there stays and is right, and
 /// the last run finishes with the bytes of one that nothing has stopped.
 #[test]
-#[ignore = "some minutes, needs mpirun: cargo test --features mpi --test command fifty_kills -- --ignored"]
+#[ignore = "minutes, needs mpirun: cargo test --features mpi --test command fifty -- --ignored"]
 fn fifty_kills_lose_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let [alone, own] = ["alone", "own"].map(|name| folder.path().join(name));
@@ -373,7 +373,7 @@ fn fifty_kills_lose_nothing() {
 /// The study of scale is measured by the ranks of the job, told once; what one sends to another is
 /// measured, too.
 #[test]
-#[ignore = "ten seconds, needs mpirun: cargo test --features mpi --test command own_scale -- --ignored"]
+#[ignore = "needs mpirun: cargo test --features mpi --test command own_scale -- --ignored"]
 fn ranks_measure_their_own_scale() {
     let told = stdout(2, &["study", "scale", "--quick", "--format", "json"]);
     let study: serde_json::Value = serde_json::from_str(&told).unwrap();

@@ -1,7 +1,7 @@
 //! The state of a store: what is there, and whether it keeps the laws of form factors.
 //!
 //! ```text
-//!   0 ≤ F_ij ≤ 1 + e_ij,    |A_i F_ij − A_j F_ji| ≤ A_i e_ij + A_j e_ji,    Σ_j F_ij ≤ 1 + Σ_j e_ij
+//!   0 ≤ F_ij ≤ 1 + e_ij,   |A_i F_ij − A_j F_ji| ≤ A_i e_ij + A_j e_ji,   Σ_j F_ij ≤ 1 + Σ_j e_ij
 //! ```
 
 use super::StoreError;

@@ -6,7 +6,8 @@
 //! ```
 //!
 //! F counts as M/2 ± M/2 there, and a constant over the piece is added so that the integral over it
-//! is the exchange area. With the mean P ρ of a function, the rest ρ of the leaves that are mended and σ of those that are not,
+//! is the exchange area. With the mean P ρ of a function over the piece, ρ what is left of the
+//! leaves that are mended, and σ that of the others,
 //!
 //! ```text
 //!   ‖ρ − P ρ + σ‖² = ‖(1 − P)(ρ + σ)‖² + ‖P σ‖² ≤ ‖ρ + σ‖² + (∫ |σ|)²/A

@@ -1,7 +1,7 @@
 //! Lower bounds on the kernel between the points of two polygons.
 //!
 //! ```text
-//!   k = a b/(π r⁴)        a, b: the heights of each point over the other's plane, r: their distance
+//!   k = a b/(π r⁴)      a, b: the heights of each point over the other's plane, r: their distance
 //! ```
 //!
 //! Heights over planes are least and distances largest at corners, so that

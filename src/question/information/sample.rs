@@ -65,7 +65,7 @@ pub struct SampleAnswer {
     pub patches: usize,
     /// The sum of their areas.
     pub total_area: f64,
-    /// Always none: the measure of [`MeasureAnswer`](crate::question::MeasureAnswer) is not computed.
+    /// Always none: that of [`MeasureAnswer`](crate::question::MeasureAnswer) is not computed.
     pub mutual_information: Option<f64>,
     /// The continuous mutual information by the chords, in bits, if it was asked for.
     pub continuous_mutual_information: Option<f64>,

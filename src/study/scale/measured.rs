@@ -3,10 +3,9 @@
 //! A cube with a grid on each face has congruent pairs; with every pair computed it is a room
 //! without congruence; the Cornell box with blocks has pairs past others.
 
-use super::ScaleRow;
-use super::StudyError;
 use super::model::Terms;
 use super::timer::Timer;
+use super::{ScaleRow, StudyError};
 use crate::exchange::{
     Congruence, MatrixStore, ProductFiles, Ranks, ScenePairs, Shard, StoreError, StoredMatrix,
     Tolerance, agreed, gather_texts,
@@ -22,9 +21,12 @@ use std::time::Instant;
 
 /// Cells along the edge of a cube's face, quick and in full: 600 to 2,400 patches, and to 55,296.
 const CELLS: [&[u32]; 2] = [&[10, 20], &[10, 20, 32, 64, 96]];
-/// The cells of the room whose pairs are all computed, and whose matrix is held and stored.
+/// The cells of a cube of 179,574 patches, in full, which takes minutes: on all threads alone.
+const LARGEST: [Option<u32>; 2] = [None, Some(173)];
+/// The cells of the room whose pairs are all computed, and whose matrix is held and stored: up to
+/// 20,184 patches, of which a store takes 5 GB.
 const COMPUTED: [u32; 2] = [8, 16];
-const HELD: [u32; 2] = [16, 32];
+const HELD: [u32; 2] = [16, 58];
 /// The times that the room past others is subdivided.
 const SUBDIVIDED: [u32; 2] = [1, 2];
 
@@ -50,6 +52,10 @@ pub(super) fn measured(
         &[1]
     };
     let (congruent, patch) = congruent(&mut timer, CELLS[place], all)?;
+    if let Some(cells) = LARGEST[place] {
+        let case = ("measure", Congruence::Shared);
+        pass(&mut timer, case, &cube(cells)?, &all[..1])?;
+    }
     let computed = pass(
         &mut timer,
         ("measure, every pair", Congruence::Ignored),
