@@ -1,7 +1,7 @@
 //! The irradiance of patches that reflect nothing.
 //!
 //! ```text
-//!   A_i H_i = Σ_j A_i F_ij B_j          links (j, i): the patch i as a source, turned round
+//!   A_i H_i = Σ_j A_i F_ij B_j        links (j, i): the patch i as a source, turned round
 //!           + Σ_l J_il B_l            lights l that reflect nothing either, to which no link leads
 //! ```
 
