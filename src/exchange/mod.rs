@@ -120,8 +120,10 @@ pub use plan::counts::{
 };
 pub use points::{PointRow, ScenePoints};
 pub use progress::{Progress, Unheard};
+#[cfg(feature = "report")]
+pub(crate) use ranks::gather_texts;
 pub use ranks::{Alone, RankFailed, Ranks, failure};
-pub(crate) use ranks::{Deal, agreed, gather_texts};
+pub(crate) use ranks::{Deal, agreed};
 pub use resolution_errors::ResolutionErrors;
 pub use scene_pairs::ScenePairs;
 pub use selection::Selection;
