@@ -16,7 +16,7 @@ use crate::form_factor::ExchangeArea;
 
 impl StoredMatrix<'_> {
     /// `K` sums over each row, of terms that are the same for (i, j) and (j, i); terms are asked
-    /// for as in [`ScenePairs::row_sums`].
+    /// for as in [`ScenePairs::row_sums`](crate::exchange::ScenePairs::row_sums).
     ///
     /// # Errors
     /// [`ExchangeError::Unread`].

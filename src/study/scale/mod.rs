@@ -1,8 +1,8 @@
 //! Time and memory against the number of patches, of threads and of ranks, and what they would be
 //! on a cluster.
 //!
-//! * [`measured`]: passes, stores, products and messages, by this process or by the ranks of a job.
-//! * [`model`]: the model that predicts more patches on more nodes, each of its terms marked as
+//! * `measured`: passes, stores, products and messages, by this process or by the ranks of a job.
+//! * `model`: the model that predicts more patches on more nodes, each of its terms marked as
 //!   measured or assumed.
 
 mod measured;
