@@ -179,7 +179,7 @@ impl Task<'_> {
         from_fn(|k| self.values[k][leaf] - self.references[k])
     }
 
-    /// What a leaf that may be hidden counts, in remainders that are allowed.
+    /// The weight of a leaf that may be hidden, in remainders that are allowed.
     fn share(&self, veiled: usize) -> f64 {
         let weights = self.leaf_weights(veiled).into_iter().zip(self.allowed);
         weights

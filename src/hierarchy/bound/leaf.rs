@@ -11,7 +11,7 @@ pub(super) struct Leaf {
     pub(super) polygon: Polygon,
     /// The corners, and those of neighbours on its edges.
     pub(super) outline: Vec<DVec3>,
-    /// What it is cut into where it is seen in part; nothing if nothing can be hidden.
+    /// The parts that it is cut into where it is seen in part; none if nothing can be hidden.
     pub(super) parts: Vec<Patch>,
     pub(super) centre: DVec3,
     pub(super) patch: usize,

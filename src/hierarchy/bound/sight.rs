@@ -100,7 +100,7 @@ impl Sight {
         }
     }
 
-    /// What stands between two polygons, if nothing but these plates does.
+    /// The visibility between two polygons past these plates, if no others are in the way.
     pub(super) fn narrowed(&self, plates: &[u32], ends: [End<'_>; 2]) -> Visibility {
         let Some(all) = &self.plates else {
             return Visibility::Clear;

@@ -15,7 +15,7 @@ pub(super) const FUNCTIONS: usize = 4;
 /// A function on one piece: a polynomial part, and a bound on the rest.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Measured {
-    /// Of the polynomial part.
+    /// The integrals of the polynomial part.
     pub(super) known: Integrals,
     /// Bounds on `|∫ ρ|` and `∫ ρ²` of the rest.
     pub(super) rest: Integrals,
@@ -44,7 +44,7 @@ pub(super) struct Item {
     pub(super) sides: [f64; 2],
 }
 
-/// What is left to be added on a piece: sources, and leaves before which something may stand.
+/// The work left on a piece: sources, and leaves before which something may stand.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Open {
     pub(super) items: Vec<Item>,
@@ -96,14 +96,14 @@ impl Doubtful {
     }
 }
 
-/// What is counted of a leaf on the parts of a piece.
+/// The integrals of the form factor to a leaf that are counted on the parts of a piece.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Counted {
-    /// Its integral.
+    /// The integral of the form factor.
     pub(super) first: f64,
     /// A bound on the error of that where the leaf is seen.
     pub(super) error: f64,
-    /// The same where it may be hidden.
+    /// The integral of half the range of it where the leaf may be hidden.
     pub(super) half: f64,
     /// What may stand before it on the whole piece.
     pub(super) plates: SmallVec<[u32; 4]>,

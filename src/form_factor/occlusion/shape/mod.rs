@@ -1,4 +1,5 @@
-//! Regions of P that see a point past screens: their boundaries, and how long these keep their shape.
+//! Regions of P that see a point past screens: their boundaries, and how long those keep their
+//! shape.
 
 pub(crate) mod arrangement;
 pub(crate) mod boundary;
