@@ -132,7 +132,7 @@ fn reproduction(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("claims");
     group.sample_size(10);
     group.bench_function("all of them", |bencher| {
-        bencher.iter(|| judge_all(&claims, &Context::default(), || ()));
+        bencher.iter(|| judge_all(&claims, &Context::default(), |_, _| ()));
     });
     group.finish();
 }

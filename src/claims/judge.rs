@@ -6,6 +6,7 @@ use super::rule::Agreement;
 use super::{Case, ClaimError, Context, Finding, Inputs, OneSided, Verdict};
 use crate::numeric::Grade;
 use rayon::prelude::*;
+use std::time::{Duration, Instant};
 
 /// A claim with its finding and its verdict.
 #[derive(Debug, Clone)]
@@ -128,22 +129,24 @@ pub fn judge_control(claim: &Claim, context: &Context) -> Result<Judgement, Clai
     judge_with(changed, &control.inputs, Theorems::AreElsewhere, context)
 }
 
-/// Judges all these claims, in parallel; `progress` is called after each.
+/// Judges all these claims, in parallel; `told` hears of each when it is judged, with the time that
+/// took. What several claims share is counted with the first that asks for it.
 ///
 /// # Errors
 /// [`ClaimError`] of a claim whose computation fails.
 pub fn judge_all(
     claims: &[Claim],
     context: &Context,
-    progress: impl Fn() + Sync,
+    told: impl Fn(&Claim, Duration) + Sync,
 ) -> Result<Vec<Judgement>, ClaimError> {
     let judged = tasks(claims, context)
         .into_par_iter()
         .with_max_len(1)
         .map(|task| {
             let judged = task.into_iter().map(|index| {
+                let start = Instant::now();
                 let judgement = judge(&claims[index], context)?;
-                progress();
+                told(&claims[index], start.elapsed());
                 Ok((index, judgement))
             });
             judged.collect::<Result<Vec<_>, ClaimError>>()
@@ -154,6 +157,7 @@ pub fn judge_all(
         let Task::AllOf { members, .. } = &claim.task else {
             continue;
         };
+        let start = Instant::now();
         let member = |id: &String| {
             let found = judged.iter().find(|(_, other)| other.claim.id == *id);
             found.map_or_else(
@@ -163,7 +167,7 @@ pub fn judge_all(
         };
         let members = members.iter().map(member);
         let members = members.collect::<Result<Vec<_>, ClaimError>>()?;
-        progress();
+        told(claim, start.elapsed());
         judged.push((index, of_members(claim, members)));
     }
     judged.sort_by_key(|(index, _)| *index);

@@ -10,6 +10,8 @@ use crate::question::{
     Cuts, CutsAnswer, Grid, GridAnswer, GridLines, IrradianceExponent, JudgedClaim, NetWish,
     QuestionError, Refine, RefineAnswer, SceneSource, Study, StudySubject,
 };
+use std::collections::BTreeMap;
+use std::sync::Mutex;
 use std::time::Instant;
 
 /// The question for everything that a report shows.
@@ -89,10 +91,17 @@ impl Report {
             "tenths of a second",
         );
         let mut timings = Timings::default();
+        let times = Mutex::new(BTreeMap::new());
         let judgements = timings.of("claims", "infoscene reproduce".to_owned(), || {
             let context = Context::new(DEFAULT_PRECISION);
-            judge_all(&asked, &context, || progress.advance(CLAIM))
+            judge_all(&asked, &context, |claim, time| {
+                progress.advance(CLAIM);
+                if let Ok(mut times) = times.lock() {
+                    times.insert(claim.id.clone(), time.as_secs_f64());
+                }
+            })
         })?;
+        timings.of_claims = times.into_inner().unwrap_or_default();
         let subjects: Vec<StudySubject> = studies.map(|(subject, _, _, _)| *subject).collect();
         self.gathered(judgements, &subjects, timings, progress)
     }
@@ -139,7 +148,7 @@ impl Report {
         let meshes = timings.of("meshes", command, || -> Result<Vec<_>, QuestionError> {
             MESHES.into_iter().map(mesh).collect()
         })?;
-        let claims = reported(registry()?, &judgements);
+        let claims = reported(registry()?, &judgements, &timings);
         Ok(ReportAnswer {
             meshes,
             is_quick: self.is_quick,
@@ -152,22 +161,26 @@ impl Report {
             regular_grids: grids.regular,
             best_grids: grids.best,
             studies,
-            timings: timings.0,
+            timings: timings.of_parts,
             machine: Machine::this_one(),
         })
     }
 }
 
-/// Run times of parts.
+/// Run times.
 #[derive(Default)]
-struct Timings(Vec<PartTime>);
+struct Timings {
+    of_parts: Vec<PartTime>,
+    /// Seconds by the id of the claim.
+    of_claims: BTreeMap<String, f64>,
+}
 
 impl Timings {
     /// Runs a part and notes its time.
     fn of<T>(&mut self, part: &'static str, command: String, run: impl FnOnce() -> T) -> T {
         let start = Instant::now();
         let answer = run();
-        self.0.push(PartTime {
+        self.of_parts.push(PartTime {
             part,
             command,
             seconds: start.elapsed().as_secs_f64(),
@@ -177,10 +190,11 @@ impl Timings {
 }
 
 /// Every claim beside its judgement.
-fn reported(claims: Vec<Claim>, judgements: &[Judgement]) -> Vec<ReportedClaim> {
+fn reported(claims: Vec<Claim>, judgements: &[Judgement], timings: &Timings) -> Vec<ReportedClaim> {
     let judged = |id: &str| judgements.iter().find(|judged| judged.claim.id == id);
     let claims = claims.into_iter().map(|claim| ReportedClaim {
         judged: judged(&claim.id).map(JudgedClaim::from),
+        seconds: timings.of_claims.get(&claim.id).copied(),
         claim,
     });
     claims.collect()

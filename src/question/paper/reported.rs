@@ -44,6 +44,9 @@ pub struct ReportedClaim {
     pub claim: Claim,
     /// The claim as judged by this run; none if a quick report leaves it out.
     pub judged: Option<JudgedClaim>,
+    /// The run time of its computation, in seconds; what it shares with others is counted with one
+    /// of them.
+    pub seconds: Option<f64>,
 }
 
 impl ReportedClaim {

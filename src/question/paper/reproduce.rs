@@ -172,7 +172,7 @@ impl Reproduce {
     pub fn ask(&self, progress: &dyn Progress) -> Result<ReproduceAnswer, QuestionError> {
         let claims = self.selection()?;
         let context = Context::new(self.precision);
-        let judgements = judge_all(&claims, &context, || progress.advance(1))?;
+        let judgements = judge_all(&claims, &context, |_, _| progress.advance(1))?;
         Ok(ReproduceAnswer::from(judgements.as_slice()))
     }
 }

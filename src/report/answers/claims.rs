@@ -121,6 +121,18 @@ pub(crate) fn number_and_error(claim: &JudgedClaim) -> [String; 2] {
     }
 }
 
+/// The number with the digits that are certain, and how certain they are; empty for a claim in words.
+pub(crate) fn number_and_certainty(claim: &JudgedClaim) -> [String; 2] {
+    let [number, error] = number_and_error(claim);
+    let certainty = match error.strip_prefix('(').and_then(|e| e.strip_suffix(')')) {
+        Some(stated) => format!("± {stated}, not certified"),
+        None if error == "exact" => "exactly".to_owned(),
+        None if error.is_empty() => error,
+        None => format!("± {error}"),
+    };
+    [number, certainty]
+}
+
 /// The answer to [`Curve`](crate::question::Curve): its points.
 ///
 /// # Errors

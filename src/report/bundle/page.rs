@@ -116,12 +116,30 @@ fn environment() -> Result<Environment<'static>, PageError> {
             AutoEscape::None
         }
     });
+    templates.add_filter("conjuncts", conjuncts);
     templates.set_undefined_behavior(minijinja::UndefinedBehavior::Strict);
     templates.add_template("page.html", include_str!("../templates/page.html"))?;
     templates.add_template("claim.html", include_str!("../templates/claim.html"))?;
     templates.add_template("page.css", include_str!("../templates/page.css"))?;
     templates.add_template("page.js", include_str!("../templates/page.js"))?;
     Ok(templates)
+}
+
+/// A statement in Coq's notation with each part of an outermost conjunction on a line of its own.
+fn conjuncts(statement: &str) -> String {
+    let mut lines = String::new();
+    let (mut rest, mut depth) = (statement, 0);
+    while let Some(letter) = rest.chars().next() {
+        if let (0, Some(after)) = (depth, rest.strip_prefix(" /\\ ")) {
+            lines += " /\\\n  ";
+            rest = after;
+            continue;
+        }
+        depth += i32::from(letter == '(') - i32::from(letter == ')');
+        lines.push(letter);
+        rest = &rest[letter.len_utf8()..];
+    }
+    lines
 }
 
 fn verdicts(parts: &Parts<'_>) -> Vec<PageVerdict> {

@@ -3,7 +3,8 @@
 use crate::claims::{Claim, Formula, Task, Theorem};
 use crate::numeric::Grade;
 use crate::question::{ReportAnswer, ReportedClaim};
-use crate::report::answers::claims::number_and_error;
+use crate::report::answers::claims::number_and_certainty;
+use crate::report::bundle::artefact::run_time;
 use crate::report::bundle::figure::BundleFigure;
 
 /// A claim with everything that its entry shows, in words.
@@ -14,7 +15,7 @@ pub(super) struct PageClaim<'a> {
     quantity: &'a str,
     printed: Option<&'a str>,
     computed: String,
-    error: String,
+    certainty: String,
     /// The ends of the enclosure, with every certified digit.
     ends: Option<[&'a str; 2]>,
     verdict: &'static str,
@@ -28,6 +29,7 @@ pub(super) struct PageClaim<'a> {
     on_paper: Option<&'a str>,
     figures: Vec<&'a str>,
     is_left_out: bool,
+    run_time: Option<String>,
 }
 
 /// The road to a verdict: the inputs and the code of the computation, its control and its tests.
@@ -61,7 +63,7 @@ pub(super) fn claims<'a>(
 fn entry<'a>(reported: &'a ReportedClaim, figures: &'a [BundleFigure]) -> PageClaim<'a> {
     let claim = &reported.claim;
     let judged = reported.judged.as_ref();
-    let [computed, error] = judged.map(number_and_error).unwrap_or_default();
+    let [computed, certainty] = judged.map(number_and_certainty).unwrap_or_default();
     let ends = judged.and_then(|judged| judged.lower.as_deref().zip(judged.upper.as_deref()));
     let evidence = judged.and_then(|judged| judged.evidence);
     PageClaim {
@@ -70,7 +72,7 @@ fn entry<'a>(reported: &'a ReportedClaim, figures: &'a [BundleFigure]) -> PageCl
         quantity: &claim.quantity,
         printed: claim.printed.as_ref().map(|printed| printed.text.as_str()),
         computed,
-        error,
+        certainty,
         ends: ends.map(|(lower, upper)| [lower, upper]),
         verdict: reported.verdict().name(),
         verdict_words: reported.verdict().name().replace('_', " "),
@@ -83,6 +85,7 @@ fn entry<'a>(reported: &'a ReportedClaim, figures: &'a [BundleFigure]) -> PageCl
         on_paper: claim.on_paper.as_deref(),
         figures: figures_of(&claim.id, figures),
         is_left_out: judged.is_none(),
+        run_time: reported.seconds.map(run_time),
     }
 }
 

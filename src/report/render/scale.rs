@@ -74,10 +74,13 @@ impl Scale {
         Some(Self { low, high, ticks })
     }
 
-    /// Powers of ten, with 2 and 5 between them on a short axis.
+    /// Powers of ten, with 2 and 5 between them on a short axis, and all digits on one of less than
+    /// a decade.
     fn logarithmic(low: f64, high: f64) -> Option<Self> {
         let decades = high - low;
-        let (factors, every): (&[f64], f64) = if decades <= 3.0 {
+        let (factors, every): (&[f64], f64) = if decades <= 0.75 {
+            (&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0], 1.0)
+        } else if decades <= 3.0 {
             (&[1.0, 2.0, 5.0], 1.0)
         } else {
             (&[1.0], (decades / 7.0).ceil())

@@ -21,5 +21,5 @@ static JUDGEMENTS: LazyLock<Vec<Judgement>> = LazyLock::new(judgements);
 static AGAIN: LazyLock<Vec<Judgement>> = LazyLock::new(judgements);
 
 fn judgements() -> Vec<Judgement> {
-    judge_all(&registry().unwrap(), &CONTEXT, || ()).unwrap()
+    judge_all(&registry().unwrap(), &CONTEXT, |_, _| ()).unwrap()
 }

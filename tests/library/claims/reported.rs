@@ -80,6 +80,9 @@ fn every_claim_is_told_in_full() {
             .replace('"', "&quot;")
             .replace('\'', "&#x27;")
     };
+    // a statement is broken where its parts are joined
+    let flat = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(page.contains("&lt; fig2_parallel_gain_upper &#x2f;\\\n  forall t,"));
     for judgement in JUDGEMENTS.iter() {
         let claim = &judgement.claim;
         let begin = format!("<details class=\"claim\" id=\"{}\"", claim.id);
@@ -99,7 +102,7 @@ fn every_claim_is_told_in_full() {
         );
         parts.push(judgement.verdict.name().replace('_', " "));
         for part in parts {
-            assert!(entry.contains(&part), "{}: {part}", claim.id);
+            assert!(flat(&entry).contains(&flat(&part)), "{}: {part}", claim.id);
         }
     }
 }
