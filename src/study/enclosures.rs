@@ -7,6 +7,7 @@
 //! included.
 
 use super::Row;
+use super::run_time::median_time;
 use crate::discretize::{
     BoxGrid, DiscretizeError, GradientCut, PatchSplit, RectangleSplit, UNIT_CUBE,
 };
@@ -14,8 +15,7 @@ use crate::form_factor::RectanglePair;
 use crate::geometry::SplitAxis;
 use crate::numeric::{Interval, Scalar};
 use crate::scene::Scene;
-use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// Bits of the enclosures measured, besides those of `f64`.
 const PRECISIONS: [u32; 3] = [128, 256, 512];
@@ -165,18 +165,13 @@ fn enclosed_row(case: &str, bits: u32, width: f64, exact: &Interval, seconds: f6
     }
 }
 
-/// The result of the last of as many evaluations as fill the time, and the time of one.
+/// The result, and the time of one evaluation.
 fn timed<T>(
     least: Duration,
     evaluate: impl Fn() -> Result<T, DiscretizeError>,
 ) -> Result<(T, f64), DiscretizeError> {
     // constants are computed once per thread and precision
-    let mut result = evaluate()?;
-    let start = Instant::now();
-    let mut count: u32 = 0;
-    while count == 0 || start.elapsed() < least {
-        result = black_box(evaluate()?);
-        count += 1;
-    }
-    Ok((result, start.elapsed().as_secs_f64() / f64::from(count)))
+    evaluate()?;
+    let (result, seconds) = median_time(least, evaluate);
+    Ok((result?, seconds))
 }

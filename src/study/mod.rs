@@ -26,6 +26,7 @@ pub mod hierarchy;
 pub mod light;
 pub mod lines;
 pub mod refinement;
+mod run_time;
 pub mod scale;
 
 pub use error::StudyError;

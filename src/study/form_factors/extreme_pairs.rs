@@ -14,9 +14,8 @@ use crate::form_factor::{Answer, DEFAULT_TOLERANCE, Polygon, Route};
 use crate::geometry::Patch;
 use crate::numeric::try_parallel_map;
 use crate::reference::Truth;
+use crate::study::run_time::mean_time;
 use crate::study::{Row, StudyError};
-use std::hint::black_box;
-use std::time::Instant;
 
 /// One measurement: a gain, or a pair by one route.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -86,15 +85,10 @@ pub fn route_stability(repetitions: u32, is_quick: bool) -> Result<Vec<Stability
     for (case, (truth, input_error)) in cases.iter().zip(exact) {
         let [first, second] = case.pair.each_ref().map(Polygon::new);
         let mut add = |method: &str, form: &dyn Fn() -> Option<Answer>| {
-            let answer = form();
+            let (answer, seconds) = mean_time(repetitions, form);
             if answer.is_none() && method != CHOSEN {
                 return;
             }
-            let start = Instant::now();
-            for _ in 0..repetitions {
-                black_box(form());
-            }
-            let seconds = start.elapsed().as_secs_f64() / f64::from(repetitions.max(1));
             let exact = truth.value();
             let exchange = answer.map(|answer| answer.exchange);
             rows.push(StabilityRow {

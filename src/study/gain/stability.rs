@@ -15,9 +15,9 @@ use crate::information::{mutual_information, refinement_gain};
 use crate::numeric::{Interval, Scalar, x_log2_ratio};
 use crate::reference::exact_gain;
 use crate::study::Row;
+use crate::study::run_time::mean_time;
 use nalgebra::DMatrix;
 use std::hint::black_box;
-use std::time::Instant;
 
 /// Bits of the enclosures that judge.
 const JUDGE: u32 = 256;
@@ -34,12 +34,8 @@ pub fn gain_stability(repetitions: u32) -> Result<Vec<Row>, ChainError> {
         let (p, q) = (1.0 + d, 1.0 - d);
         let refinement = halves(p, q)?;
         let mut add = |method: &str, exact: &Interval, form: &dyn Fn() -> f64| {
-            let error = ((exact.constant(form()) - exact) / exact).abs().to_f64();
-            let start = Instant::now();
-            for _ in 0..repetitions {
-                black_box(form());
-            }
-            let seconds = start.elapsed().as_secs_f64() / f64::from(repetitions.max(1));
+            let (gain, seconds) = mean_time(repetitions, form);
+            let error = ((exact.constant(gain) - exact) / exact).abs().to_f64();
             let (case, value) = (case.clone(), exact.to_f64());
             rows.push(Row {
                 case,

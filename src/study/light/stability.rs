@@ -14,10 +14,9 @@ use crate::numeric::{Interval, Scalar, real};
 use crate::scene::Scene;
 use crate::study::StudyError;
 use crate::study::form_factors::extreme_pairs::{CHOSEN, StabilityRow};
+use crate::study::run_time::mean_time;
 use crate::transport::RadiositySystem;
 use nalgebra::{DMatrix, DVector};
-use std::hint::black_box;
-use std::time::Instant;
 
 /// Bits of the enclosures that judge.
 const JUDGE: u32 = 256;
@@ -233,12 +232,8 @@ pub fn transport_stability(repetitions: u32) -> Result<Vec<StabilityRow>, StudyE
         let room = RadiositySystem::of_matrix(&scene.exchange, scene.reflectances.clone())?;
         let bound = room.radiosity(&scene.emittances)?.relative_error;
         let mut add = |method: &str, bound: Option<f64>, form: &dyn Fn() -> Vec<f64>| {
-            let relative_error = worst_error(&form(), &exact);
-            let start = Instant::now();
-            for _ in 0..repetitions {
-                black_box(form());
-            }
-            let seconds = start.elapsed().as_secs_f64() / f64::from(repetitions.max(1));
+            let (found, seconds) = mean_time(repetitions, form);
+            let relative_error = worst_error(&found, &exact);
             rows.push(StabilityRow {
                 case: scene.name.clone(),
                 method: method.to_owned(),

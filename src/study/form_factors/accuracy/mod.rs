@@ -19,10 +19,10 @@ mod methods;
 
 use crate::numeric::real;
 use crate::study::StudyError;
+use crate::study::run_time::median_time;
 use cases::{Case, known_cases, occluded_cases, random_cases};
 use methods::Method;
-use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// The family of plates half-way between two squares, whose exchange is known exactly.
 pub const HALFWAY: &str = "past others: plates half-way";
@@ -112,7 +112,7 @@ fn measured(case: &Case, method: Method, least: Duration) -> Option<AccuracyRow>
     };
     let largest = |old: Option<f64>, new: Option<f64>| old.into_iter().chain(new).reduce(f64::max);
     for pair in &case.pairs {
-        let (found, seconds) = timed(least, || method.apply(pair));
+        let (found, seconds) = median_time(least, || method.apply(pair));
         let Some(found) = found else {
             continue;
         };
@@ -132,36 +132,4 @@ fn measured(case: &Case, method: Method, least: Duration) -> Option<AccuracyRow>
     row.mean_square_error = (row.mean_square_error / served).sqrt();
     row.seconds /= served;
     (row.served > 0).then_some(row)
-}
-
-/// Evaluations whose median is a time, at least.
-const REPETITIONS: usize = 5;
-
-/// The result, and the median time of as many evaluations as fill the time: of one that fills it
-/// alone, its own.
-fn timed<T>(least: Duration, evaluate: impl Fn() -> T) -> (T, f64) {
-    let once = || {
-        let start = Instant::now();
-        let result = black_box(evaluate());
-        (result, start.elapsed())
-    };
-    let (mut result, first) = once();
-    if least.is_zero() || first > least {
-        return (result, first.as_secs_f64());
-    }
-    // below some µs the clock itself counts: many at a time
-    let batch = (20_000 / first.as_nanos().max(20)).clamp(1, 1000);
-    let mut times = Vec::new();
-    let start = Instant::now();
-    while times.len() < REPETITIONS || start.elapsed() < least {
-        let begin = Instant::now();
-        for _ in 0..batch {
-            result = black_box(evaluate());
-        }
-        #[expect(clippy::cast_precision_loss, reason = "up to 1000")]
-        let count = batch as f64;
-        times.push(begin.elapsed().as_secs_f64() / count);
-    }
-    times.sort_by(f64::total_cmp);
-    (result, times[times.len() / 2])
 }

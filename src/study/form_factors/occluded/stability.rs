@@ -12,8 +12,7 @@ use crate::form_factor::sampling::quasi_random_lines_past;
 use crate::form_factor::{Answer, DEFAULT_TOLERANCE, Occluders, Polygon, Route};
 use crate::study::StudyError;
 use crate::study::form_factors::extreme_pairs::{CHOSEN, StabilityRow};
-use std::hint::black_box;
-use std::time::Instant;
+use crate::study::run_time::mean_time;
 
 /// Points per direction and triangle of the rule over the first polygon.
 const ORDER: usize = 16;
@@ -59,7 +58,7 @@ fn rows(case: &ExtremeCase, repetitions: u32) -> Vec<StabilityRow> {
                 .exchange_area_past(&second, &occluders, tolerance)
                 .ok()
         };
-        let (answer, seconds) = timed(repetitions, form);
+        let (answer, seconds) = mean_time(repetitions, form);
         if answer.is_none() && method != CHOSEN {
             continue;
         }
@@ -67,14 +66,14 @@ fn rows(case: &ExtremeCase, repetitions: u32) -> Vec<StabilityRow> {
     }
     let pair = &case.pair.pair;
     let [rule, lines] = UNBOUNDED;
-    let (found, seconds) = timed(1, || point_rule::exchange_area(pair, &blockers, ORDER));
+    let (found, seconds) = mean_time(1, || point_rule::exchange_area(pair, &blockers, ORDER));
     rows.extend(found.map(|value| row(case, rule, Some(Found::alone(value)), seconds)));
     let sample = || {
         let ends = [&pair[0], &pair[1]];
         let sample = quasi_random_lines_past(ends, &case.pair.blockers, LINES, SEED)?;
         Some(sample.value * pair[0].area())
     };
-    let (found, seconds) = timed(1, sample);
+    let (found, seconds) = mean_time(1, sample);
     rows.extend(found.map(|value| row(case, lines, Some(Found::alone(value)), seconds)));
     rows
 }
@@ -119,15 +118,4 @@ fn row(case: &ExtremeCase, method: &str, found: Option<Found>, seconds: f64) -> 
         uncertainty: Some(case.truth.uncertainty()),
         unoccluded: Some(case.unoccluded.value()),
     }
-}
-
-/// The result, and the mean time of so many evaluations.
-fn timed<T>(repetitions: u32, evaluate: impl Fn() -> T) -> (T, f64) {
-    let start = Instant::now();
-    let mut result = black_box(evaluate());
-    for _ in 1..repetitions {
-        result = black_box(evaluate());
-    }
-    let seconds = start.elapsed().as_secs_f64() / f64::from(repetitions.max(1));
-    (result, seconds)
 }
