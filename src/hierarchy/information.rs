@@ -25,6 +25,7 @@ use super::lighting::Lighting;
 use super::link::Links;
 use super::tree::Tree;
 use super::turned::{reflected_links, turned_links};
+use crate::numeric::functions::elementary::log2;
 use crate::numeric::x_log2_x;
 
 /// The mutual information of the chain of radiosity on the leaves of a mesh, in bits, for the mean
@@ -53,7 +54,7 @@ pub fn link_information(
             .map(|leaf| power[leaf] * x_log2_x(sums[leaf]))
             .sum::<f64>()
     });
-    let information = sum.log2() + (joint - marginals[0] - marginals[1]) / sum;
+    let information = log2(sum) + (joint - marginals[0] - marginals[1]) / sum;
     (sum > 0.0 && information.is_finite()).then_some(information)
 }
 

@@ -7,6 +7,7 @@
 //! ```
 
 use crate::chain::ReversibleChain;
+use crate::numeric::functions::elementary::ln;
 use crate::numeric::{Scaled, compensated_sum, divergence_kernel, x_log2_ratio, x_log2_x};
 use std::f64::consts::LN_2;
 
@@ -88,7 +89,7 @@ pub(crate) fn pair_divergence(joint: f64, weight: f64, probability: f64) -> f64 
         weight * probability * divergence_kernel(x)
     } else {
         // w_i w_j φ(x) without the product and the quotient, which may leave the range
-        joint * (transition.ln() - probability.ln() - 1.0) + weight * probability
+        joint * (ln(transition) - ln(probability) - 1.0) + weight * probability
     }
 }
 
@@ -97,7 +98,7 @@ pub(crate) fn divergence_error(value: f64, bound: f64, product: f64) -> f64 {
     if bound <= 0.0 {
         return 0.0;
     }
-    let slope = |value: f64| (value / product).ln().abs();
+    let slope = |value: f64| ln(value / product).abs();
     if bound < value {
         return bound * (slope(value) + bound / (value - bound));
     }

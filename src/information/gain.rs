@@ -17,6 +17,7 @@
 
 use super::chain::LOGARITHMIC_FROM;
 use crate::chain::Refinement;
+use crate::numeric::functions::elementary::{ln, ln_1p, log2};
 use crate::numeric::{Expansion, Scalar, Scaled, common_scale, compensated_sum, divergence_kernel};
 use std::cell::OnceCell;
 use std::f64::consts::LN_2;
@@ -206,9 +207,9 @@ fn block_divergence(
         let x = if quick >= LOGARITHMIC_FROM {
             let p = fluxes[kl] / flux;
             let log_ratio = if quick.is_finite() {
-                quick.ln_1p()
+                ln_1p(quick)
             } else {
-                let sums = (rows.sum * columns.sum / flux).ln();
+                let sums = ln(rows.sum * columns.sum / flux);
                 let exponents = rows.unit + columns.unit - unit;
                 entries[kl].ln() - rows.scaled[k].ln() - columns.scaled[l].ln()
                     + sums
@@ -237,5 +238,5 @@ fn block_divergence(
 /// which needs `m P_ij ≤ 1`.
 #[must_use]
 pub fn subdivision_bound(joint: f64, parts: u32) -> f64 {
-    2.0 * joint * f64::from(parts).log2()
+    2.0 * joint * log2(f64::from(parts))
 }

@@ -17,6 +17,7 @@ use crate::chain::ChainError;
 use crate::exchange::{ExchangeError, Progress};
 use crate::form_factor::LogMeans;
 use crate::geometry::Patch;
+use crate::numeric::functions::elementary::ln;
 use crate::numeric::{Grade, compensated_sum, tolerance, try_parallel_map};
 use crate::scene::{NamedPatch, Occlusion, Scene, SceneError};
 use std::f64::consts::LN_2;
@@ -113,7 +114,7 @@ fn of_pair(
     if exchange <= 0.0 {
         return Ok(None);
     }
-    let ratio = (exchange / one.area() / other.area() * total).ln();
+    let ratio = ln(exchange / one.area() / other.area() * total);
     let scale = 2.0 / (total * LN_2);
     let kernel = logarithms.kernel(total);
     let [discrete, continuous] = [exchange * ratio, kernel.value].map(|part| scale * part);

@@ -22,6 +22,7 @@
 
 use super::chain::divergence_error;
 use crate::exchange::ScenePairs;
+use crate::numeric::functions::elementary::{ln, log2};
 use crate::numeric::{compensated_sum, parallel_map, real};
 use std::f64::consts::LN_2;
 
@@ -89,7 +90,7 @@ impl Changes {
         let all = moved / total;
         let shares: Vec<f64> = self.areas.iter().zip(weights).map(|(a, w)| a / w).collect();
         let most = shares.iter().copied().fold(0.0, f64::max);
-        let range = real(weights.len() + 1).log2();
+        let range = log2(real(weights.len() + 1));
         let within_range = |bound: f64| {
             // also a comparison that NaN fails
             if bound < range { bound } else { range }
@@ -111,7 +112,7 @@ impl Changes {
         let divergence = (self.divergence + from_areas) / LN_2 + more + bits * moved;
         let entropy = weights.iter().zip(&shares).map(|(weight, share)| {
             let (weight, change) = (weight / total, (share + all) / (1.0 - all));
-            weight * change * (weight.ln().abs() + 1.0 + change) / LN_2
+            weight * change * (ln(weight).abs() + 1.0 + change) / LN_2
         });
         InformationResolution {
             positional_entropy: within_range(entropy.sum()),

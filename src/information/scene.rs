@@ -30,6 +30,7 @@ use super::resolution::{Changes, InformationResolution};
 use crate::chain::ChainError;
 use crate::exchange::{Closure, PairSource, PassSummary, ScenePairs};
 use crate::form_factor::ExchangeArea;
+use crate::numeric::functions::elementary::{ln, log2};
 use crate::numeric::{Bounded, Grade, compensated_sum, tolerance, x_log2_x};
 use std::f64::consts::LN_2;
 
@@ -273,7 +274,7 @@ impl<const N: usize> RowSums<N> {
             let nats = if is_closed {
                 closed
             } else {
-                let growth = (outside.total / self.area).ln();
+                let growth = ln(outside.total / self.area);
                 let inside = (sum[VALUE] - weight) + sum[VALUE] * growth;
                 closed + inside + outside.term(i, *weight)
             };
@@ -325,7 +326,7 @@ impl Outside {
     fn term(&self, i: usize, area: f64) -> f64 {
         let escaping = self.escaping[i];
         if escaping > 0.0 {
-            escaping * (escaping / area / (self.weight / self.total)).ln()
+            escaping * ln(escaping / area / (self.weight / self.total))
         } else {
             0.0
         }
@@ -334,7 +335,7 @@ impl Outside {
     /// The first-order effect of the rows' bounds on the escaping parts and on N, in bits times the
     /// total.
     fn error(&self, area: f64, areas: &[f64], bounds: impl Iterator<Item = f64>, bits: f64) -> f64 {
-        let growth = (self.total / area).log2();
+        let growth = log2(self.total / area);
         let rows = areas.iter().zip(&self.escaping).zip(bounds);
         compensated_sum(rows.map(|((weight, escaping), bound)| {
             if bound <= 0.0 {
@@ -342,7 +343,7 @@ impl Outside {
             }
             let ratio = escaping.max(bound) / weight / (self.weight / self.total);
             // there and back, and the share of N
-            bound * (growth + 2.0 * (ratio.log2().abs() + 1.0 / LN_2) + bits)
+            bound * (growth + 2.0 * (log2(ratio).abs() + 1.0 / LN_2) + bits)
         }))
     }
 }

@@ -3,6 +3,8 @@
 //!
 //! **Not covered**: negative numbers.
 
+use super::functions::elementary;
+
 /// A double as `significand · 2^exponent`, significand 0 or in [1, 2).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Scaled {
@@ -40,7 +42,7 @@ impl Scaled {
     /// Natural logarithm of a number > 0.
     #[must_use]
     pub(crate) fn ln(self) -> f64 {
-        self.significand.ln() + f64::from(self.exponent) * std::f64::consts::LN_2
+        elementary::ln(self.significand) + f64::from(self.exponent) * std::f64::consts::LN_2
     }
 
     /// `value · 2^power`, correctly rounded into `f64`'s range.

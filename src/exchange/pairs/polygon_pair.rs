@@ -27,6 +27,14 @@ const HIDDEN: Answer = Answer {
     route: Route::Hidden,
 };
 
+/// An answer that a pass has for a pair before it comes to it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Known {
+    answer: Answer,
+    /// Whether congruent pairs share it.
+    is_shared: bool,
+}
+
 impl ScenePairs<'_> {
     /// The lines of sight between two polygons.
     pub(crate) fn sight(&self, first: usize, second: usize) -> Sight {
@@ -53,7 +61,7 @@ impl ScenePairs<'_> {
         &self,
         first: usize,
         second: usize,
-        known: Option<Answer>,
+        known: Option<Known>,
         counts: &mut PassCounts,
     ) -> Result<Answer, ExchangeError> {
         match &self.sights {
@@ -68,23 +76,34 @@ impl ScenePairs<'_> {
         &self,
         first: usize,
         second: usize,
-        known: Option<Answer>,
+        known: Option<Known>,
         counts: &mut PassCounts,
     ) -> Result<Answer, ExchangeError> {
-        let class = self.class(first, second);
-        let shared = class.and_then(|place| self.shared[place]);
-        let answer = match shared.or(known) {
-            Some(answer) => answer,
-            None => {
-                let tolerance = self.relative_tolerance(first, second)?;
-                self.evaluate(first, second, &Sight::Clear, tolerance)?
-            }
+        let known = match known {
+            Some(known) => known,
+            None => self.clear_answer(first, second)?,
         };
+        counts.polygons(known.answer.route, !known.is_shared);
+        Ok(known.answer)
+    }
+
+    /// The value of the pair's class, or else its own.
+    fn clear_answer(&self, first: usize, second: usize) -> Result<Known, ExchangeError> {
+        let class = self.class(first, second);
         if let (Some(sights), Some(class)) = (&self.sights, class) {
             sights.take(class);
         }
-        counts.polygons(answer.route, shared.is_none());
-        Ok(answer)
+        if let Some(answer) = class.and_then(|class| self.shared[class]) {
+            return Ok(Known {
+                answer,
+                is_shared: true,
+            });
+        }
+        let tolerance = self.relative_tolerance(first, second)?;
+        Ok(Known {
+            answer: self.evaluate(first, second, &Sight::Clear, tolerance)?,
+            is_shared: false,
+        })
     }
 
     /// The exchange area of two polygons that something may stand between, counted.
@@ -92,7 +111,7 @@ impl ScenePairs<'_> {
         &self,
         sights: &Sights,
         [first, second]: [usize; 2],
-        known: Option<Answer>,
+        known: Option<Known>,
         counts: &mut PassCounts,
     ) -> Result<Answer, ExchangeError> {
         let sight = self.sight(first, second);
@@ -115,8 +134,8 @@ impl ScenePairs<'_> {
         Ok(answer)
     }
 
-    /// Evaluates a row with others, as far as their pairs are quicker evaluated together: none that
-    /// are sums, that share a value, or that something may stand between.
+    /// Looks up the values that a row shares with others, and evaluates those of the rest that are
+    /// quicker evaluated together: no sums, and none that something may stand between.
     ///
     /// **Arguments** `others`: rows whose planes face that of the row, or none; `known`: an answer
     /// for each of the others, if it is found here.
@@ -124,7 +143,7 @@ impl ScenePairs<'_> {
         &self,
         row: usize,
         others: impl Iterator<Item = Option<usize>>,
-        known: &mut [Option<Answer>],
+        known: &mut [Option<Known>],
     ) {
         known.fill(None);
         if self.sights.as_ref().is_some_and(Sights::are_exact) {
@@ -137,7 +156,16 @@ impl ScenePairs<'_> {
             let Some([one, other]) = single else {
                 continue;
             };
-            if self.class(one, other).is_some() {
+            let class = self.class(one, other);
+            if class.is_some() && self.sights.is_some() {
+                // the class is told there that it is taken
+                continue;
+            }
+            if let Some(answer) = class.and_then(|class| self.shared[class]) {
+                known[place] = Some(Known {
+                    answer,
+                    is_shared: true,
+                });
                 continue;
             }
             let Ok(polygons) = self.both(one.min(other), one.max(other)) else {
@@ -154,7 +182,10 @@ impl ScenePairs<'_> {
             let most = one.area().min(other.area());
             known[places[at]] = answer.ok().map(|mut answer| {
                 answer.exchange.value = answer.exchange.value.min(most);
-                answer
+                Known {
+                    answer,
+                    is_shared: false,
+                }
             });
         });
     }

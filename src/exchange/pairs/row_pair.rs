@@ -14,6 +14,7 @@
 //! Cancellation costs digits: where the bound misses the tolerance, the terms are computed again to
 //! a finer one.
 
+use super::polygon_pair::Known;
 use crate::exchange::plan::facing::Facing;
 use crate::exchange::rows::terms::RowTerm;
 use crate::exchange::{ExchangeError, PassCounts, ScenePairs};
@@ -105,7 +106,7 @@ impl ScenePairs<'_> {
         &self,
         first: usize,
         second: usize,
-        known: Option<Answer>,
+        known: Option<Known>,
         counts: &mut PassCounts,
     ) -> Result<Answer, ExchangeError> {
         let answer = match self.terms().single(first, second) {

@@ -84,7 +84,7 @@ impl LogMeans {
     #[must_use]
     pub fn kernel(&self, unit: f64) -> Bounded {
         let [first, second] = self.cosines;
-        let of_unit = self.exchange.value * (unit / PI).ln();
+        let of_unit = self.exchange.value * ln(unit / PI);
         Bounded::estimate(
             first + second - 2.0 * self.distance + of_unit,
             self.kernel_error,
@@ -169,7 +169,7 @@ impl LogMeans {
             + (at_second - coarse[1]).abs()
             + 2.0 * (distance - coarse[2]).abs();
         // E enters each of C, C' and R by half, and the logarithm of the unit
-        let from_exchange = exchange.error * (2.0 + extent.ln().abs());
+        let from_exchange = exchange.error * (2.0 + ln(extent).abs());
         Ok(Self {
             exchange,
             distance,

@@ -11,6 +11,7 @@
 //! **Errors** the standard error of the mean, by line where a line has several chords: evidence by
 //! *sample*.
 
+use crate::numeric::functions::elementary::ln;
 use crate::numeric::real;
 use crate::scene::Chord;
 use std::f64::consts::{LN_2, PI};
@@ -36,7 +37,7 @@ impl ChordSums {
     pub(crate) fn add(&mut self, chords: &[Chord]) {
         let value = |chord: &Chord| {
             let [one, other] = chord.cosines;
-            (one * other / (PI * chord.square)).ln()
+            ln(one * other / (PI * chord.square))
         };
         let values: f64 = chords.iter().map(value).sum();
         let count = real(chords.len());

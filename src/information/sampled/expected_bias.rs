@@ -32,6 +32,7 @@ use crate::chain::ChainError;
 use crate::exchange::ScenePairs;
 use crate::form_factor::ExchangeArea;
 use crate::information::scene::{OpenScene, PairTerms, SceneInformation, information_with_sums};
+use crate::numeric::functions::elementary::ln;
 use crate::numeric::{CompensatedSum, compensated_sum, divergence_kernel, real};
 use std::f64::consts::LN_2;
 
@@ -78,7 +79,7 @@ pub fn expected_deviation(cells: impl IntoIterator<Item = ([f64; 2], f64)>, samp
     let mut sums = [CompensatedSum::default(); 3];
     let possible = cells.into_iter().filter(|([p, m], _)| *p > 0.0 && *m > 0.0);
     for ([p, m], count) in possible {
-        let logarithm = (p / m).ln();
+        let logarithm = ln(p / m);
         let terms = [
             count,
             count * p * logarithm,

@@ -42,6 +42,7 @@
 //! the non-parametric case*, 1975.
 
 use crate::chain::ChainError;
+use crate::numeric::functions::elementary::ln;
 use crate::numeric::{GaussLegendre, compensated_sum, digamma, real, tolerance};
 use std::f64::consts::LN_2;
 
@@ -193,7 +194,7 @@ impl PairCounts {
         let deviations: Vec<f64> = self
             .counted()
             .map(|(cell, count)| {
-                (count / self.size()).ln() - ln_product(&self.weights, cell) - information
+                ln(count / self.size()) - ln_product(&self.weights, cell) - information
             })
             .collect();
         let counted = self.counted().zip(&deviations);
@@ -249,7 +250,7 @@ impl PairCounts {
     fn plug_in_nats(&self, weights: &[f64]) -> f64 {
         compensated_sum(self.counted().map(|(cell, count)| {
             let share = count / self.size();
-            share * (share.ln() - ln_product(weights, cell))
+            share * (ln(share) - ln_product(weights, cell))
         }))
     }
 
@@ -295,7 +296,7 @@ fn geometric_tail(n: f64, a: f64) -> f64 {
 /// The logarithm of the probability of a cell if its states were independent, as a sum of
 /// logarithms: the product of the weights may leave the range.
 fn ln_product(weights: &[f64], [i, j]: [u32; 2]) -> f64 {
-    let [one, other] = [i, j].map(|state| weights[state as usize].ln());
+    let [one, other] = [i, j].map(|state| ln(weights[state as usize]));
     if i == j {
         2.0 * one
     } else {

@@ -6,6 +6,8 @@
 //!
 //! **Not covered**: arguments ≤ 0.
 
+use super::elementary::ln;
+
 /// Smallest argument at which seven terms of the asymptotic series leave less than
 /// 3617/(8160·16^16) = 3e-20.
 const ASYMPTOTIC: f64 = 16.0;
@@ -43,5 +45,5 @@ pub fn digamma(x: f64) -> f64 {
     let square = (x * x).recip();
     let series = COEFFICIENTS.iter().rev();
     let series = series.fold(0.0, |sum, coefficient| (sum + coefficient) * square);
-    x.ln() - 0.5 / x - series - shift
+    ln(x) - 0.5 / x - series - shift
 }

@@ -94,6 +94,22 @@ pub fn ln(x: f64) -> f64 {
     log_of(x, 0.0)
 }
 
+/// Error bound of [`log2`], relative: that of the logarithm of m, half an ε for ln 2, for the
+/// quotient and for the sum each.
+pub const LOG2_ERROR: f64 = 2.5 * f64::EPSILON;
+
+/// Binary logarithm `k + ln m/ln 2` of 2^k m, exact at powers of two, with the special values of
+/// the standard library's.
+///
+/// **Accuracy** within [`LOG2_ERROR`].
+#[inline(always)]
+#[must_use]
+pub fn log2(x: f64) -> f64 {
+    let Split { k, f } = split_of_any(x);
+    let [log] = logarithms_of([Split { k: 0.0, f }], [0.0]);
+    with_special_values(x, k + log / std::f64::consts::LN_2)
+}
+
 /// Error bound of [`rough_ln`], absolute.
 pub const ROUGH_LN_ERROR: f64 = 1e-4;
 
@@ -148,11 +164,23 @@ pub fn rough_exp2(x: f64) -> f64 {
 /// `ln x` plus something small.
 #[inline(always)]
 fn log_of(x: f64, small: f64) -> f64 {
+    let [log] = logarithms_of([split_of_any(x)], [small]);
+    with_special_values(x, log)
+}
+
+/// The split of a number that may be subnormal.
+#[inline(always)]
+fn split_of_any(x: f64) -> Split {
     const TWO_TO_54: f64 = 18_014_398_509_481_984.0;
     let subnormal = x < f64::MIN_POSITIVE;
     let Split { k, f } = split(if subnormal { x * TWO_TO_54 } else { x });
     let k = if subnormal { k - 54.0 } else { k };
-    let [log] = logarithms_of([Split { k, f }], [small]);
+    Split { k, f }
+}
+
+/// The logarithm of a positive number, or the standard library's value for any other.
+#[inline(always)]
+fn with_special_values(x: f64, log: f64) -> f64 {
     let below = if x < 0.0 { f64::NAN } else { f64::NEG_INFINITY };
     let log = if x > 0.0 { log } else { below };
     // infinity and NaN stay as they are

@@ -13,21 +13,23 @@
 //!
 //! **Not covered**: negative arguments; the callers' constructors refuse them.
 
+use super::elementary::{ln, ln_1p, log2};
+
 /// `x·ln|x|`, continued by 0 at `x = 0`.
 ///
-/// **Accuracy** `f64`: two roundings and the error of the standard `ln`.
+/// **Accuracy** `f64`: two roundings and the error of [`ln`].
 #[must_use]
 pub fn x_ln_x(x: f64) -> f64 {
-    if x == 0.0 { x } else { x * x.abs().ln() }
+    if x == 0.0 { x } else { x * ln(x.abs()) }
 }
 
 /// `x·log2 x` with `0·log2 0 = 0`, in bits.
 ///
 /// **Arguments** `x` ≥ 0.
-/// **Accuracy** `f64`: two roundings and the error of the standard `log2`.
+/// **Accuracy** `f64`: two roundings and the error of [`log2`].
 #[must_use]
 pub fn x_log2_x(x: f64) -> f64 {
-    if x > 0.0 { x * x.log2() } else { 0.0 * x }
+    if x > 0.0 { x * log2(x) } else { 0.0 * x }
 }
 
 /// `x·log2(x/y)` with the value 0 at `x = 0`, in bits.
@@ -41,9 +43,9 @@ pub fn x_log2_ratio(x: f64, y: f64) -> f64 {
     let ratio = x / y;
     // a quotient that leaves the normal range has lost its digits
     x * if ratio.is_normal() {
-        ratio.log2()
+        log2(ratio)
     } else {
-        x.log2() - y.log2()
+        log2(x) - log2(y)
     }
 }
 
@@ -76,7 +78,7 @@ const SERIES_RADIUS: f64 = 0.25;
 pub fn divergence_kernel(x: f64) -> f64 {
     if x.abs() >= SERIES_RADIUS {
         if x > -1.0 {
-            return (1.0 + x) * x.ln_1p() - x;
+            return (1.0 + x) * ln_1p(x) - x;
         }
         return -x; // (1+x)·ln(1+x) = 0 at x = −1
     }

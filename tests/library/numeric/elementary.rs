@@ -1,8 +1,9 @@
 //! The functions that every form factor is made of keep their bounds.
 
 use infoscene::numeric::functions::elementary::{
-    ANGLE_ERROR, ANGLE_OVER_SINE_ERROR, LN_ERROR, LN_RATIO_ERROR, ROUGH_EXP2_ERROR, ROUGH_LN_ERROR,
-    angle, angle_over_sine, angles, ln, ln_ratio, logarithms, rough_exp2, rough_ln,
+    ANGLE_ERROR, ANGLE_OVER_SINE_ERROR, LN_ERROR, LN_RATIO_ERROR, LOG2_ERROR, ROUGH_EXP2_ERROR,
+    ROUGH_LN_ERROR, angle, angle_over_sine, angles, ln, ln_ratio, log2, logarithms, rough_exp2,
+    rough_ln,
 };
 use infoscene::numeric::{DoubleDouble, GaussLegendre, Interval, SQUARED_EPSILON, Scalar};
 use rand::{Rng, SeedableRng};
@@ -40,17 +41,21 @@ fn positive(random: &mut ChaCha8Rng, reach: f64) -> f64 {
 #[test]
 fn elementary_functions_keep_their_bound() {
     let mut random = ChaCha8Rng::seed_from_u64(1);
-    let (mut worst_ln, mut worst_angle) = (0.0f64, 0.0f64);
+    let (mut worst_ln, mut worst_log2, mut worst_angle) = (0.0f64, 0.0f64, 0.0f64);
+    let ln_2 = precise(2.0).ln();
     let (mut worst_rough, mut worst_power) = (0.0f64, 0.0f64);
     for _ in 0..SAMPLES {
         let x = positive(&mut random, 1000.0);
         let exact = precise(x).ln();
         let allowed = LN_ERROR * exact.abs().to_f64();
         worst_ln = worst_ln.max(error(ln(x), &exact) / allowed.max(f64::MIN_POSITIVE));
+        let binary = exact.clone() / &ln_2;
+        let allowed = (LOG2_ERROR * binary.abs().to_f64()).max(f64::MIN_POSITIVE);
+        worst_log2 = worst_log2.max(error(log2(x), &binary) / allowed);
         worst_rough = worst_rough.max(error(rough_ln(x), &exact) / ROUGH_LN_ERROR);
         assert_eq!(logarithms([x, 2.0]), [ln(x), ln(2.0)]);
         let power = x.log2();
-        let exact = (precise(power) * &precise(2.0).ln()).exp();
+        let exact = (precise(power) * &ln_2).exp();
         let allowed = ROUGH_EXP2_ERROR * exact.to_f64();
         worst_power = worst_power.max(error(rough_exp2(power), &exact) / allowed);
         let y = positive(&mut random, 30.0);
@@ -60,6 +65,10 @@ fn elementary_functions_keep_their_bound() {
     }
     assert!(worst_ln <= 1.0, "ln: {worst_ln} of its bound");
     assert!(worst_angle <= 1.0, "angle: {worst_angle} of its bound");
+    assert!(
+        (0.1..=1.0).contains(&worst_log2),
+        "log2: {worst_log2} of its bound"
+    );
     assert!(
         (0.1..=1.0).contains(&worst_rough),
         "rough ln: {worst_rough} of its bound"
@@ -85,14 +94,18 @@ fn elementary_functions_keep_their_bound() {
         5e-324,
         1e-310,
     ] {
-        let (ours, std) = (ln(x), x.ln());
-        let equal = ours == std || (ours.is_nan() && std.is_nan());
-        assert!(
-            equal || ((ours - std) / std).abs() <= 2.0 * LN_ERROR,
-            "ln {x}: {ours}, {std}"
-        );
+        for (ours, std, bound) in [(ln(x), x.ln(), LN_ERROR), (log2(x), x.log2(), LOG2_ERROR)] {
+            let equal = ours == std || (ours.is_nan() && std.is_nan());
+            assert!(
+                equal || ((ours - std) / std).abs() <= 2.0 * bound,
+                "{x}: {ours}, {std}"
+            );
+        }
     }
     // exact where the answer is
+    for exponent in -1074..1024 {
+        assert_eq!(log2(f64::from(exponent).exp2()), f64::from(exponent));
+    }
     assert!(ln(1.0).abs() <= 0.0 && angle(0.0, 2.0).abs() <= 0.0);
     for (y, x, quarters) in [
         (1.0, 1.0, 1.0),
