@@ -5,7 +5,7 @@
 
 use super::cells::{Cells, LeafPart};
 use super::dark::Dark;
-use super::minorant::{Couplings, Minorant, Split};
+use super::minorant::{Couplings, Energy, Minorant, Split};
 use super::piece::Integrals;
 use super::sight::Sight;
 use super::task::{FUNCTIONS, Measured};
@@ -93,22 +93,34 @@ impl Adapted {
         self.pieces.iter().map(of).collect()
     }
 
-    /// A bound on `√⟨f, N⁻¹ f⟩` of a function that was measured.
+    /// The energy of a function that was measured, and whose integral may be known, with a bound on
+    /// its error.
     ///
     /// The inverse has no negative entry, so that bounds on the means of the rest do for them.
-    pub(super) fn energy(&self, measured: &[Measured]) -> f64 {
-        let known = self.split(measured.iter().map(|part| part.known));
+    pub(super) fn energy(&self, measured: &[Measured], total: Option<[f64; 2]>) -> Energy {
+        let known = self.sums(measured.iter().map(|part| part.known));
+        let found: f64 = known.iter().map(|sum| sum.first).sum();
+        let known = Split::new(&known, self.minorant.areas());
         let rest = self.sums(measured.iter().map(|part| part.rest));
         let rest = Split {
             totals: rest.iter().map(|sum| sum.first).collect(),
             fluctuations: rest.iter().map(|sum| sum.second).collect(),
         };
-        self.minorant.norm(&known) + self.minorant.norm(&rest)
-    }
-
-    /// The split over cells of a function with these integrals over pieces.
-    fn split(&self, integrals: impl Iterator<Item = Integrals>) -> Split {
-        Split::new(&self.sums(integrals), self.minorant.areas())
+        let apart = self.minorant.norm(&rest);
+        let most: f64 = rest.totals.iter().sum();
+        debug_assert!(
+            total.is_none_or(|[total, error]| (total - found).abs() <= most + 2.0 * error),
+            "parts that add up to {found}, not {total:?}"
+        );
+        let of_rest = total.map(|[total, error]| (total - found).abs() + error);
+        let rest = of_rest.map_or(apart, |total| {
+            apart.min(self.minorant.norm_beside_mean(&rest, total))
+        });
+        Energy {
+            known: self.minorant.norm(&known),
+            rest,
+            split: known,
+        }
     }
 
     /// Sums of integrals over pieces, by cell.

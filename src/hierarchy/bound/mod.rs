@@ -157,7 +157,7 @@ impl ErrorBound {
         check_radiosities(&views.leaves, light, values)?;
         let refined = Refined::of(&views, tree, light, values)?;
         let fine = Views::of(scene, &refined.tree, light, &sight);
-        let setting = Setting::new(scene, fine, light, is_closed);
+        let setting = Setting::try_new(scene, fine, light, is_closed)?;
         let slope = |leaf: usize| gradients[refined.origins[leaf]];
         let mean = |leaf: usize| {
             let origin = refined.origins[leaf];
@@ -179,7 +179,7 @@ impl ErrorBound {
         let fine = refined.values.clone();
         let (judged, [mean, changed, bright]) =
             Judged::try_new(setting, &refined.tree, light, fine, &goals)?;
-        let rest = judged.norm_of_error(mean.most())?;
+        let rest = judged.norm_of_error(mean)?;
         let setting = &judged.setting;
         let slopes = Slopes::of(&judged, &slopes);
         let known = setting.square(&change) + slopes.square();
