@@ -2,10 +2,14 @@
 //!
 //! A fluctuation counts by its square over the damping of its cell, which small cells raise near
 //! edges. So the cells that bring most of the energy are cut, and measured again.
+//!
+//! Where something may stand between cells, large ones are hardly coupled, and the least damped of
+//! them decides how much of the error spreads. There half of the cuts go to large cells with little
+//! damping, whose parts see others for certain.
 
 use super::cells::{Cells, LeafPart};
 use super::dark::Dark;
-use super::minorant::{Couplings, Minorant, Split};
+use super::minorant::{Couplings, Energy, Minorant, Split};
 use super::piece::Integrals;
 use super::sight::Sight;
 use super::task::{FUNCTIONS, Measured};
@@ -16,6 +20,8 @@ use crate::numeric::real;
 const EVEN: usize = 160;
 /// Cells in the end, about.
 const BUDGET: usize = 400;
+/// The same where something may stand between them.
+const HIDDEN_BUDGET: usize = 800;
 /// The factor by which their number grows in a round, at most.
 const GROWTH: f64 = 1.35;
 
@@ -43,6 +49,11 @@ impl Adapted {
     ) -> Result<(Self, Vec<[Measured; FUNCTIONS]>), HierarchyError> {
         let reflectances = light.reflectances();
         let dark = Dark::of(tree, reflectances)?;
+        let budget = if sight.can_be_hidden() {
+            HIDDEN_BUDGET
+        } else {
+            BUDGET
+        };
         let mut cells = Cells::new(tree, reflectances);
         cells.cut_largest(EVEN)?;
         let mut known: Vec<Option<[Measured; FUNCTIONS]>> = Vec::new();
@@ -61,7 +72,7 @@ impl Adapted {
             let measured = pieces.iter().filter_map(|piece| known[piece.element]);
             let measured: Vec<_> = measured.collect();
             let couplings = Couplings::of(&cells.cells(), reflectances, &dark, sight);
-            if couplings.damping.len() >= BUDGET {
+            if couplings.damping.len() >= budget {
                 let adapted = Self {
                     cells,
                     pieces,
@@ -73,7 +84,12 @@ impl Adapted {
             for (piece, measured) in pieces.iter().zip(&measured) {
                 energy[piece.cell] += measured[0].known.second / couplings.damping[piece.cell];
             }
-            cells.cut(&worst(&energy))?;
+            let mut chosen = worst(&energy, budget);
+            if sight.can_be_hidden() {
+                let weak = worst(&weakness(&cells, &couplings), budget);
+                chosen = merged(&chosen, &weak);
+            }
+            cells.cut(&chosen)?;
         }
     }
 
@@ -93,22 +109,34 @@ impl Adapted {
         self.pieces.iter().map(of).collect()
     }
 
-    /// A bound on `√⟨f, N⁻¹ f⟩` of a function that was measured.
+    /// The energy of a function that was measured, and whose integral may be known, with a bound on
+    /// its error.
     ///
     /// The inverse has no negative entry, so that bounds on the means of the rest do for them.
-    pub(super) fn energy(&self, measured: &[Measured]) -> f64 {
-        let known = self.split(measured.iter().map(|part| part.known));
+    pub(super) fn energy(&self, measured: &[Measured], total: Option<[f64; 2]>) -> Energy {
+        let known = self.sums(measured.iter().map(|part| part.known));
+        let found: f64 = known.iter().map(|sum| sum.first).sum();
+        let known = Split::new(&known, self.minorant.areas());
         let rest = self.sums(measured.iter().map(|part| part.rest));
         let rest = Split {
             totals: rest.iter().map(|sum| sum.first).collect(),
             fluctuations: rest.iter().map(|sum| sum.second).collect(),
         };
-        self.minorant.norm(&known) + self.minorant.norm(&rest)
-    }
-
-    /// The split over cells of a function with these integrals over pieces.
-    fn split(&self, integrals: impl Iterator<Item = Integrals>) -> Split {
-        Split::new(&self.sums(integrals), self.minorant.areas())
+        let apart = self.minorant.norm(&rest);
+        let most: f64 = rest.totals.iter().sum();
+        debug_assert!(
+            total.is_none_or(|[total, error]| (total - found).abs() <= most + 2.0 * error),
+            "parts that add up to {found}, not {total:?}"
+        );
+        let of_rest = total.map(|[total, error]| (total - found).abs() + error);
+        let rest = of_rest.map_or(apart, |total| {
+            apart.min(self.minorant.norm_beside_mean(&rest, total))
+        });
+        Energy {
+            known: self.minorant.norm(&known),
+            rest,
+            split: known,
+        }
     }
 
     /// Sums of integrals over pieces, by cell.
@@ -121,12 +149,31 @@ impl Adapted {
     }
 }
 
-/// The cells that bring most of the energy: so many that cutting them is a round.
-fn worst(energy: &[f64]) -> Vec<usize> {
-    let count = real(energy.len());
-    let more = (count * GROWTH).min(real(BUDGET)) - count;
-    let mut order: Vec<usize> = (0..energy.len()).collect();
-    order.sort_by(|a, b| energy[*b].total_cmp(&energy[*a]));
+/// How far cells are from being damped: their areas over the squares of their damping.
+fn weakness(cells: &Cells, couplings: &Couplings) -> Vec<f64> {
+    let cells = cells.cells().into_iter().zip(&couplings.damping);
+    cells
+        .map(|(cell, damping)| cell.shape().area() / (damping * damping))
+        .collect()
+}
+
+/// As many as there are in the first ranking, half of them the first of each.
+fn merged(first: &[usize], second: &[usize]) -> Vec<usize> {
+    let mut chosen = first[..first.len().div_ceil(2)].to_vec();
+    for place in second {
+        if chosen.len() < first.len() && !chosen.contains(place) {
+            chosen.push(*place);
+        }
+    }
+    chosen
+}
+
+/// The cells with the largest values: so many that cutting them is a round.
+fn worst(values: &[f64], budget: usize) -> Vec<usize> {
+    let count = real(values.len());
+    let more = (count * GROWTH).min(real(budget)) - count;
+    let mut order: Vec<usize> = (0..values.len()).collect();
+    order.sort_by(|a, b| values[*b].total_cmp(&values[*a]));
     // a cut leaves three more
     let chosen = order.into_iter().enumerate();
     let chosen = chosen.take_while(|(place, _)| 3.0 * real(*place) < more);

@@ -1,9 +1,11 @@
 //! Radiosities on leaves with their residual, and bounds on weighted sums of their error.
 
 use super::adapted::Adapted;
+use super::minorant::Energy;
 use super::setting::Setting;
 use super::task::{FUNCTIONS, Measured};
 use crate::hierarchy::{Element, HierarchyError, Lighting, Tree};
+use crate::numeric::Bounded;
 use std::array::from_fn;
 
 /// The weighted sums that are bounded while the residual is measured.
@@ -16,8 +18,7 @@ pub(super) struct Judged {
     pub(super) adapted: Adapted,
     pub(super) values: Vec<f64>,
     pub(super) residual: Vec<Measured>,
-    /// A bound on `√⟨e, A e⟩`.
-    pub(super) energy: f64,
+    pub(super) energy: Energy,
     /// `∫ f` with a bound on its error, if it is known.
     total: Option<[f64; 2]>,
 }
@@ -30,11 +31,6 @@ pub(super) struct Correction {
 }
 
 impl Correction {
-    /// A bound on the magnitude.
-    pub(super) fn most(&self) -> f64 {
-        self.value.abs() + self.error
-    }
-
     /// An upper bound.
     pub(super) fn upper(&self) -> f64 {
         self.value + self.error
@@ -82,27 +78,29 @@ impl Judged {
         let (adapted, measured) = Adapted::try_new(tree, light, setting.sight(), &measure)?;
         let column = |k: usize| -> Vec<Measured> { measured.iter().map(|all| all[k]).collect() };
         let residual = column(0);
+        let total = setting.total(&values, &own);
         let judged = Self {
-            energy: adapted.energy(&residual),
-            total: setting.total(&values, &own)?,
+            energy: adapted.energy(&residual, total),
+            total,
             setting,
             adapted,
             values,
             residual,
         };
-        let corrections = from_fn(|k| judged.correction(&adjoints[k], &column(k + 1)));
+        let corrections = from_fn(|k| judged.correction(&adjoints[k], &others[k], &column(k + 1)));
         Ok((judged, corrections))
     }
 
-    /// A bound on `‖e‖`, from one on `|∫ e|` over patches without light.
+    /// A bound on `‖e‖`, from `∫ e` over patches without light.
     ///
     /// # Errors
     /// [`HierarchyError::NotDamped`].
-    pub(super) fn norm_of_error(&self, total: f64) -> Result<f64, HierarchyError> {
+    pub(super) fn norm_of_error(&self, integral: Correction) -> Result<f64, HierarchyError> {
+        let integral = Bounded::bound(integral.value, integral.error);
         let counts = |patch| self.setting.is_unlit(patch);
         self.adapted
             .minorant()
-            .norm_of_error(self.energy, total, &counts)
+            .norm_of_error(&self.energy, integral, &counts)
     }
 
     /// By leaf of another tree about the squared error that a change by leaf and the residual show.
@@ -152,27 +150,21 @@ impl Judged {
     pub(super) fn goal(&self, weights: &[f64]) -> Correction {
         let setting = &self.setting;
         let adjoint = setting.operator.solved(weights);
-        let constants = setting.adjoint_constants(weights, &adjoint);
+        let own = setting.adjoint_constants(weights, &adjoint);
         let nothing = vec![0.0; weights.len()];
         let functions = from_fn(|k| if k == 1 { adjoint.as_slice() } else { &nothing });
-        let constants = from_fn(|k| {
-            if k == 0 {
-                constants.as_slice()
-            } else {
-                &nothing
-            }
-        });
+        let constants = from_fn(|k| if k == 1 { own.as_slice() } else { &nothing });
         let allowed = setting.allowed(functions, constants);
         let pieces = self.adapted.elements();
         let measured = setting.measured(&pieces, functions, constants, allowed);
         let measured: Vec<Measured> = measured.iter().map(|all| all[1]).collect();
-        self.correction(&adjoint, &measured)
+        self.correction(&adjoint, &own, &measured)
     }
 
     /// `⟨g, e⟩`, for a discrete solution of `A ψ = g` and its residual.
     ///
     /// A constant part of ψ meets `∫ f`, if that is known, and not the bounds on its parts.
-    fn correction(&self, adjoint: &[f64], rest: &[Measured]) -> Correction {
+    fn correction(&self, adjoint: &[f64], constants: &[f64], rest: &[Measured]) -> Correction {
         let parts = || self.residual.iter().zip(self.adapted.pieces());
         let [total, slack] = self.total.unwrap_or_default();
         let mut level = 0.0;
@@ -188,7 +180,8 @@ impl Judged {
             value += weight * part.known.first;
             error += weight.abs() * part.rest.first;
         }
-        error += self.adapted.energy(rest) * self.energy;
+        let total = self.setting.total(adjoint, constants);
+        error += self.adapted.energy(rest, total).most() * self.energy.most();
         Correction { value, error }
     }
 }

@@ -25,7 +25,7 @@ use super::piece::Integrals;
 use super::ritz::Ritz;
 use super::sight::{End, Sight};
 use crate::hierarchy::{Element, HierarchyError};
-use crate::numeric::{parallel_map, real};
+use crate::numeric::{Bounded, parallel_map, real};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 /// The least part of an eigenvalue's estimate that is tried as a bound.
@@ -42,6 +42,8 @@ pub(super) struct Minorant {
     factors: Cholesky<f64, Dyn>,
     /// A lower bound on the eigenvalues of the means' part.
     least: f64,
+    /// The same for means that add up to nothing.
+    beside_mean: f64,
 }
 
 /// A function on the cells as far as N needs it: means, and fluctuations.
@@ -51,6 +53,23 @@ pub(super) struct Split {
     pub(super) totals: Vec<f64>,
     /// `∫_i f² − (∫_i f)²/A_i`.
     pub(super) fluctuations: Vec<f64>,
+}
+
+/// A function's part that is known on cells, with its energy, and that of the rest.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Energy {
+    pub(super) split: Split,
+    /// `√⟨f, N⁻¹ f⟩` of the part that is known.
+    pub(super) known: f64,
+    /// A bound on that of the rest.
+    pub(super) rest: f64,
+}
+
+impl Energy {
+    /// A bound on `√⟨f, N⁻¹ f⟩`.
+    pub(super) fn most(&self) -> f64 {
+        self.known + self.rest
+    }
 }
 
 impl Split {
@@ -142,13 +161,20 @@ impl Minorant {
             return Err(HierarchyError::NotDamped);
         }
         let factors = Cholesky::new(means.clone()).ok_or(HierarchyError::NotDamped)?;
-        Ok(Self {
+        let least = absorbed - margin;
+        let minorant = Self {
             patches,
             areas,
             damping,
             means,
             factors,
-            least: absorbed - margin,
+            least,
+            beside_mean: least,
+        };
+        let beside_mean = minorant.least_beside_mean().unwrap_or(least);
+        Ok(Self {
+            beside_mean,
+            ..minorant
         })
     }
 
@@ -159,43 +185,59 @@ impl Minorant {
 
     /// A bound on `√⟨f, N⁻¹ f⟩`.
     pub(super) fn norm(&self, f: &Split) -> f64 {
-        let scaled = f
-            .totals
-            .iter()
-            .zip(&self.areas)
-            .map(|(total, area)| total / area.sqrt());
-        let c = DVector::from_iterator(self.areas.len(), scaled);
+        let c = self.scaled(f);
         let x = self.factors.solve(&c);
         let image = &self.means * &x;
         let rest = (&c - &image).norm_squared() / self.least;
         let means = 2.0 * c.dot(&x) - x.dot(&image) + rest;
-        let fluctuations = f.fluctuations.iter().zip(&self.damping).map(|(v, n)| v / n);
-        (means.max(0.0) + fluctuations.sum::<f64>()).sqrt()
+        (means.max(0.0) + self.fluctuations(f)).sqrt()
     }
 
-    /// A bound on `‖e‖` for all e with `⟨e, N e⟩ ≤ energy²` and `|∫ e| ≤ total` over patches that
-    /// count.
+    /// A bound on `‖e‖` for all e with `⟨e, N e⟩ ≤ ⟨f, e⟩`, f of this energy, and with this integral
+    /// over patches that count.
     ///
     /// ```text
-    ///   ‖e‖² ≤ (energy² + τ total²)/λ_min(N + τ v vᵀ)        for any τ ≥ 0, v = √A, or 0
+    ///   f = f_k + ρ,  η = √⟨f_k, N⁻¹ f_k⟩,  ⟨ρ, e⟩ ≤ σ √⟨e, N e⟩
+    ///   ⟨e, N e⟩ ≤ (η + σ)²,      ⟨d, N d⟩ ≤ (η/2 + σ)²       d = e − ½ N⁻¹ f_k
     /// ```
     ///
     /// # Errors
     /// [`HierarchyError::NotDamped`].
     pub(super) fn norm_of_error(
         &self,
-        energy: f64,
-        total: f64,
+        f: &Energy,
+        integral: Bounded,
         counts: &dyn Fn(usize) -> bool,
     ) -> Result<f64, HierarchyError> {
         let counted = self.patches.iter().zip(&self.areas);
         let counted = counted.map(|(patch, area)| if counts(*patch) { area.sqrt() } else { 0.0 });
         let v = DVector::from_iterator(self.areas.len(), counted);
         let ritz = Ritz::new(&self.means, &self.factors, &v);
-        let rough = |weight: f64| {
-            let square = energy * energy + weight * total * total;
-            square / ritz.least(weight)
-        };
+        let c = self.scaled(&f.split);
+        let x = self.factors.solve(&c);
+        let rest = 0.5 * (c - &self.means * &x).norm() / self.least;
+        let damped = f.split.fluctuations.iter().zip(&self.damping);
+        let square = x.norm_squared() + damped.map(|(v, n)| v / (n * n)).sum::<f64>();
+        let beside = (integral.value - 0.5 * v.dot(&x)).abs() + integral.error + v.norm() * rest;
+        let beside = self.largest(0.5 * f.known + f.rest, beside, &v, &ritz)?;
+        let whole = integral.value.abs() + integral.error;
+        let whole = self.largest(f.most(), whole, &v, &ritz)?;
+        Ok(whole.min(0.5 * square.sqrt() + rest + beside))
+    }
+
+    /// A bound on `‖e‖` for all e with `⟨e, N e⟩ ≤ energy²` and `|⟨v, e⟩| ≤ total`.
+    ///
+    /// ```text
+    ///   ‖e‖² ≤ (energy² + τ total²)/λ_min(N + τ v vᵀ)        for any τ ≥ 0, v = √A, or 0
+    /// ```
+    fn largest(
+        &self,
+        energy: f64,
+        total: f64,
+        v: &DVector<f64>,
+        ritz: &Ritz,
+    ) -> Result<f64, HierarchyError> {
+        let square = |weight: f64| energy * energy + weight * total * total;
         let area = v.norm_squared();
         let weights = (0..13).map(|k| {
             if k == 0 {
@@ -204,12 +246,48 @@ impl Minorant {
                 2f64.powi(k - 10) / area
             }
         });
+        let rough = |weight: f64| square(weight) / ritz.least(weight);
         let best = weights.min_by(|a, b| rough(*a).total_cmp(&rough(*b)));
         let weight = best.unwrap_or(0.0);
-        let least = self.certified_least(weight, &v, ritz.least(weight))?;
+        let least = self.certified_least(weight, v, ritz.least(weight))?;
         let fluctuations = self.damping.iter().copied().fold(f64::INFINITY, f64::min);
-        let square = energy * energy + weight * total * total;
-        Ok((square / least.min(fluctuations)).sqrt())
+        Ok((square(weight) / least.min(fluctuations)).sqrt())
+    }
+
+    /// A bound on `√⟨f, N⁻¹ f⟩` of an f with bounds on its means and fluctuations, and on `|∫ f|`.
+    ///
+    /// ```text
+    ///   ⟨f, e⟩ = ⟨f, e − m⟩ + m ∫ f,   A m² ≤ ‖e‖² ≤ ⟨e, N e⟩/λ_min(N)           m: the mean of e
+    ///   Σ A_i (e_i − m)² ≤ Σ A_i e_i N e_i/λ  if  N ⪰ λ (1 − v vᵀ/A), v = √A
+    /// ```
+    pub(super) fn norm_beside_mean(&self, f: &Split, total: f64) -> f64 {
+        let means = f.totals.iter().zip(&self.areas).map(|(t, a)| t * t / a);
+        let means = means.sum::<f64>() / self.beside_mean;
+        let area: f64 = self.areas.iter().sum();
+        (means + self.fluctuations(f)).sqrt() + total / (area * self.least).sqrt()
+    }
+
+    /// The means of a function, times the roots of areas.
+    fn scaled(&self, f: &Split) -> DVector<f64> {
+        let scaled = f.totals.iter().zip(&self.areas);
+        let scaled = scaled.map(|(total, area)| total / area.sqrt());
+        DVector::from_iterator(self.areas.len(), scaled)
+    }
+
+    /// `Σ V_i/n_i` of a function's fluctuations.
+    fn fluctuations(&self, f: &Split) -> f64 {
+        let damped = f.fluctuations.iter().zip(&self.damping);
+        damped.map(|(v, n)| v / n).sum()
+    }
+
+    /// A number λ with `N ⪰ λ (1 − v vᵀ/A)`, v = √A.
+    fn least_beside_mean(&self) -> Option<f64> {
+        let v = DVector::from_iterator(self.areas.len(), self.areas.iter().map(|a| a.sqrt()));
+        let area = v.norm_squared();
+        let ritz = Ritz::new(&self.means, &self.factors, &v);
+        let estimate = ritz.least(self.means.trace() / area);
+        let mut steps = STEPS.iter().map(|step| step * estimate);
+        steps.find(|least| self.is_raised_above(*least, least / area, &v))
     }
 
     /// A lower bound on the eigenvalues of `N + τ v vᵀ`, of which there is an estimate.
@@ -219,17 +297,17 @@ impl Minorant {
         v: &DVector<f64>,
         estimate: f64,
     ) -> Result<f64, HierarchyError> {
+        let mut steps = STEPS.iter().map(|step| step * estimate);
+        let found = steps.find(|least| self.is_raised_above(*least, weight, v));
+        found.ok_or(HierarchyError::NotDamped)
+    }
+
+    /// Whether no eigenvalue of `N + τ v vᵀ` is below so much, for certain.
+    fn is_raised_above(&self, least: f64, weight: f64, v: &DVector<f64>) -> bool {
         let n = self.areas.len();
         let raised = DMatrix::from_fn(n, n, |i, j| self.means[(i, j)] + weight * (v[i] * v[j]));
-        let margin = margin(&raised);
-        for step in STEPS {
-            let least = step * estimate;
-            let shifted = &raised - DMatrix::identity(n, n) * (least + margin);
-            if least > 0.0 && Cholesky::new(shifted).is_some() {
-                return Ok(least);
-            }
-        }
-        Err(HierarchyError::NotDamped)
+        let shifted = &raised - DMatrix::identity(n, n) * (least + margin(&raised));
+        least > 0.0 && Cholesky::new(shifted).is_some()
     }
 }
 

@@ -26,20 +26,33 @@ pub(super) struct Setting {
     pub(super) light: Lighting,
     pub(super) operator: DiscreteOperator,
     views: Views,
-    is_closed: bool,
+    /// What dark patches take, by leaf; known in a closed scene.
+    taken: Option<Vec<ExchangeArea>>,
     noise: f64,
 }
 
 impl Setting {
     /// The setting of a scene's leaves in their views.
-    pub(super) fn new(scene: &Scene, views: Views, light: &Lighting, is_closed: bool) -> Self {
-        Self {
+    ///
+    /// # Errors
+    /// [`HierarchyError::Pair`].
+    pub(super) fn try_new(
+        scene: &Scene,
+        views: Views,
+        light: &Lighting,
+        is_closed: bool,
+    ) -> Result<Self, HierarchyError> {
+        let mut setting = Self {
             light: light.clone(),
             operator: discrete(&views, light),
             views,
-            is_closed,
+            taken: None,
             noise: scene.noise_length(),
+        };
+        if is_closed {
+            setting.taken = Some(setting.taken()?);
         }
+        Ok(setting)
     }
 
     /// What stands between patches.
@@ -176,7 +189,7 @@ impl Setting {
     /// Values near those that an element sees nearby; 0 in an open scene, whose form factors do
     /// not add up to 1.
     fn references(&self, element: &Element, values: [&[f64]; FUNCTIONS]) -> [f64; FUNCTIONS] {
-        if !self.is_closed {
+        if self.taken.is_none() {
             return [0.0; FUNCTIONS];
         }
         let area = element.shape().area();
@@ -221,37 +234,42 @@ impl Setting {
             .max(f64::MIN_POSITIVE)
     }
 
-    /// `∫ f` over all that reflects, with a bound on its error; known in a closed scene.
+    /// `∫ (c + K b)` over all that reflects, with a bound on its error; known in a closed scene.
     ///
     /// ```text
     ///   ∫ K b = Σ_j b_j (A_j − Σ_black A_j F_jz)
     /// ```
-    pub(super) fn total(
-        &self,
-        values: &[f64],
-        constants: &[f64],
-    ) -> Result<Option<[f64; 2]>, HierarchyError> {
-        if !self.is_closed {
-            return Ok(None);
-        }
-        let leaves = 0..self.leaves().len();
-        let (black, bright): (Vec<usize>, Vec<usize>) =
-            leaves.partition(|leaf| self.reflectance(*leaf) <= 0.0);
-        let mut terms: Vec<f64> = bright
-            .iter()
-            .map(|leaf| self.area(*leaf) * constants[*leaf])
-            .collect();
-        terms.extend((0..self.leaves().len()).map(|leaf| self.area(leaf) * values[leaf]));
-        let mut error = 0.0;
+    pub(super) fn total(&self, values: &[f64], constants: &[f64]) -> Option<[f64; 2]> {
+        let taken = self.taken.as_ref()?;
+        let leaves = values.iter().zip(constants).zip(taken).enumerate();
+        let terms = leaves.flat_map(|(leaf, ((value, constant), taken))| {
+            let area = self.area(leaf);
+            let own = if self.reflectance(leaf) > 0.0 {
+                *constant
+            } else {
+                0.0
+            };
+            [area * own, area * value, -value * taken.value]
+        });
+        let terms: Vec<f64> = terms.collect();
+        let size: f64 = terms.iter().map(|term| term.abs()).sum();
+        let errors = values.iter().zip(taken);
+        let error: f64 = errors.map(|(value, taken)| value.abs() * taken.error).sum();
+        Some([compensated_sum(terms), error + 1e-13 * size])
+    }
+
+    /// By leaf, its exchange area with all that reflects nothing.
+    fn taken(&self) -> Result<Vec<ExchangeArea>, HierarchyError> {
+        let mut taken = vec![ExchangeArea::NOTHING; self.leaves().len()];
+        let black = (0..taken.len()).filter(|leaf| self.reflectance(*leaf) <= 0.0);
         for first in black {
-            for (second, value) in values.iter().enumerate() {
+            for (second, sum) in taken.iter_mut().enumerate() {
                 let exchange = self.exchange_area(first, second)?;
-                terms.push(-value * exchange.value);
-                error += value.abs() * exchange.error;
+                sum.value += exchange.value;
+                sum.error += exchange.error;
             }
         }
-        let size: f64 = terms.iter().map(|term| term.abs()).sum();
-        Ok(Some([compensated_sum(terms), error + 1e-13 * size]))
+        Ok(taken)
     }
 
     /// The exchange area of two leaves.

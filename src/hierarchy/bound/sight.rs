@@ -18,7 +18,7 @@ use crate::form_factor::{
     ExchangeArea, FormFactorError, Occluders, Plate, PointView, Polygon, point_form_factor_past,
 };
 use crate::geometry::{Patch, clipped};
-use crate::hierarchy::link_factor::Plates;
+use crate::hierarchy::link_factor::{Place, Plates};
 use crate::hierarchy::{HierarchyError, LinkFactors, Visibility};
 use crate::numeric::Bounded;
 use crate::scene::{Occlusion, Scene};
@@ -27,17 +27,6 @@ use smallvec::SmallVec;
 
 /// The relative tolerance of exchange areas past plates.
 const TOLERANCE: f64 = 1e-4;
-
-/// The place of a plate relative to all segments between two polygons.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Place {
-    /// None meets it.
-    Aside,
-    /// All meet it.
-    Across,
-    /// Some may meet it.
-    Between,
-}
 
 /// A convex polygon, or a point, on a surface.
 #[derive(Debug, Clone, Copy)]
@@ -105,19 +94,7 @@ impl Sight {
         let Some(all) = &self.plates else {
             return Visibility::Clear;
         };
-        let mut left = SmallVec::new();
-        for number in plates {
-            match self.place(all.plate(*number), ends) {
-                Place::Aside => {}
-                Place::Across => return Visibility::Hidden,
-                Place::Between => left.push(*number),
-            }
-        }
-        if left.is_empty() {
-            Visibility::Clear
-        } else {
-            Visibility::Past(left)
-        }
+        Visibility::past(plates, |number| self.place(all.plate(number), ends))
     }
 
     /// The form factor from a point of a surface with this normal to what plates leave of a shape,

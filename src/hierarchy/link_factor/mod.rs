@@ -24,8 +24,8 @@
 mod rule;
 mod visibility;
 
-pub(in crate::hierarchy) use visibility::Plates;
 pub use visibility::Visibility;
+pub(in crate::hierarchy) use visibility::{Place, Plates};
 
 use super::HierarchyError;
 use super::tree::Element;
@@ -37,6 +37,7 @@ use crate::scene::{Occlusion, Scene};
 use glam::DVec3;
 use rule::Rule;
 use smallvec::SmallVec;
+
 /// The distance of centres, in radii of the receiver, below which a link is near.
 const NEAR: f64 = 4.0;
 /// The height over a plane, in sizes of elements, that counts as none.

@@ -44,12 +44,34 @@ pub enum Visibility {
     Hidden,
 }
 
-/// The place of a plate relative to two elements.
+/// The place of a plate relative to all segments between two elements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Place {
+pub(in crate::hierarchy) enum Place {
+    /// None meets it.
     Aside,
+    /// All meet it.
     Across,
+    /// Some may meet it.
     Between,
+}
+
+impl Visibility {
+    /// The visibility past candidates whose places are known.
+    pub(in crate::hierarchy) fn past(candidates: &[u32], place: impl Fn(u32) -> Place) -> Self {
+        let mut left: SmallVec<[u32; 4]> = SmallVec::new();
+        for number in candidates {
+            match place(*number) {
+                Place::Aside => {}
+                Place::Across => return Self::Hidden,
+                Place::Between => left.push(*number),
+            }
+        }
+        if left.is_empty() {
+            Self::Clear
+        } else {
+            Self::Past(left)
+        }
+    }
 }
 
 /// The convex pieces of a scene's screens, and those that stand between its patches.
@@ -147,24 +169,10 @@ impl Plates {
         touching: f64,
     ) -> Visibility {
         match inherited {
-            Visibility::Past(candidates) => self.between(ends, candidates, touching),
+            Visibility::Past(candidates) => Visibility::past(candidates, |number| {
+                place(self.plate(number), ends, touching)
+            }),
             known => known.clone(),
-        }
-    }
-
-    fn between(&self, ends: [&Element; 2], candidates: &[u32], touching: f64) -> Visibility {
-        let mut left: SmallVec<[u32; 4]> = SmallVec::new();
-        for number in candidates {
-            match place(&self.plates[*number as usize], ends, touching) {
-                Place::Aside => {}
-                Place::Across => return Visibility::Hidden,
-                Place::Between => left.push(*number),
-            }
-        }
-        if left.is_empty() {
-            Visibility::Clear
-        } else {
-            Visibility::Past(left)
         }
     }
 }

@@ -60,6 +60,25 @@ fn a_linear_solution_is_bounded() {
     }
 }
 
+/// Where little is reflected, B is what the residual of B̃ shows, and nearly nothing is left to
+/// bound: slopes that are right, none, turned about, or too steep have bounds next to their errors,
+/// so that no term can be lost or change its sign.
+#[test]
+fn a_dark_room_is_bounded_by_little_more_than_its_error() {
+    let scene = room("lit-cube", Some(0.1));
+    let exact = BoxRadiosity::try_new(&scene, Channel::Green, 6).unwrap();
+    let light = lighting(&scene);
+    let room = refined(&scene, &light, OracleName::Gradient, 60);
+    let tree = room.tree();
+    let (values, gradients) = linear(&room);
+    for (factor, most) in [(1.0, 1.3), (0.0, 1.1), (-3.0, 1.05), (5.0, 1.05)] {
+        let slopes: Vec<DVec3> = gradients.iter().map(|g| factor * *g).collect();
+        let found = ErrorBound::of_linear(&scene, tree, &light, &values, &slopes).unwrap();
+        let ratio = found.absolute / error(tree, &exact, &values, &slopes);
+        assert!((1.0..most).contains(&ratio), "{factor}: {ratio}");
+    }
+}
+
 /// In a furnace B = 1, so that on squares of side h
 ///
 /// ```text

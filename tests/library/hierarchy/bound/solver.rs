@@ -32,8 +32,17 @@ fn error(room: &Refinement<'_>, exact: &BoxRadiosity) -> f64 {
     squares.sum::<f64>().sqrt()
 }
 
-/// The bound, the error and the seconds that the bound took.
-fn judged(scene: &Scene, exact: &BoxRadiosity, elements: usize) -> (ErrorBound, f64, f64) {
+/// What a mesh of so many elements is judged to be.
+pub struct Judged {
+    pub error: f64,
+    /// The bound over the error.
+    pub ratio: f64,
+    /// How long the bound took.
+    pub seconds: f64,
+}
+
+/// The bound for constants on a mesh of so many elements, against their error.
+pub fn judged(scene: &Scene, elements: usize, error: impl Fn(&Refinement<'_>) -> f64) -> Judged {
     let lighting = lighting(scene);
     let room = refined(scene, &lighting, OracleName::Gradient, elements);
     let leaves = room.tree().leaves();
@@ -41,7 +50,23 @@ fn judged(scene: &Scene, exact: &BoxRadiosity, elements: usize) -> (ErrorBound, 
     let start = Instant::now();
     let bound = ErrorBound::try_new(scene, room.tree(), &lighting, &values).unwrap();
     let seconds = start.elapsed().as_secs_f64();
-    (bound, error(&room, exact), seconds)
+    let error = error(&room);
+    Judged {
+        error,
+        ratio: bound.absolute / error,
+        seconds,
+    }
+}
+
+impl std::fmt::Display for Judged {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self {
+            error,
+            ratio,
+            seconds,
+        } = self;
+        write!(f, "{error:.3e}, bound/error {ratio:.3}, {seconds:.2} s")
+    }
 }
 
 /// `‖B − B_h‖ ≤ bound ≤ 4 ‖B − B_h‖` for a coarse mesh of a cube.
@@ -49,8 +74,7 @@ fn judged(scene: &Scene, exact: &BoxRadiosity, elements: usize) -> (ErrorBound, 
 fn a_coarse_mesh_of_the_solver_is_bounded() {
     let scene = room("lit-cube", None);
     let exact = BoxRadiosity::try_new(&scene, Channel::Green, 4).unwrap();
-    let (bound, error, _) = judged(&scene, &exact, 40);
-    let ratio = bound.absolute / error;
+    let ratio = judged(&scene, 40, |room| error(room, &exact)).ratio;
     assert!((1.0..4.0).contains(&ratio), "{ratio}");
 }
 
@@ -72,11 +96,9 @@ fn meshes_of_the_solver_are_bounded() {
             let scene = room(name, reflectance);
             let exact = BoxRadiosity::try_new(&scene, Channel::Green, 8).unwrap();
             for elements in [100, 300] {
-                let (bound, error, seconds) = judged(&scene, &exact, elements);
-                let ratio = bound.absolute / error;
-                println!(
-                    "{name} {elements} R={reflectance:?}: {error:.3e}, bound/error {ratio:.3}, {seconds:.2} s"
-                );
+                let found = judged(&scene, elements, |room| error(room, &exact));
+                println!("{name} {elements} R={reflectance:?}: {found}");
+                let ratio = found.ratio;
                 assert!(ratio >= 1.0, "{name} {reflectance:?} {elements}: {ratio}");
                 let is_near = reflectance.is_some_and(|r| r <= 0.95);
                 assert!(
@@ -95,9 +117,8 @@ fn cost_of_the_bound() {
     let scene = room("lit-cube", None);
     let exact = BoxRadiosity::try_new(&scene, Channel::Green, 4).unwrap();
     for elements in [100, 300, 1000] {
-        let (bound, error, seconds) = judged(&scene, &exact, elements);
-        let ratio = bound.absolute / error;
-        println!("{elements}: {error:.3e}, bound/error {ratio:.3}, {seconds:.2} s");
-        assert!(ratio >= 1.0, "{elements}: {ratio}");
+        let found = judged(&scene, elements, |room| error(room, &exact));
+        println!("{elements}: {found}");
+        assert!(found.ratio >= 1.0, "{elements}: {}", found.ratio);
     }
 }
