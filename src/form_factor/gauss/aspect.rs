@@ -54,8 +54,8 @@ use std::sync::LazyLock;
 /// Half a line over its distance up to which there is a bound.
 const NEAREST: f64 = 0.5;
 
-/// The least sine that the bound from aside is asked for, below which that end on is smaller:
-/// 3/((k+1)(k+3)) is less than its cube.
+/// The least sine that the bound from aside is asked for. That end on is the smaller one wherever
+/// the cube is below 3/((k+1)(k+3)), as this one's is for every power k that counts.
 const LEAST_SINE: f64 = 1e-3;
 
 /// More than the bounds' own rounding, relative: some hundred operations, and 2n factors y.
