@@ -9,11 +9,13 @@ pub(crate) mod horizon;
 pub(crate) mod shape;
 
 use super::{Answer, ExchangeArea, FormFactorError, Polygon, Route};
+use crate::form_factor::gauss::aspect::{Aspect, Placing, Rung};
 use crate::form_factor::gauss::points::{Lines, Nodes, Rules};
 use crate::numeric::real;
 use glam::DVec3;
 use horizon::{Displacement, FrontPart, Heights, side_of};
 use shape::Shape;
+use smallvec::SmallVec;
 use std::f64::consts::PI;
 
 /// The parts of a pair in front of each other's planes, with measures that the choice rests on.
@@ -41,6 +43,8 @@ pub(crate) struct ClippedPair<'a> {
     /// An idea of the value.
     pub estimate: f64,
     pub tolerance: f64,
+    /// The rules that do on each by the bound relative to the value.
+    rungs: [Rung; 2],
 }
 
 /// Clips a pair and hands it to `route`, which is not asked if one polygon is behind the other's
@@ -98,16 +102,33 @@ impl<'a> ClippedPair<'a> {
         let distance = between.length();
         let radii = first.radius + second.radius;
         let spans = heights.map(Span::of);
+        let direction = between / distance;
+        let apart = Apart::of(first, second, direction);
         // spheres do for polygons far apart
         let range = if distance > FAR * radii {
             [distance - radii, distance + radii]
         } else {
-            let gap = apart(first, second, between / distance);
-            let gap = gap.max(spans[0].least).max(spans[1].least);
+            let gap = apart.gap.max(spans[0].least).max(spans[1].least);
             [gap, farthest(first, second)]
         };
         let sizes = shapes.map(|shape| [shape.area, shape.perimeter]);
-        let measures = Measures::of(sizes, spans, distance, range);
+        let mut measures = Measures::of(sizes, spans, distance, range);
+        for k in 0..2 {
+            let lines = &shapes[k].lines;
+            let placing = Placing {
+                distance,
+                radius: shapes[1 - k].radius,
+                gap: measures.gap_of(apart.middles[k]),
+                cosines: lines.directions.map(|along| along.dot(direction)),
+                heights: [spans[k].least, spans[k].most],
+                noise: 4.0 * f64::EPSILON * measures.reach,
+                half: lines.half,
+                middle: lines.middle,
+                unevenness: lines.unevenness,
+                spreads: lines.spreads,
+            };
+            measures.rungs[k] = Aspect::of(&placing).rung(relative_wanted(tolerance));
+        }
         Self::measured(
             polygons,
             shapes,
@@ -142,6 +163,7 @@ impl<'a> ClippedPair<'a> {
             by_place: measures.by_place,
             estimate: measures.estimate,
             tolerance,
+            rungs: measures.rungs,
         }
     }
 
@@ -186,6 +208,9 @@ impl<'a> ClippedPair<'a> {
 
     /// Gauss points per direction on one of the shapes.
     pub(crate) fn points(&self, k: usize) -> usize {
+        if self.rungs[k].points > 0 {
+            return self.rungs[k].points;
+        }
         let most = self.wanted() / (self.largest * 2.0 * self.shapes[k].peak);
         self.lines(k).points(most)
     }
@@ -215,11 +240,42 @@ impl<'a> ClippedPair<'a> {
         self.lines(k).rules(points, shape).of(&shape.cells[0])
     }
 
-    /// A bound on the error of a rule on one of the shapes.
-    pub(crate) fn truncation(&self, k: usize, points: usize, largest: f64) -> f64 {
-        2.0 * self.shapes[k].peak * self.lines(k).error(points) * largest
+    /// A bound on the error of a value by rules on some of the shapes.
+    ///
+    /// **Arguments** `rules`: which shape, and points a direction.
+    ///
+    /// With absolute bounds T on the errors of some and the others' relative to the exact value V,
+    /// e in all, `|rule − V| ≤ T (1 + e) + (e + e²) V`, and V is at most the rule's value and this.
+    pub(crate) fn truncation(&self, rules: &[(usize, usize)], value: f64) -> f64 {
+        let (mut absolute, mut relative) = (0.0, 0.0);
+        for (k, points) in rules {
+            let rung = &self.rungs[*k];
+            if rung.points == *points {
+                relative += rung.error;
+            } else {
+                let error = self.lines(*k).error(*points);
+                absolute += 2.0 * self.shapes[*k].peak * error * self.largest;
+            }
+        }
+        debug_assert!(relative <= 2.0 * MOST_RELATIVE, "{relative}");
+        let share = relative * (1.0 + relative);
+        (absolute * (1.0 + relative) + share * value) / (1.0 - share)
     }
 }
+
+/// The error of a rule on one shape, relative to the value, that may be left.
+#[inline(always)]
+pub(crate) fn relative_wanted(tolerance: f64) -> f64 {
+    let wanted = 0.3 * tolerance.max(4.0 * f64::EPSILON);
+    if wanted < MOST_RELATIVE {
+        wanted
+    } else {
+        MOST_RELATIVE
+    }
+}
+
+/// The largest such error: products of those of both shapes are little beside them.
+const MOST_RELATIVE: f64 = 1.0 / 16.0;
 
 /// Distances from which on spheres around polygons bound theirs, in sums of the radii.
 pub(crate) const FAR: f64 = 4.0;
@@ -236,9 +292,17 @@ pub(crate) struct Measures {
     pub by_height: f64,
     pub by_place: f64,
     pub estimate: f64,
+    pub rungs: [Rung; 2],
 }
 
 impl Measures {
+    /// A lower bound on a distance that is at least the gap, and at least this but for rounding.
+    #[inline(always)]
+    pub(crate) fn gap_of(&self, apart: f64) -> f64 {
+        let apart = apart - 8.0 * f64::EPSILON * self.reach;
+        if apart > self.gap { apart } else { self.gap }
+    }
+
     /// The measures of two shapes with these areas and perimeters: without a branch, so that it
     /// serves in the lanes of vectors.
     ///
@@ -280,6 +344,7 @@ impl Measures {
             by_height: 2.0 * (sensitivity(spans[0]) + sensitivity(spans[1])),
             by_place: 2.0 * by_place,
             estimate: areas * cosines / (PI * square),
+            rungs: [Rung::default(); 2],
         }
     }
 }
@@ -316,17 +381,54 @@ fn farthest(first: &Shape, second: &Shape) -> f64 {
     square.sqrt()
 }
 
-/// The distance of two planes across this direction, each touching one of the polygons; negative
-/// if they do not part them.
-fn apart(first: &Shape, second: &Shape, direction: DVec3) -> f64 {
-    let (mut end, mut start) = (f64::NEG_INFINITY, f64::INFINITY);
-    for corner in &first.corners {
-        end = f64::max(end, (*corner - first.centre).dot(direction));
+/// Distances between planes across a direction, each touching what lies on one side; negative if
+/// they do not part it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Apart {
+    /// Of the polygons.
+    pub gap: f64,
+    /// Of the middles of one's lines, if it is a quadrilateral, and the other polygon.
+    pub middles: [f64; 2],
+}
+
+impl Apart {
+    fn of(first: &Shape, second: &Shape, direction: DVec3) -> Self {
+        let along = |shape: &Shape| -> SmallVec<[f64; 8]> {
+            let corners = shape.corners.iter();
+            corners
+                .map(|c| (*c - first.centre).dot(direction))
+                .collect()
+        };
+        let (one, other) = (along(first), along(second));
+        let four = |places: &[f64]| match *places {
+            [a, b, c] => Some([a, b, c, c]),
+            [a, b, c, d] => Some([a, b, c, d]),
+            _ => None,
+        };
+        if let (Some(one), Some(other)) = (four(&one), four(&other)) {
+            return Self::of_four(one, other);
+        }
+        let end = one.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let start = other.iter().copied().fold(f64::INFINITY, f64::min);
+        Self {
+            gap: start - end,
+            middles: [start - end; 2],
+        }
     }
-    for corner in &second.corners {
-        start = f64::min(start, (*corner - first.centre).dot(direction));
+
+    /// Of two quadrilaterals whose corners are at these places, or triangles, whose third counts
+    /// twice.
+    #[inline(always)]
+    pub(crate) fn of_four([a, b, c, d]: [f64; 4], [e, f, g, h]: [f64; 4]) -> Self {
+        let end = a.max(b).max(c).max(d);
+        let start = e.min(f).min(g).min(h);
+        let last = (a + b).max(b + c).max(c + d).max(d + a);
+        let first = (e + f).min(f + g).min(g + h).min(h + e);
+        Self {
+            gap: start - end,
+            middles: [start - 0.5 * last, 0.5 * first - end],
+        }
     }
-    start - end
 }
 
 /// A bound on `θ/sin θ` for the angle θ that an edge subtends at a distance: with h = tan(θ/2) it

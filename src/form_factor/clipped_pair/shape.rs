@@ -38,6 +38,64 @@ pub(crate) struct Shape {
     pub half_length: f64,
     /// Largest distance of a corner from the centre.
     pub radius: f64,
+    pub lines: CellLines,
+}
+
+/// The lines of the only cell of an outline, a quadrilateral, along which a rule runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct CellLines {
+    /// Half the longest; infinite where the outline is not one quadrilateral.
+    pub half: f64,
+    /// The largest distance of a line's middle from the outline's centre.
+    pub middle: f64,
+    /// The mean directions of lines along s and along t, and the sines by which others turn away.
+    pub directions: [DVec3; 2],
+    pub spreads: [f64; 2],
+    /// How much the Jacobian changes along half a line, over what it is in its middle.
+    pub unevenness: f64,
+}
+
+impl CellLines {
+    const NONE: Self = Self {
+        half: f64::INFINITY,
+        middle: 0.0,
+        directions: [DVec3::X; 2],
+        spreads: [1.0; 2],
+        unevenness: 1.0,
+    };
+
+    /// The lines between these corners.
+    fn of([a, b, c, d]: [DVec3; 4], half: f64, [j, js, jt]: [f64; 3], centre: DVec3) -> Self {
+        // lines along s join points of two sides, and so do their directions and middles
+        let along = [[b - a, c - d], [d - a, c - b]];
+        let mean = along.map(|[one, other]| (one + other).normalize_or_zero());
+        let spread = |k: usize| {
+            let off = along[k].map(|side| {
+                let side = side.normalize_or_zero();
+                // any, where it is not less than a right angle
+                let is_acute = side.dot(mean[k]) > 0.0;
+                if is_acute {
+                    side.cross(mean[k]).length()
+                } else {
+                    1.0
+                }
+            });
+            off[0].max(off[1]) + 8.0 * f64::EPSILON
+        };
+        let middles = [[a, b], [b, c], [c, d], [d, a]];
+        let middle = middles.map(|[p, q]| (0.5 * ((p - centre) + (q - centre))).length());
+        let change = |along: f64, across: f64| {
+            let middle = j + 0.5 * along + f64::min(across, 0.0);
+            (0.5 * along.abs() / middle).min(1.0)
+        };
+        Self {
+            half,
+            middle: middle.into_iter().fold(0.0, f64::max),
+            directions: mean,
+            spreads: [spread(0), spread(1)],
+            unevenness: change(js, jt).max(change(jt, js)) + 8.0 * f64::EPSILON,
+        }
+    }
 }
 
 impl Shape {
@@ -88,6 +146,11 @@ impl Shape {
             .sum();
         let centre = corners.iter().sum::<DVec3>() / real(n);
         let at = |i: usize| Vector(corners[i % n].to_array());
+        let half_length = half_length(&corners, &cells);
+        let lines = match (corners.as_slice(), cells.as_slice()) {
+            (&[a, b, c, d], [_]) => CellLines::of([a, b, c, d], half_length, jacobians[0], centre),
+            _ => CellLines::NONE,
+        };
         let edges: SmallVec<[Edge<f64>; 4]> = (0..n).map(|i| Edge::new(at(i), at(i + 1))).collect();
         let radius = corners
             .iter()
@@ -105,7 +168,8 @@ impl Shape {
             // the Jacobian's rounding
             peak: peak * (1.0 + 8.0 * f64::EPSILON),
             slope: slope + 8.0 * f64::EPSILON,
-            half_length: half_length(&corners, &cells),
+            half_length,
+            lines,
             corners,
             cells,
             jacobians,

@@ -44,15 +44,13 @@ impl ClippedPair<'_> {
     ) -> ExchangeArea {
         let unit = self.reach;
         let value = sum / (unit * unit * unit * unit * PI);
-        let truncation: f64 = (0..2)
-            .map(|k| self.truncation(k, points[k], self.largest))
-            .sum();
         let terms = 4.0 * real(blocks[0] + blocks[1]);
         let heights = self.plain_heights().unwrap_or(2.0 * HEIGHT_ERROR);
-        let relative = (24.0 + terms) * f64::EPSILON + heights;
+        let rounding = ((24.0 + terms) * f64::EPSILON + heights) * value;
+        let rules = [(0, points[0]), (1, points[1])];
         ExchangeArea {
             value,
-            error: relative * value + truncation,
+            error: rounding + self.truncation(&rules, value + rounding),
         }
     }
 

@@ -62,16 +62,13 @@ impl ClippedPair<'_> {
             sum(blocks, Vector(normal.to_array()), sides, subtended)
         });
         let (value, size) = (-across(sums[0]) / TAU, across(sums[1]) / TAU);
-        let truncation = self.truncation(k, points, self.largest);
         // the points themselves are off
         let moved = self.moved(4.0 * f64::EPSILON * over.radius, value);
+        let added = (8.0 + 0.5 * additions) * f64::EPSILON * value;
+        let rounding = rounding.fixed + rounding.relative * size + moved + added;
         ExchangeArea {
             value,
-            error: rounding.fixed
-                + rounding.relative * size
-                + truncation
-                + moved
-                + (8.0 + 0.5 * additions) * f64::EPSILON * value,
+            error: rounding + self.truncation(&[(k, points)], value.abs() + rounding),
         }
     }
 

@@ -66,22 +66,31 @@ pub(crate) struct Block {
 
 /// A rule on the unit square: s, t and the weight of each point.
 #[derive(Debug)]
-pub(crate) struct Nodes(Vec<[Lanes; 3]>);
+pub(crate) struct Nodes {
+    blocks: Vec<[Lanes; 3]>,
+    /// A number of its own.
+    number: u16,
+}
 
 impl Nodes {
     /// The nodes, eight at a time; those that only fill the last vector weigh nothing.
     pub(crate) fn blocks(&self) -> &[[Lanes; 3]] {
-        &self.0
+        &self.blocks
+    }
+
+    /// The number that no other rule has.
+    pub(crate) const fn number(&self) -> u16 {
+        self.number
     }
 
     /// The number of nodes that weigh something.
     pub(crate) fn count(&self) -> usize {
-        let weights = self.0.iter().flat_map(|[_, _, weights]| weights);
+        let weights = self.blocks.iter().flat_map(|[_, _, weights]| weights);
         weights.filter(|weight| **weight > 0.0).count()
     }
 
     /// `n` rows of as many points as `row` says for each t.
-    fn new(n: usize, row: impl Fn(f64) -> usize) -> Self {
+    fn new(number: u16, n: usize, row: impl Fn(f64) -> usize) -> Self {
         let on_unit = |n| {
             let rule = GaussLegendre::with(n);
             rule.nodes.iter().map(|x| 0.5 + 0.5 * x).zip(&rule.weights)
@@ -101,7 +110,10 @@ impl Nodes {
             }
             block
         });
-        Self(blocks.collect())
+        Self {
+            blocks: blocks.collect(),
+            number,
+        }
     }
 }
 
@@ -127,7 +139,11 @@ impl Rules {
 
     /// The vectors that the points on all cells take.
     pub(crate) fn blocks(&self, shape: &Shape) -> usize {
-        shape.cells.iter().map(|cell| self.of(cell).0.len()).sum()
+        shape
+            .cells
+            .iter()
+            .map(|cell| self.of(cell).blocks.len())
+            .sum()
     }
 }
 
@@ -144,7 +160,7 @@ pub(crate) fn fill(
 ) {
     let mut rest = out;
     for (cell, jacobian) in shape.cells.iter().zip(&shape.jacobians) {
-        let Nodes(points) = rules.of(cell);
+        let points = rules.of(cell).blocks();
         let (out, others) = rest.split_at_mut(points.len());
         rest = others;
         let mut corners = [[0.0; 4]; 4];
@@ -209,6 +225,12 @@ fn ratio(gamma: f64) -> Option<(usize, f64)> {
     Some((index, f64::from_bits((step(SMALLEST) + index as u64) << 48)))
 }
 
+/// The number of a rule: of a square, or of triangles at a ratio.
+fn number(kind: usize, points: usize) -> u16 {
+    const _: () = assert!((STEPS + 1) * (MOST_POINTS + 1) < 1 << 16);
+    u16::try_from(kind * (MOST_POINTS + 1) + points).unwrap_or(u16::MAX)
+}
+
 /// The bounds at a ratio, which hold for all above it.
 fn bounds_at((index, gamma): (usize, f64)) -> &'static Bounds {
     static BOUNDS: [OnceLock<Bounds>; STEPS] = [const { OnceLock::new() }; STEPS];
@@ -230,7 +252,7 @@ impl Lines {
         let n = points.clamp(1, MOST_POINTS);
         let has_triangles =
             shape.cells.iter().any(is_triangle) && (2..=MOST_PER_DIRECTION).contains(&n);
-        let quadrilateral = SQUARES[n].get_or_init(|| Nodes::new(n, |_| n));
+        let quadrilateral = SQUARES[n].get_or_init(|| Nodes::new(number(0, n), n, |_| n));
         let triangle = match ratio(self.gamma) {
             Some(ratio) if has_triangles => {
                 TRIANGLES[ratio.0][n].get_or_init(|| triangle(ratio, n))
@@ -271,7 +293,7 @@ impl Lines {
 /// to the error than a whole one.
 fn triangle(at: (usize, f64), n: usize) -> Nodes {
     let whole = bounds_at(at)[n];
-    Nodes::new(n, |t| {
+    Nodes::new(number(1 + at.0, n), n, |t| {
         let share = 1.0 - t;
         let bounds = ratio(at.1 / share).map(bounds_at);
         let is_enough = |points: &usize| {

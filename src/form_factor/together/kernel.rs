@@ -32,14 +32,9 @@ impl Rule {
     }
 
     /// A number by which pairs are put beside those that take the same points.
-    pub(super) fn order(&self) -> [usize; 4] {
-        let [first, second] = self.nodes.map(|nodes| std::ptr::from_ref(nodes).addr());
-        [self.points[0], self.points[1], first, second]
-    }
-
-    /// Whether two pairs take the same points.
-    pub(super) fn is_like(&self, other: &Self) -> bool {
-        self.order() == other.order()
+    pub(super) fn order(&self) -> u32 {
+        let [first, second] = self.nodes.map(|nodes| u32::from(nodes.number()));
+        first << 16 | second
     }
 
     /// The vectors that the points of one pair take.
@@ -52,7 +47,7 @@ impl Rule {
 ///
 /// **Arguments** `heights`: of corners, precise; `reach`: of each pair.
 pub(super) fn kernel(
-    octet: &Octet,
+    octet: &Octet<'_>,
     heights: &[[Lanes; 4]; 2],
     reach: &Lanes,
     rule: &Rule,

@@ -62,17 +62,27 @@ pub(crate) fn exchange_areas(
     pairs: &[Asked<'_>],
     mut answer: impl FnMut(usize, Result<Answer, FormFactorError>),
 ) {
+    if pairs.is_empty() {
+        return;
+    }
     Workspace::with(|work| {
         let (mut queue, mut octet) = (Queue::new(), Octet::new());
         for (chunk, asked) in pairs.chunks(LANES).enumerate() {
             octet.fill(asked.iter());
             planned(&octet, asked, chunk * LANES, &mut queue, work, &mut answer);
         }
-        queue.sort_unstable_by_key(|waiting| (waiting.rule.order(), waiting.place));
-        for alike in queue.chunk_by(|one, other| one.rule.is_like(&other.rule)) {
+        // small keys, as what waits is large
+        let keys = queue.iter().enumerate();
+        let mut order: SmallVec<[(u32, usize); TOGETHER]> = keys
+            .map(|(at, waiting)| (waiting.rule.order(), at))
+            .collect();
+        order.sort_unstable();
+        for alike in order.chunk_by(|one, other| one.0 == other.0) {
             for some in alike.chunks(LANES) {
+                let some: SmallVec<[&Waiting; LANES]> =
+                    some.iter().map(|(_, at)| &queue[*at]).collect();
                 octet.fill(some.iter().map(|waiting| &pairs[waiting.place]));
-                followed(&octet, pairs, some, work, &mut answer);
+                followed(&octet, pairs, &some, work, &mut answer);
             }
         }
     });
@@ -81,7 +91,7 @@ pub(crate) fn exchange_areas(
 /// Plans up to eight pairs, the first of which has this place: what takes a rule over both polygons
 /// waits, all else is answered.
 fn planned(
-    octet: &Octet,
+    octet: &Octet<'_>,
     asked: &[Asked<'_>],
     place: usize,
     queue: &mut Queue,
@@ -111,21 +121,25 @@ fn planned(
 
 /// Answers up to eight pairs with the same rule, together if they fill vectors better so.
 fn followed(
-    octet: &Octet,
+    octet: &Octet<'_>,
     pairs: &[Asked<'_>],
-    alike: &[Waiting],
+    alike: &[&Waiting],
     work: &mut Workspace,
     answer: &mut impl FnMut(usize, Result<Answer, FormFactorError>),
 ) {
     let rule = alike[0].rule;
+    let measured = alike
+        .iter()
+        .map(|waiting| waiting.pair(&pairs[waiting.place]));
+    let measured: SmallVec<[ClippedPair<'_>; LANES]> = measured.collect();
     let sums = rule.pays(alike.len()).then(|| {
         let (mut heights, mut reach) = ([[[0.0; LANES]; 4]; 2], [1.0; LANES]);
         for lane in 0..LANES {
-            let waiting = alike.get(lane).unwrap_or(&alike[0]);
-            let pair = waiting.pair(&pairs[waiting.place]);
+            let at = if lane < alike.len() { lane } else { 0 };
+            let pair = &measured[at];
             reach[lane] = pair.reach;
             for (k, lanes) in heights.iter_mut().enumerate() {
-                for (lanes, height) in lanes.iter_mut().zip(waiting.heights[k]) {
+                for (lanes, height) in lanes.iter_mut().zip(alike[at].heights[k]) {
                     lanes[lane] = height;
                 }
                 let last = pair.heights[k].len() - 1;
@@ -144,8 +158,7 @@ fn followed(
         }
         kernel(octet, &heights, &reach, &rule, work)
     });
-    for (lane, waiting) in alike.iter().enumerate() {
-        let pair = waiting.pair(&pairs[waiting.place]);
+    for (lane, (waiting, pair)) in alike.iter().zip(&measured).enumerate() {
         let exchange = match sums {
             Some(sums) => pair.kernel_exchange(sums[lane], rule.points, rule.blocks()),
             None => pair.kernel(rule.points, &mut work.blocks),

@@ -3,7 +3,8 @@
 use super::Asked;
 use crate::form_factor::Polygon;
 use crate::form_factor::clipped_pair::horizon::Displacement;
-use crate::form_factor::clipped_pair::{ClippedPair, FAR, Measures, Span};
+use crate::form_factor::clipped_pair::{Apart, ClippedPair, FAR, Measures, Span, relative_wanted};
+use crate::form_factor::gauss::aspect::{Aspect, AspectLanes, Placing, RungLanes, SERIES, Series};
 use crate::numeric::{LANES, Lanes, real, vector_value};
 
 /// Three coordinates of eight points.
@@ -22,6 +23,17 @@ pub(super) struct Side {
     area: Lanes,
     perimeter: Lanes,
     count: Lanes,
+    lines: LinesLanes,
+}
+
+/// The fields of `CellLines`.
+#[derive(Debug, Clone, Copy)]
+struct LinesLanes {
+    half: Lanes,
+    middle: Lanes,
+    directions: [Points; 2],
+    spreads: [Lanes; 2],
+    unevenness: Lanes,
 }
 
 const NOTHING: Side = Side {
@@ -35,6 +47,13 @@ const NOTHING: Side = Side {
     area: [0.0; LANES],
     perimeter: [0.0; LANES],
     count: [0.0; LANES],
+    lines: LinesLanes {
+        half: [0.0; LANES],
+        middle: [0.0; LANES],
+        directions: [[[0.0; LANES]; 3]; 2],
+        spreads: [[0.0; LANES]; 2],
+        unevenness: [0.0; LANES],
+    },
 };
 
 impl Side {
@@ -59,31 +78,54 @@ impl Side {
         self.area[lane] = shape.area;
         self.perimeter[lane] = shape.perimeter;
         self.count[lane] = real(last + 1);
+        let (lines, from) = (&mut self.lines, &shape.lines);
+        lines.half[lane] = from.half;
+        lines.middle[lane] = from.middle;
+        for k in 0..2 {
+            for axis in 0..3 {
+                lines.directions[k][axis][lane] = from.directions[k][axis];
+            }
+            lines.spreads[k][lane] = from.spreads[k];
+        }
+        lines.unevenness[lane] = from.unevenness;
     }
 }
 
 /// Eight pairs side by side.
 #[derive(Debug)]
-pub(super) struct Octet {
+pub(super) struct Octet<'p> {
     pub sides: [Side; 2],
+    /// The polygons that the sides hold: one that stays is not put again.
+    held: [[Option<&'p Polygon>; LANES]; 2],
+    tolerances: Lanes,
     /// The lanes that hold polygons of one cell.
     is_held: [bool; LANES],
 }
 
-impl Octet {
+impl<'p> Octet<'p> {
     /// None yet.
     pub(super) const fn new() -> Self {
         Self {
             sides: [NOTHING; 2],
+            held: [[None; LANES]; 2],
+            tolerances: [0.0; LANES],
             is_held: [false; LANES],
         }
     }
 
     /// Takes up to eight pairs, in the first lanes; what others hold means nothing.
-    pub(super) fn fill<'a, 'p: 'a>(&mut self, pairs: impl Iterator<Item = &'a Asked<'p>>) {
-        for (lane, (polygons, _)) in pairs.take(LANES).enumerate() {
-            for (side, polygon) in self.sides.iter_mut().zip(polygons) {
-                side.put(lane, polygon);
+    pub(super) fn fill<'a>(&mut self, pairs: impl Iterator<Item = &'a Asked<'p>>)
+    where
+        'p: 'a,
+    {
+        for (lane, (polygons, tolerance)) in pairs.take(LANES).enumerate() {
+            self.tolerances[lane] = tolerance.max(0.0);
+            for (k, polygon) in polygons.iter().copied().enumerate() {
+                let is_there = self.held[k][lane].is_some_and(|held| std::ptr::eq(held, polygon));
+                if !is_there {
+                    self.sides[k].put(lane, polygon);
+                    self.held[k][lane] = Some(polygon);
+                }
             }
             let are_aligned = polygons.iter().all(|polygon| polygon.rectangle.is_some());
             let has_one_cell = |polygon: &&Polygon| polygon.shape.cells.len() == 1;
@@ -93,8 +135,12 @@ impl Octet {
 
     /// The measures of all.
     pub(super) fn measured(&self) -> Measured {
-        let (sides, is_held) = (&self.sides, self.is_held);
-        vector_value!(Measured::default(), measured(sides, is_held))
+        let (sides, is_held, tolerances) = (&self.sides, self.is_held, &self.tolerances);
+        let series = SERIES.as_slice();
+        vector_value!(
+            Measured::default(),
+            measured(sides, is_held, tolerances, series)
+        )
     }
 }
 
@@ -114,6 +160,7 @@ pub(super) struct Measured {
     by_height: Lanes,
     by_place: Lanes,
     estimate: Lanes,
+    rungs: [RungLanes; 2],
     is_served: [bool; LANES],
 }
 
@@ -129,7 +176,7 @@ impl Measured {
     }
 
     /// The measures of a pair.
-    pub(super) const fn measures(&self, lane: usize) -> Measures {
+    pub(super) fn measures(&self, lane: usize) -> Measures {
         Measures {
             gap: self.gap[lane],
             reach: self.reach[lane],
@@ -140,6 +187,7 @@ impl Measured {
             by_height: self.by_height[lane],
             by_place: self.by_place[lane],
             estimate: self.estimate[lane],
+            rungs: self.rungs.map(|rungs| rungs.at(lane)),
         }
     }
 
@@ -190,7 +238,12 @@ fn squared_distance(x: &Points, y: &Points, lane: usize) -> f64 {
 }
 
 #[inline(always)]
-fn measured(sides: &[Side; 2], is_held: [bool; LANES]) -> Measured {
+fn measured(
+    sides: &[Side; 2],
+    is_held: [bool; LANES],
+    tolerances: &Lanes,
+    series: &[Series],
+) -> Measured {
     let mut out = Measured::default();
     let mut spans = [[[0.0; LANES]; 3]; 2];
     let mut is_sure = [[1.0; LANES]; 2];
@@ -206,7 +259,9 @@ fn measured(sides: &[Side; 2], is_held: [bool; LANES]) -> Measured {
         );
     }
     let [first, second] = sides;
-    let (near, far) = distances(sides, &spans);
+    let (near, far, middles) = distances(sides, &spans);
+    let mut aspects = [AspectLanes::default(); 2];
+    let mut wanted = [0.0; LANES];
     for l in 0..LANES {
         let distance = squared_distance(&second.centre, &first.centre, l).sqrt();
         let radii = first.radius[l] + second.radius[l];
@@ -234,6 +289,23 @@ fn measured(sides: &[Side; 2], is_held: [bool; LANES]) -> Measured {
         out.by_height[l] = measures.by_height;
         out.by_place[l] = measures.by_place;
         out.estimate[l] = measures.estimate;
+        wanted[l] = relative_wanted(tolerances[l]);
+        for k in 0..2 {
+            let (radius, gap) = (sides[1 - k].radius[l], measures.gap_of(middles[k][l]));
+            aspects[k].put(
+                l,
+                &aspect(
+                    sides,
+                    k,
+                    l,
+                    &both[k],
+                    [distance, radius, gap, measures.reach],
+                ),
+            );
+        }
+    }
+    for (out, aspects) in out.rungs.iter_mut().zip(&mut aspects) {
+        *out = aspects.rungs(&wanted, series);
     }
     for l in 0..LANES {
         let reach = out.reach[l];
@@ -244,6 +316,34 @@ fn measured(sides: &[Side; 2], is_held: [bool; LANES]) -> Measured {
             && reach < 1e59;
     }
     out
+}
+
+/// The aspect of one polygon's lines, by lane.
+#[inline(always)]
+fn aspect(
+    sides: &[Side; 2],
+    k: usize,
+    l: usize,
+    heights: &Span,
+    [distance, radius, gap, reach]: [f64; 4],
+) -> Aspect {
+    let [first, second] = sides;
+    let towards = |axis: usize| (second.centre[axis][l] - first.centre[axis][l]) / distance;
+    let [x, y, z] = [towards(0), towards(1), towards(2)];
+    let lines = &sides[k].lines;
+    let cosine = |along: &Points| along[0][l] * x + along[1][l] * y + along[2][l] * z;
+    Aspect::of(&Placing {
+        distance,
+        radius,
+        gap,
+        cosines: [cosine(&lines.directions[0]), cosine(&lines.directions[1])],
+        heights: [heights.least, heights.most],
+        noise: 4.0 * f64::EPSILON * reach,
+        half: lines.half[l],
+        middle: lines.middle[l],
+        unevenness: lines.unevenness[l],
+        spreads: [lines.spreads[0][l], lines.spreads[1][l]],
+    })
 }
 
 /// The heights of one side's corners above the other's planes, as `side_of` takes them where all
@@ -287,10 +387,12 @@ fn heights(
     }
 }
 
-/// A lower and an upper bound on the distances of polygons near each other.
+/// A lower and an upper bound on the distances of polygons near each other, and the distances of
+/// planes that [`Apart`] has for middles of lines.
 #[inline(always)]
-fn distances([first, second]: &[Side; 2], spans: &[[Lanes; 3]; 2]) -> (Lanes, Lanes) {
+fn distances([first, second]: &[Side; 2], spans: &[[Lanes; 3]; 2]) -> (Lanes, Lanes, [Lanes; 2]) {
     let (mut near, mut far) = ([0.0; LANES], [0.0; LANES]);
+    let mut middles = [[0.0; LANES]; 2];
     for l in 0..LANES {
         let distance = squared_distance(&second.centre, &first.centre, l).sqrt();
         let along = |axis: usize| (second.centre[axis][l] - first.centre[axis][l]) / distance;
@@ -300,11 +402,14 @@ fn distances([first, second]: &[Side; 2], spans: &[[Lanes; 3]; 2]) -> (Lanes, La
                 + (corner[1][l] - first.centre[1][l]) * direction[1]
                 + (corner[2][l] - first.centre[2][l]) * direction[2]
         };
-        let [a, b, c, d] = &first.corners;
-        let end = reached(a).max(reached(b)).max(reached(c)).max(reached(d));
-        let [a, b, c, d] = &second.corners;
-        let start = reached(a).min(reached(b)).min(reached(c)).min(reached(d));
-        near[l] = (start - end).max(spans[0][0][l]).max(spans[1][0][l]);
+        let places = |side: &Side| {
+            let [a, b, c, d] = &side.corners;
+            [reached(a), reached(b), reached(c), reached(d)]
+        };
+        let apart = Apart::of_four(places(first), places(second));
+        near[l] = apart.gap.max(spans[0][0][l]).max(spans[1][0][l]);
+        middles[0][l] = apart.middles[0];
+        middles[1][l] = apart.middles[1];
     }
     for x in &first.corners {
         for y in &second.corners {
@@ -316,5 +421,5 @@ fn distances([first, second]: &[Side; 2], spans: &[[Lanes; 3]; 2]) -> (Lanes, La
     for far in &mut far {
         *far = far.sqrt();
     }
-    (near, far)
+    (near, far, middles)
 }

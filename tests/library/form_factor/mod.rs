@@ -14,4 +14,5 @@ mod reciprocity;
 mod rectangle_invariance;
 mod reference_values;
 mod refusals;
+mod rungs;
 mod sampling;
