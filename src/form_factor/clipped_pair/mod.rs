@@ -263,16 +263,21 @@ impl<'a> ClippedPair<'a> {
     }
 }
 
-/// The error of a rule on one shape, relative to the value, that may be left.
+/// The error of a rule on one shape, relative to the value, that may be left: less than what
+/// rounding leaves where the tolerance is tight, so that no digit of the default one is lost.
 #[inline(always)]
 pub(crate) fn relative_wanted(tolerance: f64) -> f64 {
-    let wanted = 0.3 * tolerance.max(4.0 * f64::EPSILON);
+    let share = if tolerance < TIGHT { 0.01 } else { 0.3 };
+    let wanted = share * tolerance.max(4.0 * f64::EPSILON);
     if wanted < MOST_RELATIVE {
         wanted
     } else {
         MOST_RELATIVE
     }
 }
+
+/// The tolerance below which a rule's error is kept below rounding.
+const TIGHT: f64 = 1e-10;
 
 /// The largest such error: products of those of both shapes are little beside them.
 const MOST_RELATIVE: f64 = 1.0 / 16.0;
