@@ -20,8 +20,10 @@ use crate::numeric::real;
 const EVEN: usize = 160;
 /// Cells in the end, about.
 const BUDGET: usize = 400;
-/// The same where something may stand between them.
+/// The same where something may stand between them, and much is reflected: the damping is at least
+/// 1/R − 1, and what is hidden counts where that is little.
 const HIDDEN_BUDGET: usize = 800;
+const MUCH: f64 = 0.8;
 /// The factor by which their number grows in a round, at most.
 const GROWTH: f64 = 1.35;
 
@@ -49,7 +51,8 @@ impl Adapted {
     ) -> Result<(Self, Vec<[Measured; FUNCTIONS]>), HierarchyError> {
         let reflectances = light.reflectances();
         let dark = Dark::of(tree, reflectances)?;
-        let budget = if sight.can_be_hidden() {
+        let reflects_much = reflectances.iter().any(|reflectance| *reflectance > MUCH);
+        let budget = if sight.can_be_hidden() && reflects_much {
             HIDDEN_BUDGET
         } else {
             BUDGET
