@@ -390,9 +390,9 @@ fn farthest(first: &Shape, second: &Shape) -> f64 {
 /// they do not part it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Apart {
-    /// Of the polygons.
+    /// The distance of the polygons.
     pub gap: f64,
-    /// Of the middles of one's lines, if it is a quadrilateral, and the other polygon.
+    /// The distance of the middles of one's lines, if it is a quadrilateral, from the other one.
     pub middles: [f64; 2],
 }
 
@@ -421,8 +421,8 @@ impl Apart {
         }
     }
 
-    /// Of two quadrilaterals whose corners are at these places, or triangles, whose third counts
-    /// twice.
+    /// The distances for two quadrilaterals whose corners are at these places, or triangles, whose
+    /// third counts twice.
     #[inline(always)]
     pub(crate) fn of_four([a, b, c, d]: [f64; 4], [e, f, g, h]: [f64; 4]) -> Self {
         let end = a.max(b).max(c).max(d);

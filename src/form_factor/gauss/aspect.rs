@@ -15,8 +15,8 @@
 //!   |C_k| ≤ (k+1)(k+2)(k+3)/6      end on,        |C_k| ≤ (k+2)/(2 sin³ θ)      from aside
 //! ```
 //!
-//! A rule of n points is right for odd powers and those below 2n; it takes too little of the others,
-//! `∫ z^k dz = (rule) + 2 E_k` with
+//! A rule of n points is right for odd powers and those below 2n; it takes too little of the
+//! others, `∫ z^k dz = (rule) + 2 E_k` with
 //!
 //! ```text
 //!   β_j = j²/(4j² − 1),   E_2n = β_1 ⋯ β_n,   E_(2n+2) = E_2n (n(n−1)/(2n−1) + β_n + β_(n+1))
@@ -61,7 +61,7 @@ const LEAST_SINE: f64 = 1e-3;
 /// More than the bounds' own rounding, relative: some hundred operations, and 2n factors y.
 const ROUNDING: f64 = 1024.0 * f64::EPSILON;
 
-/// What the lines of a quadrilateral look like from another polygon.
+/// The lines of a quadrilateral as they are seen from another polygon.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Aspect {
     /// `y`, the largest half of a line over its distance.
@@ -70,7 +70,7 @@ pub(crate) struct Aspect {
     changes: [f64; 2],
     /// `1/sin³ θ` at most, for both directions.
     aside: [f64; 2],
-    /// What multiplies the sums, and `y^(2n−2)`.
+    /// The factor of the sums, times `y^(2n−2)`.
     factor: f64,
 }
 

@@ -20,9 +20,10 @@ use crate::numeric::real;
 const EVEN: usize = 160;
 /// Cells in the end, about.
 const BUDGET: usize = 400;
-/// The same where something may stand between them, and much is reflected: the damping is at least
-/// 1/R − 1, and what is hidden counts where that is little.
+/// Cells in the end where something may stand between them and a patch reflects much: the damping
+/// is at least 1/R − 1, and what is hidden counts where that is little.
 const HIDDEN_BUDGET: usize = 800;
+/// The reflectance from which on a patch reflects much.
 const MUCH: f64 = 0.8;
 /// The factor by which their number grows in a round, at most.
 const GROWTH: f64 = 1.35;

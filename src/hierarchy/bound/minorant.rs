@@ -42,7 +42,7 @@ pub(super) struct Minorant {
     factors: Cholesky<f64, Dyn>,
     /// A lower bound on the eigenvalues of the means' part.
     least: f64,
-    /// The same for means that add up to nothing.
+    /// A lower bound on them for means that add up to nothing.
     beside_mean: f64,
 }
 
@@ -193,8 +193,8 @@ impl Minorant {
         (means.max(0.0) + self.fluctuations(f)).sqrt()
     }
 
-    /// A bound on `‖e‖` for all e with `⟨e, N e⟩ ≤ ⟨f, e⟩`, f of this energy, and with this integral
-    /// over patches that count.
+    /// A bound on `‖e‖` for all e with `⟨e, N e⟩ ≤ ⟨f, e⟩`, f of this energy, and with this
+    /// integral over patches that count.
     ///
     /// ```text
     ///   f = f_k + ρ,  η = √⟨f_k, N⁻¹ f_k⟩,  ⟨ρ, e⟩ ≤ σ √⟨e, N e⟩

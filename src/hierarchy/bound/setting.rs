@@ -26,7 +26,7 @@ pub(super) struct Setting {
     pub(super) light: Lighting,
     pub(super) operator: DiscreteOperator,
     views: Views,
-    /// What dark patches take, by leaf; known in a closed scene.
+    /// The exchange area of each leaf with all dark patches; known in a closed scene.
     taken: Option<Vec<ExchangeArea>>,
     noise: f64,
 }
