@@ -121,7 +121,8 @@ pub(crate) fn number_and_error(claim: &JudgedClaim) -> [String; 2] {
     }
 }
 
-/// The number with the digits that are certain, and how certain they are; empty for a claim in words.
+/// The number with the digits that are certain, and its certainty in words; both empty for a claim
+/// in words.
 pub(crate) fn number_and_certainty(claim: &JudgedClaim) -> [String; 2] {
     let [number, error] = number_and_error(claim);
     let certainty = match error.strip_prefix('(').and_then(|e| e.strip_suffix(')')) {
